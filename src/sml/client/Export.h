@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// Marks what the shared library offers to its users.
+/// Marks symbols that the shared library exports.
 #if defined(_WIN32)
 #if defined(SOARBOX_SML_BUILDING)
 #define EXPORT __declspec(dllexport)
@@ -12,7 +12,7 @@
 #define EXPORT __attribute__((visibility("default")))
 #endif
 
-/// Marks the function by which a library that a kernel loads offers itself.
+/// Marks the entry function of a library that a kernel loads.
 #if defined(_WIN32)
 #define RHS_EXPORT __declspec(dllexport)
 #else

@@ -14,14 +14,14 @@
 
 namespace sml {
 
-/// What an Agent object consists of.
+/// The implementation of an Agent object.
 struct AgentData {
   AgentData(Agent& owner, Kernel& owner_kernel, std::string agent_name);
 
   Agent& agent;
   Kernel& kernel;
   std::string name;
-  std::unique_ptr<AgentLink> link;  ///< Null once the agent is destroyed.
+  std::unique_ptr<AgentLink> link;  ///< Null after the agent was destroyed.
   WorkingMemory memory;
   bool blink = true;
   int next_callback = 0;
@@ -44,7 +44,7 @@ struct AgentData {
 
   static AgentData& Of(Agent& owner) { return *owner.data_; }
   KernelData& kernel_data() { return KernelData::Of(kernel); }
-  /// Null if the agent is gone; an error of the agent is set then.
+  /// Returns null, and sets the agent's error, if the agent was destroyed.
   AgentLink* Usable();
   void SetError(ErrorCode code, char const* description) { agent.SetDetailedError(code, description); }
   void ClearError() { agent.ClearError(); }
@@ -54,7 +54,8 @@ struct AgentData {
   void OnProduction(int event, std::string_view name);
   void OnPrint(int event, const std::string& text, bool self);
   void OnXml(int event, const std::shared_ptr<const soarbox::wire::Element>& element);
-  /// After all changes of a message are in memory; not `complete` if some found no place there.
+  /// Called when all changes of a message have been applied. `complete` is false if some of them had no place in the
+  /// structure.
   void OnOutputReceived(bool complete);
   void OnReinitialized();
 };

@@ -10,7 +10,7 @@ namespace sml {
 
 namespace {
 
-/// A file name without the quotes or braces that a caller may have put around it.
+/// A file name without the quotes or braces around it.
 std::string_view Unwrapped(std::string_view name) {
   if (name.size() < 2) return name;
   const bool quoted = name.front() == '"' && name.back() == '"';
@@ -84,7 +84,7 @@ char const* Agent::RunSelfTilOutput() {
 }
 
 char const* Agent::StopSelf() {
-  // Without the lock: another thread may hold it for as long as the agent runs.
+  // Without the lock, because another thread may hold it during the entire run.
   if (AgentLink* link = data_->Usable()) link->StopSelf();
   return "";
 }

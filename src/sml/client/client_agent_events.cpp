@@ -10,7 +10,7 @@ namespace sml {
 
 namespace {
 
-/// Adds a handler and tells the kernel of the first one for an event.
+/// Adds a handler. Registers with the kernel for the first handler of an event.
 template <typename Handler>
 int AddHandler(AgentData& data, HandlerTable<Handler>& table, int event, Handler handler, void* user_data, bool to_back,
                bool flag, bool tell_kernel) {
@@ -40,7 +40,7 @@ bool RemoveHandler(AgentData& data, HandlerTable<Handler>& table, int id, bool t
   return true;
 }
 
-/// The one event of tables that know no events.
+/// The only event of tables without events.
 constexpr int kAnyEvent = 1;
 
 }  // namespace
@@ -140,7 +140,7 @@ void AgentData::OnOutputReceived(bool complete) {
   if (notification_handlers.empty() && output_handlers.empty()) return;
   notification_handlers.ForEach(kAnyEvent, [&](const auto& entry) { entry.handler(entry.data, &agent); });
   if (output_handlers.empty() || !memory.OutputLink()) return;
-  // Handlers may register others and change what they like: both lists are looked at afresh each time.
+  // Handlers may register others and change both lists, so the lists are read again each time.
   OutputDeltaList& changes = memory.changes();
   IdentifierSymbol* root = memory.OutputLink()->GetSymbol();
   for (int i = 0; i < changes.GetSize(); ++i) {

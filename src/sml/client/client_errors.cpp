@@ -8,7 +8,7 @@ namespace sml {
 
 namespace {
 
-// By ErrorCodeValue.
+// Indexed by ErrorCodeValue.
 constexpr char const* kDescriptions[] = {"No Error",
                                          "An argument is not valid",
                                          "There is no handler with this id",

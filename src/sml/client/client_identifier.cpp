@@ -10,8 +10,7 @@
 
 namespace sml {
 
-// The children of a symbol
-// ----------------------------------------------------------------------------------------------
+// The children of a symbol ------------------------------------------------------------------------------------------
 
 IdentifierSymbol::~IdentifierSymbol() = default;
 
@@ -60,7 +59,7 @@ void IdentifierSymbol::ForgetUsers() {
   if (further_users_) further_users_->clear();
 }
 
-/// Puts an element that has no parent at the end of the children.
+/// Appends an element without a parent to the children.
 void IdentifierSymbol::Append(WMElement* child) {
   child->parent_ = this;
   child->next_ = nullptr;
@@ -122,8 +121,7 @@ void IdentifierSymbol::DebugString(std::string& result) {
   for (WMElement* child : *this) child->DebugString(result);
 }
 
-// The element
-// -----------------------------------------------------------------------------------------------------------
+// The element ---------------------------------------------------------------------------------------------------------
 
 Identifier::~Identifier() = default;
 

@@ -11,10 +11,10 @@ namespace sml {
 
 namespace {
 
-/// How long a kernel may take for its first answers.
+/// Time limit in milliseconds for a kernel's first responses.
 constexpr int kGreetingLimitMs = 10'000;
 
-/// How many destroyed agents answer calls with errors; pointers to earlier ones are void.
+/// Maximum number of destroyed agents that still answer calls with errors; pointers to earlier ones are invalid.
 constexpr std::size_t kGraves = 64;
 
 }  // namespace
@@ -85,7 +85,7 @@ Kernel* Kernel::CreateRemoteConnection(bool, char const* pIPaddress, int port, b
 
 void Kernel::Shutdown() {
   if (data_->shut_down) return;
-  // Not under the lock: the link waits for threads that may want it.
+  // Without the lock, because the link waits for threads that may need it.
   if (data_->link) data_->link->Shutdown();
   data_->shut_down = true;
   while (!data_->agents.empty()) data_->Bury(std::string(data_->agents.begin()->first));
@@ -178,7 +178,7 @@ Agent* Kernel::CreateAgent(char const* pAgentName) {
     }
     return nullptr;
   }
-  // A remote kernel has told of the agent meanwhile, and its object was made for that.
+  // A remote kernel has reported the agent meanwhile, and its object was created then.
   if (Agent* told = GetAgent(pAgentName)) return told;
   Agent* created = agent.get();
   agent->data_->link = std::move(agent_link);
@@ -189,7 +189,7 @@ Agent* Kernel::CreateAgent(char const* pAgentName) {
   return created;
 }
 
-/// The object for an agent that others made; made now if need be.
+/// The object for an agent that another client created; created if necessary.
 Agent* KernelData::Adopt(const std::string& name) {
   const auto known = agents.find(name);
   if (known != agents.end()) return known->second.get();
@@ -350,7 +350,7 @@ char const* RunAll(Kernel& kernel, KernelData& data, const RunSpec& spec) {
 }  // namespace
 
 char const* Kernel::RunAllAgents(int numberSteps, smlRunStepSize stepSize, smlRunStepSize interleaveStepSize) {
-  // An optimized kernel does not refuse steps that are smaller than what agents take in turn: these count then.
+  // An optimized kernel accepts steps that are smaller than the interleave step; the interleave step is used then.
   if (data_->direct && stepSize == sml_ELABORATION) stepSize = interleaveStepSize;
   return RunAll(*this, *data_, {false, false, numberSteps, stepSize, true, interleaveStepSize});
 }
@@ -364,7 +364,7 @@ char const* Kernel::RunAllTilOutput(smlRunStepSize interleaveStepSize) {
 }
 
 char const* Kernel::StopAllAgents() {
-  // Without the lock: another thread may hold it for as long as the agents run.
+  // Without the lock, because another thread may hold it during the entire run.
   KernelLink* link = data_->link.get();
   if (!link || data_->shut_down) return "There are no agents to stop";
   link->StopAll();

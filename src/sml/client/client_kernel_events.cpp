@@ -11,14 +11,14 @@ namespace sml {
 
 namespace {
 
-/// The library listens to these itself.
+/// Returns true for events that the library itself listens to.
 bool IsOwnEvent(int event) {
   return event == smlEVENT_BEFORE_AGENT_DESTROYED || event == smlEVENT_AFTER_AGENT_REINITIALIZED;
 }
 
 }  // namespace
 
-// The four families of events of the kernel are alike but for the type of their handlers.
+// The four kinds of kernel events differ only in the type of their handlers.
 #define SOARBOX_SML_KERNEL_EVENTS(Family, IdType, HandlerType, table)                                       \
   int Kernel::RegisterFor##Family##Event(IdType id, HandlerType handler, void* pUserData, bool addToBack) { \
     const Lock lock = Hold(*data_);                                                                         \
@@ -51,8 +51,7 @@ SOARBOX_SML_KERNEL_EVENTS(String, smlStringEventId, StringEventHandler, string_h
 SOARBOX_SML_KERNEL_EVENTS(Agent, smlAgentEventId, AgentEventHandler, agent_handlers)
 #undef SOARBOX_SML_KERNEL_EVENTS
 
-// Functions and messages
-// ------------------------------------------------------------------------------------------------
+// Functions and messages ----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -155,8 +154,7 @@ std::string Kernel::SendClientMessage(Agent* pAgent, char const* pClientName, ch
   return link->SendClientMessage(pAgent, pClientName, pMessage).value_or("**NOBODY RESPONDED**");
 }
 
-// What the kernel tells
-// -------------------------------------------------------------------------------------------------
+// Events of the kernel ------------------------------------------------------------------------------------------------
 
 void KernelData::OnSystem(int event) {
   system_handlers.ForEach(
@@ -196,7 +194,7 @@ std::optional<std::string> KernelData::OnString(int event, std::string_view valu
 std::optional<std::string> KernelData::OnFunction(Agent* agent, int event, std::string_view name,
                                                   std::string_view argument) {
   for (const Function& function : functions) {
-    // A filter is registered as a client message of that name.
+    // A filter may be registered as a client message with the name of filters.
     if (function.name != name || (function.event != event && event != smlEVENT_FILTER)) continue;
     const RhsEventHandlerCpp handler = function.handler;
     const std::string called(name);

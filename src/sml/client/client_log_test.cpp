@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a client does to its agents is logged, and an agent that the log is played to thinks as the first one did.
+// The acts of a client are logged. An agent for which the log is replayed makes the same decisions.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -42,7 +42,7 @@ sp {apply*forget
    (<out> ^<name> <c> -)}
 )";
 
-/// The operators that were selected, in order.
+/// The selected operators, in order.
 struct Decisions final : MindObserver {
   void OnOperator(int, std::string_view, std::string_view name) override { names.emplace_back(name); }
   void OnState(int, std::string_view, mind::StateReason, bool) override {}
@@ -65,7 +65,7 @@ class ClientLog : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
-  /// Lets a client drive an agent for some turns; returns what it selected.
+  /// Lets a client drive an agent for some turns. Returns the agent's decisions.
   std::vector<std::string> Drive(int turns, const char* seed) {
     const std::unique_ptr<sml::Kernel> kernel(
         sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener));
@@ -93,11 +93,11 @@ class ClientLog : public testing::Test {
     return decisions.names;
   }
 
-  /// Plays the log to a new agent; returns what it selected. What did not go as recorded is added to the problems.
+  /// Replays the log for a new agent. Returns its decisions. Adds differences from the recording to `problems`.
   std::vector<std::string> Play(std::vector<std::string>& problems) {
     const std::unique_ptr<sml::Kernel> kernel(
         sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener));
-    // Only its own files may be read by what a recording says.
+    // Commands in a recording may read only files of the recording.
     kernel->FenceFiles({folder.string()});
     sml::Agent* const agent = kernel->CreateAgent("walker");
     Decisions decisions;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr char const* kJar = "SoarJavaDebugger.jar";
 
-/// Where the debugger is; empty if nowhere.
+/// The path of the debugger; empty if it is not found.
 std::string FindJar(char const* jarpath) {
   std::error_code ignored;
   if (jarpath && *jarpath) {

@@ -10,10 +10,10 @@
 
 namespace sml {
 
-// A text of its own ---------------------------------------------------------------------------------------------------
+// A text of one object ------------------------------------------------------------------------------------------------
 
 void ElementText::Assign(char const* text, std::size_t size) {
-  if (size == 0) text = "";  // Texts that are empty may be nowhere.
+  if (size == 0) text = "";  // Empty texts may have a null pointer.
   if (!IsLong() && size <= kMark) {
     std::memmove(bytes_, text, size);
     if (size < kMark) bytes_[size] = 0;
@@ -36,7 +36,7 @@ void ElementText::Assign(char const* text, std::size_t size) {
   bytes_[kMark] = 1;
 }
 
-// Texts of all agents -------------------------------------------------------------------------------------------------
+// Texts shared by all agents ------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -50,7 +50,7 @@ constexpr std::size_t kLongestShared = 64;
 constexpr std::size_t kSharedSlots = 8192;  // A power of two.
 constexpr std::size_t kMostShared = kSharedSlots / 2;
 
-// Entries only come, so that readers need no lock.
+// Entries are never removed, so readers need no lock.
 std::atomic<SharedEntry*> shared_slots[kSharedSlots];
 std::atomic<std::size_t> shared_count{0};
 std::mutex sharing;
@@ -70,7 +70,7 @@ std::uint32_t HashOf(std::string_view text) {
   return static_cast<std::uint32_t>(hash);
 }
 
-/// The text's place, or the free one where it belongs.
+/// The slot of the text, or the free slot where it can be inserted.
 std::size_t Locate(std::string_view text, std::uint32_t hash) {
   for (std::size_t slot = hash & (kSharedSlots - 1);; slot = (slot + 1) & (kSharedSlots - 1)) {
     SharedEntry* const entry = shared_slots[slot].load(std::memory_order_acquire);

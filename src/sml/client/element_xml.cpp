@@ -106,7 +106,7 @@ int ElementXML::GetNumberChildren() const {
 
 bool ElementXML::GetChild(ElementXML* pChild, int index) const {
   if (!pChild || index < 0 || index >= GetNumberChildren()) return false;
-  // The child keeps the whole message alive.
+  // The child keeps the entire message alive.
   *pChild = ElementXML(std::shared_ptr<const Element>(element_, &element_->children[static_cast<std::size_t>(index)]));
   return true;
 }

@@ -12,7 +12,7 @@ namespace sml {
 
 namespace {
 
-/// Where numbers are written that are asked for without a buffer.
+/// Storage for numbers that are read as text without a buffer.
 thread_local std::string number_text;
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace sml {
 
 namespace {
 
-/// By number. The name of 38 (a rule is about to be removed) is as Soar has it.
+/// Indexed by event number. The name of 38 (a rule is about to be removed) is that of Soar.
 constexpr std::array<char const*, smlEVENT_LAST> kNames = {
     nullptr,
     "before-shutdown",

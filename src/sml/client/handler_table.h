@@ -7,8 +7,8 @@
 
 namespace sml {
 
-/// Registered handlers of one family, in the order in which they run. Handlers may register and unregister others, and
-/// themselves, while they run.
+/// The registered handlers of one kind, in the order in which they run. While they run, handlers may register and
+/// unregister any handler, including themselves.
 template <typename Handler>
 class HandlerTable {
  public:
@@ -21,7 +21,7 @@ class HandlerTable {
     bool dead = false;
   };
 
-  /// The id of the same registration; 0 if there is none.
+  /// Returns the id of an identical registration, or 0.
   int Find(int event, Handler handler, void* data) const {
     for (const Entry& entry : entries_) {
       if (!entry.dead && entry.event == event && entry.handler == handler && entry.data == data) return entry.id;
@@ -41,7 +41,7 @@ class HandlerTable {
       entries_.insert(entries_.begin(), std::move(entry));
     }
   }
-  /// The event of the handler that was removed; 0 if there is none of that id.
+  /// Removes a handler. Returns its event, or 0 if there is no handler with this id.
   int Remove(int id) {
     for (Entry& entry : entries_) {
       if (entry.dead || entry.id != id) continue;
@@ -59,7 +59,7 @@ class HandlerTable {
     const std::size_t count = entries_.size();
     for (std::size_t i = 0; i < count; ++i) {
       if (entries_[i].dead || entries_[i].event != event) continue;
-      // A copy: the handler may add others, which moves the entries.
+      // A copy, because the handler may add others, which moves the entries.
       const Entry entry = entries_[i];
       call(entry);
     }

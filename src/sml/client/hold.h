@@ -7,10 +7,10 @@
 
 namespace sml {
 
-/// Holds the kernel while it lives.
+/// Locks the kernel during its lifetime.
 class Lock {
  public:
-  /// Null: there is nothing to hold.
+  /// With null, nothing is locked.
   explicit Lock(soarbox::server::CallMutex* mutex) : mutex_(mutex) {
     if (mutex_ != nullptr) mutex_->lock();
   }
@@ -24,8 +24,8 @@ class Lock {
   soarbox::server::CallMutex* const mutex_;
 };
 
-/// Holds the kernel for a call; nothing to hold once the kernel is gone. (Without a call: a tick of a crowd makes
-/// hundreds of thousands.)
+/// Locks the kernel for one call; locks nothing if the kernel no longer exists. Inlined, because a tick with many
+/// agents locks hundreds of thousands of times.
 [[gnu::always_inline]] inline Lock Hold(KernelData& data) {
   return Lock(data.link ? &data.link->mutex() : nullptr);
 }

@@ -90,7 +90,7 @@ std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool wh
     to.long_term_memory = from.long_term_memory;
     to.repaired = from.repaired;
     if (!whole) {
-      // What it is good for: its actions, and the conditions that name operators.
+      // The rule's purpose: its actions, and the conditions that name operators.
       for (const ExplainedRule::Action& action : from.actions) to.actions.push_back(ReadAction(action));
       for (const ExplainedRule::Condition& condition : from.conditions) {
         if (condition.attribute.text == "name") to.conditions.push_back(ReadCondition(condition));

@@ -23,10 +23,10 @@ using kernel::WmeId;
 
 constexpr std::size_t kMostMatches = 20;
 constexpr std::size_t kMostElements = 20;
-/// More partial matches than these are counted only: listing them takes memory for each.
+/// Above this number, partial matches are only counted, because listing them takes memory for each.
 constexpr std::size_t kMostListed = 20'000;
 
-/// What a field must equal: a constant or a variable; none if it need not equal anything.
+/// The constant or variable that a field must equal; none if there is no equality test.
 Symbol Equal(const Test& test) {
   if (test.kind == TestKind::kEqual) return test.referent();
   for (const Test& part : test.parts())
@@ -53,7 +53,7 @@ std::vector<std::vector<mind::ElementFact>> Describe(const Agent& agent, const k
   return list;
 }
 
-/// What a variable stands for in a partial match, if a condition before this one binds it.
+/// The value of a variable in a partial match, if an earlier condition binds it.
 Symbol Bound(const Agent& agent, const Production& rule, std::size_t before, Symbol variable,
              const std::vector<WmeId>& match) {
   std::size_t place = 0;
@@ -69,7 +69,7 @@ Symbol Bound(const Agent& agent, const Production& rule, std::size_t before, Sym
   return {};
 }
 
-/// Elements where a condition looks: of the identifier that it hangs on, with its attribute, whatever their value.
+/// Finds the elements that a condition examines: those of its identifier with its attribute, regardless of their value.
 void FindSeen(const Agent& agent, const Production& rule, std::size_t place, const kernel::Rete::PartialMatches& before,
               mind::MatchFacts& match) {
   const Condition& condition = rule.conditions[place];
@@ -87,7 +87,7 @@ void FindSeen(const Agent& agent, const Production& rule, std::size_t place, con
       if (fits(agent.memory().wme(wme))) AddOnce(agent, wme, match.seen);
   }
   if (is_bound || any_attribute) return;
-  // The first condition of a rule, or one that hangs on nothing before it: anything with that attribute.
+  // For the first condition of a rule, and for unconnected conditions: any element with the attribute.
   const kernel::WmeTable& wmes = agent.memory().wmes();
   for (std::uint32_t i = 0; i < wmes.size() && match.seen.size() < kMostElements; ++i)
     if (wmes[i].live && wmes[i].attribute == attribute) AddOnce(agent, static_cast<WmeId>(i), match.seen);
@@ -150,7 +150,7 @@ std::vector<mind::TesterFact> InspectTesters(const Agent& agent, WmeId wme) {
   if (agent.out_of_memory()) return testers;
   for (const ProductionId id : agent.Productions()) {
     const Production& rule = agent.production(id);
-    std::size_t positive = 0;  // Place of the condition's element in a match.
+    std::size_t positive = 0;  // Index of the condition's element in a match.
     for (std::size_t i = 0; i < rule.conditions.size(); ++i) {
       const ConditionKind kind = rule.conditions[i].kind;
       const std::size_t place = kind == ConditionKind::kPositive ? positive++ : 0;

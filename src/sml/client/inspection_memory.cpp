@@ -32,7 +32,7 @@ std::string ObjectText(const Knowledge& knowledge, std::uint32_t object) {
   return text;
 }
 
-/// Large and small letters are the same.
+/// Whether `text` contains `part`; case-insensitive.
 bool Has(const std::string& text, std::string_view part) {
   const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
@@ -43,7 +43,8 @@ void InspectSemantic(const SemanticMemory& memory, std::size_t most, std::string
   to.semantic = memory.settings().enabled;
   to.objects = knowledge.object_count();
   to.augmentations = knowledge.edge_count();
-  // The most active first, then by number. Only those that are shown are put into words, unless words are looked for.
+  // Sorted by activation, highest first, then by number. Only the objects shown are described, unless a text is
+  // searched.
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t object = 0; object < knowledge.object_count(); ++object) {
     if (knowledge.EdgesAt(object).empty()) continue;

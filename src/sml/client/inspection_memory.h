@@ -10,7 +10,7 @@
 
 namespace soarbox {
 
-/// What an agent knows and remembers. See MindInspection.
+/// The contents of an agent's long-term memories. See MindInspection.
 mind::LongTermFacts InspectLongTerm(kernel::Agent& agent, std::size_t most, std::string_view text);
 std::vector<mind::RememberedFact> InspectEpisode(kernel::Agent& agent, std::size_t number);
 

@@ -16,13 +16,13 @@
 
 namespace sml {
 
-/// What a Kernel object consists of. Links call the On... functions when the kernel has something to tell.
+/// The implementation of a Kernel object. Links call the On... functions to report events of the kernel.
 struct KernelData {
   explicit KernelData(Kernel& owner) : kernel(owner) {}
 
   Kernel& kernel;
   std::unique_ptr<KernelLink> link;  ///< Null if the kernel could not be reached.
-  bool direct = false;               ///< Made with optimized: runs give a fixed text.
+  bool direct = false;               ///< Created with `optimized`: runs return a fixed text.
   bool ignore_output = false;
   bool auto_commit = true;
   bool filtering = true;
@@ -31,7 +31,7 @@ struct KernelData {
   bool last_line_ok = false;
   std::string buffer;  ///< The text of the last command line or run.
   int next_callback = 0;
-  long long next_tag = 0;  ///< The last one that was given away.
+  long long next_tag = 0;  ///< The last time tag that was used.
   long long next_name = 0;
 
   std::map<std::string, std::unique_ptr<Agent>> agents;
@@ -53,7 +53,7 @@ struct KernelData {
   };
   std::vector<Function> functions;
 
-  /// Null if the kernel cannot be used any more; an error is set then.
+  /// Returns null, and sets an error, if the kernel can no longer be used.
   KernelLink* Usable();
   Agent* Adopt(const std::string& name);
   void Bury(const std::string& name);

@@ -12,7 +12,7 @@ namespace {
 
 using InitFunction = char* (*)(Kernel*, int, char**);
 
-/// The names under which a library may be found.
+/// The possible file names of a library.
 std::vector<std::string> Candidates(const std::string& name) {
   return {name, "lib" + name + ".so", "./lib" + name + ".so", name + ".so"};
 }

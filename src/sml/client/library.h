@@ -8,7 +8,7 @@ namespace sml {
 class Kernel;
 
 /// Loads a shared library and calls its sml_InitLibrary with the words of the command ("name arguments..."). Returns
-/// what the library returned, or a message that says what failed; empty if all is well.
+/// the text that the library returned, or an error message; empty on success.
 std::string LoadSmlLibrary(Kernel& kernel, const std::string& command);
 
 }  // namespace sml

@@ -17,7 +17,8 @@
 #include "sml/server/connection.h"
 #include "sml/wire/element.h"
 
-/// What stands between the client API and a kernel: a direct line to one in this process, or a socket to one elsewhere.
+/// The connection between the client API and a kernel: direct calls for a kernel in this process, a socket for any
+/// other.
 namespace sml {
 
 class Agent;
@@ -28,7 +29,7 @@ struct KernelData;
 struct OutputWme {
   bool add = true;
   long long tag = 0;
-  long long id = 0;  ///< The identifier that it hangs on, as IdentifierKey() has it.
+  long long id = 0;  ///< The identifier that the element belongs to, as IdentifierKey().
   std::string_view attribute;
   soarbox::server::InputWme::Type type = soarbox::server::InputWme::Type::kString;
   std::string_view text;
@@ -38,13 +39,13 @@ struct OutputWme {
   std::uint32_t value_hint = 0;  ///< The kernel's handle of the value, if it is in this process.
 };
 
-/// A kernel's identifier ("F12") as one number, for maps; 0 for anything else.
+/// A kernel's identifier ("F12") as a number for maps; 0 for other texts.
 using soarbox::server::IdentifierKey;
 long long IdentifierKey(std::string_view name);
-/// Writes the name of an identifier.
+/// Sets `out` to the name of an identifier.
 void AssignIdentifierName(std::string& out, long long key);
 
-/// A run, as the API asks for it.
+/// The parameters of a run in the client API.
 struct RunSpec {
   bool self = true;
   bool forever = false;
@@ -54,16 +55,16 @@ struct RunSpec {
   smlRunStepSize interleave = sml_PHASE;
 };
 
-/// The command line that asks for a run: "run --self -d 3".
+/// The command line that starts a run: "run --self -d 3".
 std::string RunLine(const RunSpec& spec);
 
-/// The answer to a command line.
+/// The result of a command line.
 struct LineAnswer {
   bool ok = true;
-  bool failed_to_ask = false;  ///< The kernel did not answer at all; text says why.
+  bool failed_to_ask = false;  ///< The kernel did not answer at all; `text` explains why.
   std::string text;
-  std::string details;  ///< Every error with file, line and column, if there are any; else every warning.
-  std::shared_ptr<const soarbox::wire::Element> document;  ///< For structured answers: the response <sml>.
+  std::string details;  ///< All errors with file, line and column; if there are none, all warnings.
+  std::shared_ptr<const soarbox::wire::Element> document;  ///< For structured results: the <sml> of the response.
 };
 
 struct LineRequest {
@@ -71,39 +72,39 @@ struct LineRequest {
   bool echo = false;
   bool no_filter = false;
   bool structured = false;
-  bool fenced = false;    ///< Loads a file for which the fence holds, if there is one.
-  bool recorded = false;  ///< Comes from a recording: a fence holds always. Kernels elsewhere refuse it.
+  bool fenced = false;    ///< It loads a file to which the fence applies, if there is one.
+  bool recorded = false;  ///< It comes from a recording: a fence always applies. Remote kernels refuse it.
 };
 
-/// A link's own name for an element of the input.
+/// A link's own handle for an element of the input.
 using InputHandle = std::uint32_t;
 constexpr InputHandle kNoInputHandle = 0xFFFFFFFFu;
 
-/// What Soarbox's own kernel tells of a mind besides Soar's client API (soarbox_Inspection.h).
+/// The data on a mind that only Soarbox's kernel provides, in addition to Soar's client API (soarbox_Inspection.h).
 class MindLink {
  public:
   virtual ~MindLink() = default;
-  /// What the decision procedure says of a state's operators now; none if that kernel does not tell.
+  /// The current decision on a state's operators; none if the kernel does not provide it.
   virtual std::optional<soarbox::mind::Decision> Decision(std::string_view state) = 0;
-  /// Lets the kernel note origins; false if it cannot.
+  /// Makes the kernel record origins. Returns false if it cannot.
   virtual bool NoteOrigins() = 0;
-  /// Of the element with a time tag, or of a command if `command` is not empty.
+  /// The origin of the element with a time tag, or of a command if `command` is not empty.
   virtual soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) = 0;
 };
 
-/// The way to one agent.
+/// The connection to one agent.
 class AgentLink {
  public:
   virtual ~AgentLink() = default;
 
   virtual std::string InputLinkName() = 0;
 
-  /// Changes of input; they belong together until FlushInput. A new element's handle serves later calls; a link that
-  /// names elements by their tags gives none.
+  /// Changes of the input; a sequence of them ends with FlushInput. The handle of a new element is used in later calls.
+  /// Links that identify elements by their tags return no handle.
   virtual InputHandle AddInput(const soarbox::server::InputWme& wme) = 0;
   virtual InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) = 0;
-  /// The same for a constant, without all else about its element; false, and nothing is done, if the link has to know
-  /// that.
+  /// Sets a new constant, without the other data of the element. Returns false, and does nothing, if the link needs
+  /// those data.
   virtual bool UpdateValue(InputHandle element, long long tag, double value) {
     (void)element, (void)tag, (void)value;
     return false;
@@ -119,7 +120,7 @@ class AgentLink {
   virtual void RemoveInput(InputHandle element, long long tag) = 0;
   virtual void FlushInput() = 0;
 
-  /// How many apply phases the agent has completed; counts only while they are watched.
+  /// Number of completed apply phases of the agent; counted only while they are watched.
   virtual unsigned long long ApplyCount() = 0;
   virtual void WatchApplyPhases(bool on) = 0;
 
@@ -132,9 +133,9 @@ class AgentLink {
   virtual int LastRunResult() = 0;
   virtual void StopSelf() = 0;
 
-  /// Lines for the top state's scene; false if the spatial visual system is off.
+  /// Sends lines to the top state's scene. Returns false if the spatial visual system is off.
   virtual bool SendScene(std::string_view lines) = 0;
-  /// Lines that were refused since somebody asked last, with reasons.
+  /// Returns the lines refused since the last call, with reasons.
   virtual std::string TakeRefusedScene() = 0;
   virtual std::string QueryScene(std::string_view queries) = 0;
 
@@ -143,7 +144,7 @@ class AgentLink {
 
   virtual MindLink& mind() = 0;
 
-  /// Everything on the input link and below the output link now, parents first.
+  /// Visits everything that is now on the input link or below the output link, parents first.
   virtual void ListInput(const std::function<void(const OutputWme&)>& visit) = 0;
   virtual void ListOutput(const std::function<void(const OutputWme&)>& visit) = 0;
 };
@@ -153,20 +154,20 @@ class KernelLink {
  public:
   virtual ~KernelLink() = default;
 
-  /// Held by every call of the API; recursive.
+  /// Every call of the API locks it. Recursive.
   virtual soarbox::server::CallMutex& mutex() = 0;
   virtual bool remote() const = 0;
   virtual bool closed() const = 0;
-  /// What a kernel elsewhere said when it sent this client away; empty: nothing.
+  /// The reason that a remote kernel gave when it refused this client; empty if it did not.
   virtual std::string Refusal() { return {}; }
-  /// Ends the kernel, or leaves it.
+  /// Ends a local kernel; disconnects from a remote one.
   virtual void Shutdown() = 0;
-  /// How long a kernel elsewhere may be silent while it is asked something; 0: the default.
+  /// Maximum time in which a remote kernel must answer; 0: the default.
   virtual void SetAnswerLimit(int milliseconds) { static_cast<void>(milliseconds); }
 
-  /// Hears of each command line of a remote client before it is carried out; kernels elsewhere tell nothing.
+  /// `listener` receives each command line of a remote client before it is executed. Remote kernels report nothing.
   virtual void OverhearCommands(std::function<void(char const*, char const*)> listener) { static_cast<void>(listener); }
-  /// Remote clients wait until CheckForIncoming.
+  /// While on, remote clients wait until CheckForIncoming.
   virtual void HoldIncoming(bool on) { static_cast<void>(on); }
 
   virtual void FenceFiles(std::vector<std::string> folders, bool rules_only) {
@@ -177,11 +178,11 @@ class KernelLink {
   virtual long long InitialTimeTag() = 0;
   virtual std::string Version() = 0;
 
-  /// Null, and a text, if it cannot be.
+  /// Returns null and sets `error` if the agent cannot be created.
   virtual std::unique_ptr<AgentLink> CreateAgent(Agent& agent, const std::string& name, std::string& error) = 0;
-  /// Tells everybody of the new agent, once its object is there.
+  /// Reports the new agent to all clients, once its Agent object exists.
   virtual void AnnounceAgent(const std::string& name) = 0;
-  /// The way to an agent that others made.
+  /// The connection to an agent that another client created.
   virtual std::unique_ptr<AgentLink> FindAgent(Agent& agent, const std::string& name) = 0;
   virtual bool DestroyAgent(const std::string& name, std::string& error) = 0;
   virtual std::vector<std::string> AgentNames() = 0;
@@ -212,7 +213,7 @@ class KernelLink {
                                  const std::string& agent_status) = 0;
   virtual std::string LoadLibrary(const std::string& command) = 0;
 
-  /// Serves what came in. True if anything did.
+  /// Serves the requests that have arrived. Returns true if there were any.
   virtual bool CheckForIncoming() = 0;
   virtual bool StartEventThread() = 0;
   virtual bool StopEventThread() = 0;

@@ -33,7 +33,7 @@ soarbox::mind::OriginFacts LocalAgentLink::Origin(std::uint64_t timetag, std::st
 }
 
 void LocalAgentLink::Note(const InputWme& wme) {
-  // The texts may be gone when the batch ends.
+  // The texts may no longer exist at the end of the batch.
   const std::string id = wme.id.empty() ? soarbox::server::IdentifierName(wme.id_key) : std::string(wme.id);
   noted_texts_.push_back(id + '\0' + std::string(wme.attribute) + '\0' + std::string(wme.text));
   noted_.push_back(wme);
@@ -154,7 +154,7 @@ void LocalAgentLink::Deliver(AgentData& data, std::span<const kernel::OutputChan
       data.memory.ReceiveOutput(Describe(static_cast<long long>(link.timetag), link.id, link.attribute, link.value));
     }
   }
-  // Additions first, as messages have them. A child that comes before its parent waits till the end.
+  // Additions first, as in messages. A child that arrives before its parent waits until the end.
   deferred_.clear();
   for (const kernel::OutputChange& change : changes) {
     if (change.added && !data.memory.AddOutput(Describe(change))) deferred_.push_back(&change);

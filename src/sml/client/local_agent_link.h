@@ -12,7 +12,7 @@ namespace sml {
 
 struct AgentData;
 
-/// The direct way to an agent of a kernel in this process: no documents, no copies beyond the elements themselves.
+/// The direct connection to an agent of a kernel in this process, without documents. Only elements are copied.
 class LocalAgentLink final : public AgentLink, private MindLink {
  public:
   LocalAgentLink(soarbox::server::KernelHost& host, soarbox::server::Connection& connection,
@@ -22,7 +22,7 @@ class LocalAgentLink final : public AgentLink, private MindLink {
 
   soarbox::server::HostedAgent& hosted() { return hosted_; }
   soarbox::server::KernelHost& host() { return host_; }
-  /// Hands a change of the output to the client's memory.
+  /// Passes a change of the output to the client's memory.
   void Deliver(AgentData& data, std::span<const soarbox::kernel::OutputChange> changes);
 
   std::string InputLinkName() override;
@@ -59,13 +59,13 @@ class LocalAgentLink final : public AgentLink, private MindLink {
   bool NoteOrigins() override;
   soarbox::mind::OriginFacts Origin(std::uint64_t timetag, std::string_view command) override;
 
-  /// Valid until the next call; of the fields for values only that of the value's type means anything.
+  /// Valid until the next call. Of the value fields, only that of the value's type is valid.
   const OutputWme& Describe(long long tag, soarbox::kernel::Symbol id, soarbox::kernel::Symbol attribute,
                             soarbox::kernel::Symbol value);
   const OutputWme& Describe(const soarbox::kernel::OutputChange& change) {
     return Describe(static_cast<long long>(change.timetag), change.id, change.attribute, change.value);
   }
-  /// Whether nothing but the new value has to be known of an element.
+  /// Whether only the new value of an element is needed.
   bool TakesValueAlone(InputHandle element) const {
     return element != kNoInputHandle && !hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED) && hosted_.log == nullptr;
   }
@@ -76,9 +76,9 @@ class LocalAgentLink final : public AgentLink, private MindLink {
   soarbox::server::KernelHost& host_;
   soarbox::server::Connection& connection_;
   soarbox::server::HostedAgent& hosted_;
-  OutputWme described_;                                         ///< The last one.
-  std::string attribute_;                                       ///< Room for a text while it is handed over.
-  std::vector<const soarbox::kernel::OutputChange*> deferred_;  ///< Output whose parent has not come yet.
+  OutputWme described_;                                         ///< The last result of Describe.
+  std::string attribute_;                                       ///< Storage for a text while it is passed on.
+  std::vector<const soarbox::kernel::OutputChange*> deferred_;  ///< Output whose parent has not arrived yet.
   std::vector<soarbox::server::InputWme> noted_;                ///< For xml-input-received.
   std::vector<std::string> noted_texts_;
 };

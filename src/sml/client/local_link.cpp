@@ -44,7 +44,7 @@ RunUnit UnitOf(smlRunStepSize step) {
   return RunUnit::kDecision;
 }
 
-/// Orders the units from the smallest to the largest.
+/// The rank of a unit, from the smallest to the largest.
 int SizeOf(smlRunStepSize step) {
   switch (step) {
     case sml_ELABORATION:
@@ -59,7 +59,7 @@ int SizeOf(smlRunStepSize step) {
   return 3;
 }
 
-/// The program's own client of the kernel that lives in it.
+/// The client of a kernel for the program that contains it.
 class LocalLink final : public KernelLink, public soarbox::server::Connection {
  public:
   LocalLink(KernelData& kernel, bool own_thread, int port, std::string& error) : kernel_(kernel) {
@@ -99,7 +99,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
   void HoldIncoming(bool on) override { host_.HoldPump(on); }
 
-  /// Logs what clients do, as a recording. Returns what is wrong, or an empty text.
+  /// Records what clients do. Returns an error message or an empty text.
   std::string Record(const std::string& file) {
     const std::lock_guard lock(host_.mutex());
     const soarbox::Result<void> kept = soarbox::server::KeepLog(host_, file, soarbox::wire::kSmlVersion);
@@ -239,7 +239,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   bool StopEventThread() override { return true; }
   void SetTrace(bool) override {}
 
-  // What the kernel tells.
+  // Events of the kernel.
   void OnSystemEvent(int event) override { kernel_.OnSystem(event); }
   void OnUpdateEvent(int event, int run_flags) override { kernel_.OnUpdate(event, run_flags); }
   void OnAgentEvent(HostedAgent& agent, int event) override {
@@ -296,8 +296,8 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
     return answer;
   }
 
-  /// A program that cannot be changed is recorded if the environment names a file. Its second kernel gets a file of its
-  /// own.
+  /// Records the clients if the environment names a file, for programs that cannot be changed. A second kernel of the
+  /// program gets a separate file.
   void RecordIfAsked() {
     const char* const named = std::getenv("SOARBOX_RECORD");
     if (named == nullptr || *named == '\0') return;
@@ -311,7 +311,8 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
   }
 
   void Listen(bool own_thread, int port, std::string& error) {
-    // "Any port" does not insist on one, so a build without sockets goes on without; a certain port is an error there.
+    // "Any port" allows a kernel without a listener, so a build without sockets continues. For a specific port this is
+    // an error.
     if (port == Kernel::kUseAnyPort && !soarbox::wire::HasSockets()) return;
     soarbox::server::ListenerOptions options;
     options.port = port;

@@ -8,8 +8,8 @@
 
 namespace sml {
 
-/// A kernel in this process, called directly. Always gives one; `error` says if it could not listen on the port.
-/// `own_thread`: remote clients are served by a thread of its own at any time.
+/// Creates a kernel in this process, which is called directly. Always returns a link; `error` is set if the kernel
+/// could not listen on the port. With `own_thread`, a separate thread serves remote clients at any time.
 std::unique_ptr<KernelLink> MakeLocalLink(KernelData& kernel, bool own_thread, int port, std::string& error);
 
 }  // namespace sml

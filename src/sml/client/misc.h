@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// Conversions, paths and timers for client programs, under the names that Soar's own programs use for them. Nothing in
+/// Conversions, paths and timers for client programs, with the names that Soar's own programs use. The API does not
+/// need them.
 /// the API needs any of them.
 #include <charconv>
 #include <iomanip>
@@ -13,12 +14,12 @@
 
 // Paths ---------------------------------------------------------------------------------------------------------------
 
-/// What stands between the folders of a path.
+/// The separator between the folders of a path.
 inline char const* get_directory_separator() {
   return "/";
 }
 
-/// Writes a path's separators as get_directory_separator() has them.
+/// Replaces a path's separators by get_directory_separator().
 inline void normalize_separators(std::string& path) {
   for (char& c : path) {
     if (c == '\\') c = '/';
@@ -27,8 +28,8 @@ inline void normalize_separators(std::string& path) {
 
 // Values and texts ----------------------------------------------------------------------------------------------------
 
-/// Writes a value into `text` and returns that. Floating-point values get `precision` digits, behind the point if
-/// `fixed`.
+/// Writes a value into `text` and returns `text`. Floating-point values are written with `precision` digits, counted
+/// after the decimal point if `fixed`.
 template <class T>
 std::string& to_string(const T& value, std::string& text, int precision = 16, bool fixed = false) {
   std::ostringstream out;
@@ -38,7 +39,7 @@ std::string& to_string(const T& value, std::string& text, int precision = 16, bo
   return text;
 }
 
-/// Reads the value that a text begins with; false if it does not begin with one.
+/// Parses the value at the beginning of a text. Returns false if there is none.
 template <class T>
 bool from_string(T& value, const std::string& text) {
   std::istringstream in(text);
@@ -49,10 +50,10 @@ bool from_string(T& value, char const* text) {
   return from_string(value, std::string(text));
 }
 
-/// Room for any integer that to_c_string writes. Floating-point values may need more.
+/// Buffer size for any integer written by to_c_string. Floating-point values may need more.
 constexpr std::size_t TO_C_STRING_BUFSIZE = 24;
 
-/// Writes a number into a buffer of TO_C_STRING_BUFSIZE characters and returns that. What does not fit is cut off.
+/// Writes a number into a buffer of TO_C_STRING_BUFSIZE characters and returns the buffer. Longer texts are truncated.
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
 char const* to_c_string(const T& value, char* buffer) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -63,7 +64,7 @@ char const* to_c_string(const T& value, char* buffer) {
   return buffer;
 }
 
-/// Reads the number that a text begins with, after blanks; false if it does not begin with one.
+/// Parses the number at the beginning of a text, after blanks. Returns false if there is none.
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
 bool from_c_string(T& value, char const* text) {
   if constexpr (std::is_integral_v<T> && sizeof(T) == 1) {
@@ -82,13 +83,13 @@ T compare_num(const void* left, const void* right) {
   return *static_cast<const T*>(left) - *static_cast<const T*>(right);
 }
 
-/// The number that was put into a pointer.
+/// Returns a number that is stored in a pointer.
 template <class T>
 T cast_and_possibly_truncate(void* pointer) {
   return static_cast<T>(reinterpret_cast<std::uintptr_t>(pointer));
 }
 
-/// Takes the bits of one pointer for another, as between functions and objects (dlsym).
+/// Reinterprets the bits of a pointer, for conversions between functions and objects (dlsym).
 template <typename Goal>
 struct Dangerous_Pointer_Cast {
   template <typename Given>
@@ -102,7 +103,7 @@ struct Dangerous_Pointer_Cast {
 
 // Time ----------------------------------------------------------------------------------------------------------------
 
-/// The time between the last start() and stop(). Given a switch, it measures only while that is on.
+/// Measures the time between the last start() and stop(). If it was given a switch, it measures only while that is on.
 class soar_timer {
  public:
   soar_timer() = default;

@@ -7,9 +7,9 @@
 
 namespace sml {
 
-/// Objects of one type, used again and again. One that is given back stays untouched (a dead object) until a number of
-/// others have been given back after it, so that a stale pointer to it is found out. Those that were given back are
-/// linked by their member `next_`, which is theirs while they are in use.
+/// A pool of objects of one type. A released object stays unchanged (a dead object) until a number of others have been
+/// released after it. So stale pointers to it are detected. Released objects are linked by their member `next_`, which
+/// live objects may use freely.
 template <typename T>
 class ObjectPool {
  public:
@@ -40,7 +40,7 @@ class ObjectPool {
   static constexpr std::size_t kBlock = 8;
 
   std::vector<std::unique_ptr<T[]>> blocks_;
-  std::size_t fresh_ = 0;  ///< Objects of the last block that were never taken.
+  std::size_t fresh_ = 0;  ///< Objects of the last block that were never used.
   T *first_returned_ = nullptr, *last_returned_ = nullptr;
   std::size_t returned_count_ = 0;
 };

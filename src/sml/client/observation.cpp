@@ -23,7 +23,7 @@ namespace {
 using cli::SymbolText;
 using kernel::Event;
 
-/// The rule that made an element of the output link, or an empty text. Valid while the element is there.
+/// The rule that created an element of the output link, or an empty text. Valid while the element exists.
 std::string_view RuleOfOutput(const kernel::Agent& agent, kernel::Symbol attribute, std::uint64_t timetag) {
   const kernel::WorkingMemory& memory = agent.memory();
   const kernel::SlotId slot = memory.FindSlot(agent.output().identifier(), attribute);
@@ -48,7 +48,7 @@ mind::StateReason ReasonOf(kernel::ImpasseType impasse) {
   return static_cast<mind::StateReason>(impasse);
 }
 
-/// Passes on what a kernel in this process tells of one agent.
+/// Forwards the events of one agent of a kernel in this process.
 class LocalObservation final : public Observation, kernel::Observer {
  public:
   LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
@@ -74,7 +74,7 @@ class LocalObservation final : public Observation, kernel::Observer {
   }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
     if (agent.reinforcement().learning) NoteEpisode(agent, goal);
-    // Its texts were made a moment ago if this state has just been decided.
+    // If this state has just been decided, its texts exist already.
     const bool is_known = std::exchange(decided_for_, {}) == goal.goal;
     if (goal.op) {
       if (is_known) {
@@ -111,8 +111,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     listener_.OnActionFailed(rule, "svs: command " + name + ": " + std::string(problem) + "\n" + std::string(hint));
   }
   void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override {
-    // Of the warnings, what matters to whoever reads what rules write.
-    // Once: it comes in each decision from then on.
+    // Of the warnings, only endless firing is reported, and only once, because it would recur in each decision.
     if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
       if (std::exchange(told_of_elaborations_, true)) return;
       listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
@@ -171,11 +170,11 @@ class LocalObservation final : public Observation, kernel::Observer {
     total_reward_ = total;
   }
 
-  /// Episodes are those of the top state.
+  /// Detects episodes of the top state.
   void NoteEpisode(const kernel::Agent& agent, const kernel::GoalInfo& goal) {
     if (goal.level != 1) return;
     if (!goal.op) {
-      // After init-soar nothing of the reward before is left.
+      // After init-soar the earlier reward no longer counts.
       total_reward_ = agent.reward().total_reward;
       if (std::exchange(is_in_episode_, false)) listener_.OnEpisodeEnd();
       return;
@@ -189,7 +188,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     }
   }
 
-  /// Whether a rule that learns speaks for this operator of the top state.
+  /// Whether a learning rule supports this operator of the top state.
   static bool IsLearnedAbout(const kernel::Agent& agent, kernel::Symbol op) {
     const kernel::SlotId slot = agent.goals().at(1).operator_slot;
     if (slot == kernel::SlotId::kNone) return false;
@@ -209,10 +208,10 @@ class LocalObservation final : public Observation, kernel::Observer {
   bool told_of_elaborations_ = false;
   server::PrintedNames names_;
   server::DecisionPacker decisions_;
-  kernel::Symbol decided_for_;  ///< The state that decisions_ speaks of, until its operator is noted.
+  kernel::Symbol decided_for_;  ///< The state of the decisions in decisions_, until its operator is reported.
 };
 
-/// Null if the kernel is in another process.
+/// Returns null if the kernel is in another process.
 kernel::Agent* KernelAgent(sml::Agent& agent) {
   auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
   return link == nullptr ? nullptr : &link->hosted().agent();

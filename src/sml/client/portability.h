@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// What client programs take from here besides the API: the system's headers that their sources rely on, and a few
-/// small helpers under the names that Soar's own programs use. Nothing in the API needs any of them.
+/// System headers that client programs rely on, and a few helpers with the names that Soar's own programs use. The API
+/// does not need them.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <sys/stat.h>
@@ -26,8 +26,8 @@
 
 #include "Export.h"
 
-/// Programs written for Windows use TRUE and FALSE without a header of their own; sml_Client.h gives them the two
-/// words. Define SOARBOX_SML_NO_TRUE before including it to keep them out.
+/// Programs written for Windows use TRUE and FALSE without including a header, so sml_Client.h defines them. Define
+/// SOARBOX_SML_NO_TRUE before including it to prevent that.
 #if !defined(SOARBOX_SML_NO_TRUE)
 #if !defined(TRUE)
 #define TRUE 1
@@ -47,18 +47,18 @@
 #define MAXPATHLEN 1024
 #endif
 
-/// Adds one to a counter that several threads share; the new value.
+/// Increments a counter that threads share. Returns the new value.
 inline long atomic_inc(volatile long* counter) {
   return __atomic_add_fetch(counter, 1, __ATOMIC_SEQ_CST);
 }
 
-/// Takes one from a counter that several threads share; the new value.
+/// Decrements a counter that threads share. Returns the new value.
 inline long atomic_dec(volatile long* counter) {
   return __atomic_sub_fetch(counter, 1, __ATOMIC_SEQ_CST);
 }
 
-/// Makes the folder of the running program the working directory, so that files beside it are found. 0, or -1 after
-/// saying why not on the standard error.
+/// Makes the folder of the running program the working directory, so that files in it are found. Returns 0; on error,
+/// prints a message to the standard error and returns -1.
 inline int set_working_directory_to_executable_path() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -68,7 +68,7 @@ inline int set_working_directory_to_executable_path() {
   return -1;
 }
 
-/// A clock that only goes forward, in units of which get_raw_time_per_usec() make a microsecond.
+/// A monotonic clock. Its unit is 1 / get_raw_time_per_usec() microseconds.
 inline std::uint64_t get_raw_time() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());

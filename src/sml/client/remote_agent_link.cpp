@@ -143,7 +143,7 @@ void RemoteAgentLink::StopSelf() {
       .AddArg("line", "stop-soar --self")
       .AddArg("echo", "false")
       .AddArg("nofilter", "false");
-  // Without waiting: another thread may be waiting for the end of the run.
+  // Without waiting, because another thread may be waiting for the end of the run.
   caller_.Tell(call);
 }
 

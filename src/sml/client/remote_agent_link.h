@@ -12,21 +12,21 @@ namespace sml {
 
 struct AgentData;
 
-/// Sends calls to a remote kernel and waits for the answers.
+/// Sends calls to a remote kernel and waits for the responses.
 class RemoteCaller {
  public:
   virtual ~RemoteCaller() = default;
-  /// How long an answer may take: that of a plain call, of a run, and of any other command line.
+  /// The time limit for a response depends on the kind of call: a plain call, a run, or another command line.
   enum class Work : std::uint8_t { kCall, kRun, kLine };
-  /// None if the connection is lost, or the kernel does not answer in time.
+  /// Returns none if the connection is lost or if the kernel does not respond in time.
   virtual std::optional<soarbox::wire::Message> Ask(soarbox::wire::Message& call, Work work = Work::kCall) = 0;
-  /// Sends a call whose answer nobody waits for.
+  /// Sends a call without waiting for its response.
   virtual void Tell(soarbox::wire::Message& call) = 0;
   virtual bool ChangeRegistration(const char* command, const std::string& agent, int event,
                                   const std::string& name) = 0;
 };
 
-/// The way to an agent of a kernel elsewhere.
+/// The connection to an agent of a remote kernel.
 class RemoteAgentLink final : public AgentLink, private MindLink {
  public:
   RemoteAgentLink(RemoteCaller& caller, std::string name) : caller_(caller), name_(std::move(name)) {}
@@ -72,12 +72,12 @@ class RemoteAgentLink final : public AgentLink, private MindLink {
   std::optional<soarbox::wire::Message> batch_;
   unsigned long long apply_phases_ = 0;
   bool watching_ = false;       ///< This library listens to apply phases.
-  bool user_watching_ = false;  ///< The program does.
+  bool user_watching_ = false;  ///< The program listens to apply phases.
 };
 
 /// Reads the <wme> elements of a message.
 void ReadWmes(const soarbox::wire::Element& parent, const std::function<void(const OutputWme&)>& visit);
-/// Hands a message about output to the client's memory.
+/// Passes a message about output to the client's memory.
 void ReceiveOutputMessage(AgentData& agent, const soarbox::wire::Element& command);
 
 }  // namespace sml

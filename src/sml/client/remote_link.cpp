@@ -33,15 +33,14 @@ namespace {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// How long a kernel may be silent before it answers a call, unless the program sets a limit. Command lines may then
-/// take as long as they like.
+/// Maximum time until a kernel responds to a call, unless the program sets a limit. Command lines then have no limit.
 constexpr Milliseconds kPatience{60'000};
-/// Command lines that are no runs load files, among other things: they get so many times the limit.
+/// Command lines that are not runs may load files; their limit is multiplied by this factor.
 constexpr int kLineFactor = 5;
-/// How long a kernel may take to answer that it accepts a secret.
+/// Maximum time until a kernel accepts a secret.
 constexpr int kSecretLimitMs = 10'000;
 
-/// A program's client of a kernel elsewhere. A thread delivers events between calls; inside a call, the calling thread
+/// A program's client of a remote kernel. Between calls a thread delivers events; during a call, the calling thread
 /// does.
 class RemoteLink final : public KernelLink, public RemoteCaller {
  public:
@@ -49,7 +48,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   ~RemoteLink() override { Shutdown(); }
 
   bool Connect(const std::string& address, int port, std::string& error) {
-    // Without an address, the kernel is one of this user's: at the file for its port, or else on the port.
+    // Without an address, connects to a kernel of this user: by the socket file for the port, or else by the port.
     const std::string path = address.empty() ? soarbox::wire::LocalSocketPath(port) : std::string();
     soarbox::Result<std::unique_ptr<Channel>> connected = soarbox::Diagnostic();
     if (!path.empty()) connected = soarbox::wire::ConnectLocal(io_, path);
@@ -65,8 +64,8 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     return true;
   }
 
-  /// Shows the secret that the environment names, if it names one. A kernel that requires none does not know the call;
-  /// one that refuses says why (Refusal).
+  /// Presents the secret in the environment, if there is one. A kernel that requires none does not know the call; one
+  /// that refuses reports the reason (Refusal).
   bool ShowSecret(std::string& error) {
     const soarbox::Result<std::string> secret = soarbox::wire::SecretOfEnvironment();
     if (!secret) {
@@ -107,7 +106,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   void SetAnswerLimit(int milliseconds) override { limit_ms_ = std::max(0, milliseconds); }
 
   std::optional<Message> Ask(Message& call, Work work = Work::kCall) override {
-    // The thread that delivers events must not take the answer away.
+    // The thread that delivers events must not consume the response.
     const std::lock_guard lock(mutex_);
     call.id = NextId();
     if (!SendDocument(call)) return std::nullopt;
@@ -118,15 +117,15 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
     return answer;
   }
 
-  /// None: however long it takes.
+  /// None: no limit.
   std::optional<Milliseconds> LimitOf(Work work) const {
     const Milliseconds limit{limit_ms_.load()};
     if (limit.count() == 0) return work == Work::kCall ? std::optional(kPatience) : std::nullopt;
     return work == Work::kLine ? limit * kLineFactor : limit;
   }
 
-  /// Serves the kernel's calls until the answer is there, or the kernel has said nothing at all for too long. A handler
-  /// that calls the kernel may meet the answer to an outer call first; that is kept for it.
+  /// Serves the kernel's calls until the response arrives, or until the kernel has sent nothing for too long. A handler
+  /// that calls the kernel may receive the response to an outer call first, which is stored for that call.
   std::optional<Message> AwaitAnswer(const std::string& id, std::optional<Milliseconds> limit) {
     std::string document;
     while (true) {
@@ -135,7 +134,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
       if (!channel_->Wait(document, limit.value_or(kPatience))) {
         if (closed()) return std::nullopt;
         if (!limit) continue;
-        // One that has a limit set counts as lost, so that no later call waits for it again.
+        // If a limit is set, the connection counts as lost, so that later calls do not wait again.
         if (limit_ms_ != 0) GiveUp();
         return std::nullopt;
       }
@@ -205,7 +204,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
       if (!error) fence_folders_ += absolute.string() + "\n";
     }
   }
-  /// Soar's own kernels know no fence; they carry out what the files say.
+  /// Soar's own kernels do not support fences; they execute all commands in files.
   void PutUpFence(const std::string& name) {
     Message call = MakeCall(soarbox::wire::kFenceCall);
     Command(call).AddArg("agent", name).AddArg(soarbox::wire::kFenceFolders, fence_folders_);
@@ -288,7 +287,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
         return;
       }
     }
-    // Another thread waits for the end of a run: it drops the answer.
+    // Another thread waits for the end of a run and will discard this response.
     Tell(call);
   }
   bool IsRunning() override {
@@ -430,7 +429,7 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
         awake_ = false;
         if (stopping_) return;
       }
-      // A call that is under way delivers by itself, and this thread then finds nothing left.
+      // A current call delivers events itself; then this thread finds nothing.
       CheckForIncoming();
     }
   }
@@ -498,22 +497,22 @@ class RemoteLink final : public KernelLink, public RemoteCaller {
   }
 
   KernelData& kernel_;
-  // These outlive io_: its thread may be in WakeEvents still when Shutdown comes back.
+  // Must outlive io_, whose thread may still be in WakeEvents when Shutdown returns.
   std::mutex wake_mutex_;
   std::condition_variable wake_;
   bool awake_ = false;
   bool stopping_ = false;
   soarbox::wire::IoThread io_;
   std::unique_ptr<Channel> channel_;
-  std::atomic<int> limit_ms_{0};  ///< For answers; 0: kPatience.
+  std::atomic<int> limit_ms_{0};  ///< For responses; 0: kPatience.
   std::string refusal_;
-  std::atomic<bool> lost_{false};  ///< The kernel did not answer within the limit.
+  std::atomic<bool> lost_{false};  ///< The kernel did not respond within the limit.
   soarbox::server::CallMutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
-  std::vector<std::string> waiting_;      ///< Calls whose answers are awaited, the outermost first.
-  std::string fence_folders_;             ///< For the files of agents made here, one a line; empty: no fence.
-  std::map<std::string, Message> early_;  ///< Answers to outer calls that came inside inner ones.
+  std::vector<std::string> waiting_;      ///< Calls whose responses are awaited, the outermost first.
+  std::string fence_folders_;             ///< Folders for files of agents created here, one per line; empty: no fence.
+  std::map<std::string, Message> early_;  ///< Responses to outer calls that arrived during inner ones.
   std::thread events_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace sml {
 
-/// A kernel at the other end of a socket. Null, and the reason, if there is none at that address and port.
+/// Connects to a remote kernel. Returns null, and sets `error`, if there is none at that address and port.
 std::unique_ptr<KernelLink> MakeRemoteLink(KernelData& kernel, const std::string& address, int port,
                                            std::string& error);
 

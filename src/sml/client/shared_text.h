@@ -5,9 +5,10 @@
 
 namespace sml {
 
-/// The one copy of a text that all agents of this process share: attributes are few, and each of them names thousands
-/// of elements. It ends with a zero and stays while the process does. Null for a long text, and for a new one after
-/// some thousands of others, so that a client with ever new attributes does not fill the memory. From any thread.
+/// Returns the copy of a text that all agents of this process share. (There are few attributes, but each is used by
+/// thousands of elements.) It is zero-terminated and is never freed. Returns null for long texts, and for new texts
+/// after some thousands of others, so that a client that invents attributes cannot exhaust the memory. Callable from
+/// any thread.
 char const* SharedText(std::string_view text);
 
 }  // namespace sml

@@ -10,7 +10,8 @@
 ///   agent->RunSelfTilOutput();
 ///   for (int i = 0; i < agent->GetNumberCommands(); ++i) agent->GetCommand(i)->AddStatusComplete();
 ///
-/// Names, signatures and constants are those of Soar 9.6's client library: programs for one compile with the other.
+/// Names, signatures and constants are those of Soar 9.6's client library, so that programs compile with either
+/// library.
 #include "portability.h"
 #include "sml_ClientAgent.h"
 #include "sml_ClientAnalyzedXML.h"

@@ -8,7 +8,7 @@
 #include "sml_ClientErrors.h"
 #include "sml_ClientEvents.h"
 
-/// The folder of the loaded library; empty if it is not known.
+/// The folder of the loaded library; empty if unknown.
 EXPORT std::string get_soarlib_path();
 
 namespace sml {
@@ -25,11 +25,11 @@ class WorkingMemory;
 struct AgentData;
 struct KernelData;
 
-/// One agent of a kernel: its input and output, its rules, its runs and its events. Made by Kernel::CreateAgent, owned
-/// by the kernel. A destroyed agent answers every call with an error.
+/// One agent of a kernel: its input and output, its rules, its runs and its events. Created by Kernel::CreateAgent and
+/// owned by the kernel. Every call on a destroyed agent fails with an error.
 ///
-/// Texts that are returned as char const* by runs and command lines share one buffer per kernel: the next such call
-/// overwrites it.
+/// Texts that runs and command lines return as char const* share one buffer per kernel: the next such call overwrites
+/// it.
 class EXPORT Agent : public ClientErrors {
  public:
   ~Agent() override;
@@ -37,39 +37,39 @@ class EXPORT Agent : public ClientErrors {
   char const* GetAgentName() const;
   Kernel* GetKernel() const;
 #ifndef SOARBOX_PUBLIC_API_ONLY
-  /// A number that no other agent of this process has or had. Not part of the interface of Soar 9.6.3.
+  /// A number that is unique among all agents that this process ever creates. Not part of the interface of Soar 9.6.3.
   unsigned long long GetLife() const;
 #endif
 
-  /// Sources a file of rules and commands. False if there was an error in it; GetLastErrorDescription() lists every one
-  /// with file, line and column, and rules without errors are loaded all the same.
+  /// Sources a file of rules and commands. Returns false if it contains an error; GetLastErrorDescription() then lists
+  /// all errors with file, line and column. Rules without errors are loaded in any case.
   bool LoadProductions(char const* pFilename, bool echoResults = true);
 #ifndef SOARBOX_PUBLIC_API_ONLY
-  /// What the last LoadProductions warns of if it succeeded, with file, line and column: rules whose conditions
-  /// multiply, numbers that fall between two proposals. Empty if the kernel is in another process. Not part of the
+  /// The warnings of the last successful LoadProductions, with file, line and column: rules whose conditions multiply,
+  /// numbers between two proposals that no rule accepts. Empty if the kernel is in another process. Not part of the
   /// interface of Soar 9.6.3.
   char const* GetLoadWarnings() const;
 #endif
 
-  /// The root of the input structure; one object for the agent's life.
+  /// The root of the input structure; the same object during the agent's life.
   Identifier* GetInputLink();
   Identifier* GetILink() {
     return GetInputLink();
   }
-  /// The root of the output structure; NULL until the agent has put something there. Turns change tracking on, unless
+  /// The root of the output structure; NULL until the agent has created output. Enables change tracking, unless
   /// SetOutputLinkChangeTracking(false) was called.
   Identifier* GetOutputLink();
 
-  /// Add an element to the input. It enters working memory in the agent's next input phase.
-  /// NULL, with an error, if the parent is not an identifier of this agent.
+  /// Adds an element to the input. It enters working memory in the agent's next input phase. Returns NULL, with an
+  /// error, if the parent is not an identifier of this agent.
   StringElement* CreateStringWME(Identifier* parent, char const* pAttribute, char const* pValue);
   IntElement* CreateIntWME(Identifier* parent, char const* pAttribute, long long value);
   FloatElement* CreateFloatWME(Identifier* parent, char const* pAttribute, double value);
   Identifier* CreateIdWME(Identifier* parent, char const* pAttribute);
-  /// A second element with the same identifier as its value.
+  /// Adds a second element with the same identifier as its value.
   Identifier* CreateSharedIdWME(Identifier* parent, char const* pAttribute, Identifier* pSharedValue);
 
-  /// Gives an input element a new value (and a new time tag). An equal value counts as a change unless
+  /// Sets a new value (and a new time tag) of an input element. An equal value counts as a change unless
   /// SetBlinkIfNoChange(false) was called.
   void Update(StringElement* pWME, char const* pValue);
   void Update(IntElement* pWME, long long value);
@@ -77,26 +77,27 @@ class EXPORT Agent : public ClientErrors {
   void SetBlinkIfNoChange(bool state);
   bool IsBlinkIfNoChange();
 
-  /// Removes an input element and everything below it. False for the input link itself and for stale handles.
+  /// Removes an input element and everything below it. Returns false for the input link itself and for stale handles.
   bool DestroyWME(WMElement* pWME);
 
-  /// Sends the changes that wait; there are some only while auto-commit is off (Kernel::SetAutoCommit).
+  /// Sends the buffered changes. Changes are buffered only while auto-commit is off (Kernel::SetAutoCommit).
   bool Commit();
   bool IsCommitRequired();
 
-  /// Clears working memory and starts anew. The input structure is sent again; its objects stay valid.
+  /// Clears working memory and restarts the agent. The input structure is sent again; its objects stay valid.
   char const* InitSoar();
   void Refresh();
 
-  /// Calls the handler for each element with this attribute (case matters) that appears directly on the output link.
-  /// Returns an id for RemoveOutputHandler. Turns change tracking on.
+  /// Calls the handler for each new element with this attribute (case-sensitive) directly on the output link. Returns
+  /// an id for RemoveOutputHandler. Enables change tracking.
   int AddOutputHandler(char const* pAttributeName, OutputEventHandler handler, void* pUserData, bool addToBack = true);
   bool RemoveOutputHandler(int callbackID);
-  /// Calls the handler once per output phase that changed the output, before the output handlers.
+  /// Calls the handler once in each output phase that changed the output, before the output handlers.
   int RegisterForOutputNotification(OutputNotificationHandler handler, void* pUserData, bool addToBack = true);
   bool UnregisterForOutputNotification(int callbackID);
 
-  /// Register a handler and return its id (above 0). The same handler, data and event again give the same id.
+  /// Registers a handler and returns its id (above 0). Registering the same handler, data and event again returns the
+  /// same id.
   int RegisterForRunEvent(smlRunEventId id, RunEventHandler handler, void* pUserData, bool addToBack = true);
   bool UnregisterForRunEvent(int callbackID);
   int RegisterForProductionEvent(smlProductionEventId id, ProductionEventHandler handler, void* pUserData,
@@ -108,29 +109,30 @@ class EXPORT Agent : public ClientErrors {
   int RegisterForXMLEvent(smlXMLEventId id, XMLEventHandler handler, void* pUserData, bool addToBack = true);
   bool UnregisterForXMLEvent(int callbackID);
 
-  /// The list of output changes: on, or off for speed.
+  /// Enables or disables the list of output changes; without it, output is faster.
   void SetOutputLinkChangeTracking(bool setting);
   int GetNumberOutputLinkChanges();
-  /// NULL if there is no such change.
+  /// Returns NULL if there is no such change.
   WMElement* GetOutputLinkChange(int index);
-  /// True if the change is an addition.
+  /// Returns true if the change is an addition.
   bool IsOutputLinkChangeAdd(int index);
   void ClearOutputLinkChanges();
 
-  /// Commands: identifiers that appeared directly on the output link since the agent's last apply phase.
+  /// The number of commands: identifiers that were added directly to the output link since the agent's last apply
+  /// phase.
   int GetNumberCommands();
   bool Commands();
-  /// NULL if there is no such command.
+  /// Returns NULL if there is no such command.
   Identifier* GetCommand(int index);
 
-  /// Run this agent alone. Returns the text of the command line's `run`.
+  /// Runs only this agent. Returns the output of the `run` command.
   char const* RunSelf(int numberSteps, smlRunStepSize stepSize = sml_DECIDE);
   char const* RunSelfForever();
   char const* RunSelfTilOutput();
-  /// True if the agent took part in the last run.
+  /// Returns true if the agent took part in the last run.
   bool WasAgentOnRunList();
   smlRunResult GetResultOfLastRun();
-  /// Asks this agent to stop at the next safe point. May be called from any thread.
+  /// Asks this agent to stop at the next safe point. Callable from any thread.
   char const* StopSelf();
 
   smlPhase GetCurrentPhase();
@@ -139,25 +141,28 @@ class EXPORT Agent : public ClientErrors {
 
   char const* ExecuteCommandLine(char const* pCommandLine, bool echoResults = false, bool noFilter = false);
   bool ExecuteCommandLineXML(char const* pCommandLine, ClientAnalyzedXML* pResponse);
-  /// True if the last command line, run or load of this kernel succeeded.
+  /// Returns true if the last command line, run or load of this kernel succeeded.
   bool GetLastCommandLineResult();
   bool IsProductionLoaded(char const* pProductionName);
 
-  /// The spatial visual system is not part of this kernel: input is refused with an error, queries are empty.
+  /// The spatial visual system. SendSVSInput sends lines of the scene graph edit language to the top state's scene; it
+  /// fails with an error while the system is off (command svs --enable). GetSVSOutput returns the lines refused since
+  /// the last call, with reasons. SVSQuery returns the answers to queries, one per line.
   void SendSVSInput(std::string const& txt);
   std::string GetSVSOutput();
   std::string SVSQuery(std::string const& q);
 
-  /// Replace the local view of the input or output by what the kernel has now.
+  /// Replaces the local view of the input or output by the current state in the kernel.
   bool SynchronizeInputLink();
   bool SynchronizeOutputLink();
 
-  /// Starts the Java debugger (SoarJavaDebugger.jar from jarpath, the working folder, $SOAR_HOME or the library's
-  /// folder). False, with an error that says what is missing, if it cannot be started.
+  /// Starts the Java debugger (SoarJavaDebugger.jar in jarpath, the working directory, $SOAR_HOME or the library's
+  /// folder). Returns false, with an error that describes the cause, if it cannot be started.
   bool SpawnDebugger(int port = -1, char const* jarpath = 0);
   bool KillDebugger(bool ignoreNonExistent = false);
 
-  /// The kernel's name of an identifier that this client named ("p7" gives "P1"); its argument if there is none yet.
+  /// Returns the kernel's name of an identifier that this client named ("P1" for "p7"); the argument itself if there is
+  /// none yet.
   char const* ConvertIdentifier(char const* pClientIdentifier);
 
  private:

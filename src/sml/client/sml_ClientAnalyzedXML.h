@@ -7,7 +7,7 @@
 
 namespace sml {
 
-/// The structured answer to a command line: its arguments by name, its result, its error.
+/// The structured result of a command line: its named arguments, its result, its error.
 class EXPORT ClientAnalyzedXML {
  public:
   ClientAnalyzedXML();
@@ -15,10 +15,10 @@ class EXPORT ClientAnalyzedXML {
   ClientAnalyzedXML(ClientAnalyzedXML const&) = delete;
   ClientAnalyzedXML& operator=(ClientAnalyzedXML const&) = delete;
 
-  /// Makes this object show the answer.
+  /// Makes this object represent the given response.
   void Attach(soarxml::ElementXML const& answer);
 
-  /// The parts of the answer; NULL if it has no such part.
+  /// The parts of the response; NULL if the part does not exist.
   soarxml::ElementXML const* GetCommandTag() const;
   soarxml::ElementXML const* GetResultTag() const;
   soarxml::ElementXML const* GetErrorTag() const;
@@ -26,21 +26,21 @@ class EXPORT ClientAnalyzedXML {
   bool IsSML() const;
   char const* GetCommandName() const;
 
-  /// The text of the result; the other forms read it as a number or a truth value.
+  /// The text of the result; the other functions convert it to a number or a truth value.
   char const* GetResultString() const;
   int GetResultInt(int defaultValue) const;
   long long GetResultInt(long long defaultValue) const;
   bool GetResultBool(bool defaultValue) const;
   double GetResultFloat(double defaultValue) const;
 
-  /// The first argument of that name; NULL or the default if there is none or it does not fit.
+  /// The first argument of this name; NULL or the default if there is none or if its value cannot be converted.
   char const* GetArgString(char const* pArgName) const;
   bool GetArgBool(char const* pArgName, bool defaultValue) const;
   int GetArgInt(char const* pArgName, int defaultValue) const;
   long long GetArgInt(char const* pArgName, long long defaultValue) const;
   double GetArgFloat(char const* pArgName, double defaultValue) const;
 
-  /// The answer as a document; give it back with DeleteString.
+  /// Returns the response as a document; free it with DeleteString.
   char* GenerateXMLString(bool includeChildren, bool insertNewLines = false) const;
   static void DeleteString(char* pString);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// Kept so that programs which include it compile. In process every call is direct; there are no functions for it.
+/// Exists so that programs that include it compile. It declares nothing: calls within a process are always direct.
 #include "Export.h"

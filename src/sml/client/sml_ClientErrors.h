@@ -35,16 +35,16 @@ enum ErrorCodeValue {
   kOutputError = 22,
 };
 
-/// What Kernel and Agent remember of the last thing that failed. The two have separate memories. An error stays until
-/// an operation that reports errors succeeds.
+/// The last error of a Kernel or an Agent; each object has its own. An error stays until an operation that reports
+/// errors succeeds.
 class EXPORT ClientErrors {
  public:
   virtual ~ClientErrors();
 
-  /// True if the last operation that could fail did.
+  /// Returns true if the last operation that can fail failed.
   virtual bool HadError();
 
-  /// What failed, in words; "No Error" if nothing did. Valid until the next error.
+  /// A description of the error; "No Error" if there is none. Valid until the next error.
   virtual char const* GetLastErrorDescription();
 
  protected:

@@ -7,8 +7,8 @@
 #include "Export.h"
 #include "sml_Events.h"
 
-/// The shapes of the functions that a program can register for events. Handlers run on the thread that is inside a
-/// call of the library; in between, on the kernel's own thread. They may call anything, also unregister themselves.
+/// The types of event handlers. Handlers run on the thread that is inside a call of the library; between calls, on the
+/// kernel's own thread. They may call any function and may unregister themselves.
 namespace sml {
 
 class Agent;
@@ -27,7 +27,7 @@ typedef void (*OutputEventHandler)(void* pUserData, Agent* pAgent, char const* p
 typedef void (*OutputNotificationHandler)(void* pUserData, Agent* pAgent);
 typedef void (*UpdateEventHandler)(smlUpdateEventId id, void* pUserData, Kernel* pKernel, smlRunFlags runFlags);
 typedef std::string (*StringEventHandler)(smlStringEventId id, void* pUserData, Kernel* pKernel, char const* pString);
-/// pXML belongs to the library and lives until the handler returns.
+/// pXML belongs to the library and is valid until the handler returns.
 typedef void (*XMLEventHandler)(smlXMLEventId id, void* pUserData, Agent* pAgent, ClientXML* pXML);
 typedef std::string (*RhsEventHandler)(smlRhsEventId id, void* pUserData, Agent* pAgent, char const* pFunctionName,
                                        char const* pArgument);
@@ -38,7 +38,7 @@ typedef std::string (*ClientMessageHandler)(smlRhsEventId id, void* pUserData, A
 typedef std::function<std::string(smlRhsEventId id, Agent* pAgent, char const* pClientName, char const* pMessage)>
     ClientMessageHandlerCpp;
 
-/// What the library keeps of a registered handler; language bindings read it.
+/// The data of a registered handler, which language bindings read.
 class EXPORT EventHandlerPlusData {
  public:
   EventHandlerPlusData() = default;

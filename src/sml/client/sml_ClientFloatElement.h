@@ -5,14 +5,14 @@
 
 namespace sml {
 
-/// A number with a fraction.
+/// An element with a floating-point value.
 class EXPORT FloatElement : public WMElement {
  public:
   ~FloatElement() override;
 
   double GetValue() const { return value_; }
 
-  /// As Agent::Update(this, value).
+  /// Same as Agent::Update(this, value).
   void Update(double value);
 
   char const* GetValueType() const override { return "double"; }

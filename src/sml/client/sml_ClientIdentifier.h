@@ -16,8 +16,8 @@ namespace sml {
 class Identifier;
 class OutputDeltaList;
 
-/// An identifier and what hangs on it. Elements that share one identifier as their value share one such object; it
-/// goes when its last user does.
+/// An identifier and its children. Elements with the same identifier as their value share one IdentifierSymbol, which
+/// is destroyed with the last of them.
 class EXPORT IdentifierSymbol {
  public:
   IdentifierSymbol(IdentifierSymbol const&) = delete;
@@ -27,7 +27,7 @@ class EXPORT IdentifierSymbol {
   char const* GetIdentifierSymbol() { return Name(); }
   void SetIdentifierSymbol(char const* pID);
 
-  /// True if children came or went since the list of output changes was last cleared.
+  /// Returns true if children were added or removed since the list of output changes was last cleared.
   bool AreChildrenModified() { return children_modified_; }
   void SetAreChildrenModified(bool state) { children_modified_ = state; }
 
@@ -40,15 +40,15 @@ class EXPORT IdentifierSymbol {
   void AddChild(WMElement* pWME);
   void RemoveChild(WMElement* pWME);
   WMElement* GetChildByTimeTag(long long timeTag);
-  /// Moves all children of the other symbol here.
+  /// Moves all children of the other symbol to this one.
   void TransferChildren(IdentifierSymbol* pFrom);
-  /// Forgets all children, without destroying them in the agent.
+  /// Removes all children locally, without removing them from the agent.
   void DeleteAllChildren();
 
   void DebugString(std::string& result);
 
 #ifndef SOARBOX_PUBLIC_API_ONLY
-  /// As WMElement::GetLife. Not part of the interface of Soar 9.6.3.
+  /// Like WMElement::GetLife. Not part of the interface of Soar 9.6.3.
   unsigned long long GetLife() const {
     return life_;
   }
@@ -74,21 +74,21 @@ class EXPORT IdentifierSymbol {
   void ForgetUsers();
 
   WorkingMemory* memory_ = nullptr;
-  ElementText name_;  ///< Empty until somebody asks, if the kernel made it.
+  ElementText name_;  ///< If the kernel created the name: empty until it is first needed.
   unsigned long long life_ = 0;
-  long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients gave.
-  bool has_own_ = false;  ///< May have children that the agent did not make.
+  long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients created.
+  bool has_own_ = false;  ///< It may have children that the agent did not create.
   bool children_modified_ = false;
   unsigned int child_count_ = 0;
   WMElement *first_child_ = nullptr, *last_child_ = nullptr;
   Identifier* first_user_ = nullptr;
   IdentifierSymbol* next_ = nullptr;                         ///< See ObjectPool.
-  std::unique_ptr<std::vector<Identifier*>> further_users_;  ///< Null as long as there was never more than one.
+  std::unique_ptr<std::vector<Identifier*>> further_users_;  ///< Null while there was never more than one.
   unsigned int hint_ = 0;                                    ///< The kernel's handle, if it is in this process.
 };
 
-/// An element whose value is an identifier: a node of the input or output structure. A command on the output link is
-/// one of these.
+/// An element whose value is an identifier: a node of the input or output structure. Commands on the output link are
+/// Identifiers.
 class EXPORT Identifier : public WMElement {
  public:
   typedef ChildIterator ChildrenIter;
@@ -96,21 +96,21 @@ class EXPORT Identifier : public WMElement {
 
   ~Identifier() override;
 
-  /// The children in the order in which they came.
+  /// The children in the order in which they were added.
   ChildrenIter GetChildrenBegin();
   ChildrenIter GetChildrenEnd();
   int GetNumberChildren() const;
-  /// NULL if there is no such child.
+  /// Returns NULL if there is no such child.
   WMElement* GetChild(int index);
 
-  /// Searches everything below; NULL if it is not there.
+  /// Searches the entire structure below; returns NULL if the element is not found.
   WMElement* FindFromTimeTag(long long timeTag) const;
-  /// The index-th direct child with this attribute (case does not matter); NULL if there is none.
+  /// The index-th direct child with this attribute (case-insensitive); NULL if there is none.
   WMElement* FindByAttribute(char const* pAttribute, int index) const;
-  /// The value of the first child with this attribute as text; NULL if there is none.
+  /// The value of the first child with this attribute, as text; NULL if there is none.
   char const* GetParameterValue(char const* pAttribute) const;
 
-  /// The command's name: the attribute of this element.
+  /// The name of the command: the attribute of this element.
   char const* GetCommandName() const { return GetAttribute(); }
 
   /// Adds ^status complete below this command.
@@ -123,7 +123,7 @@ class EXPORT Identifier : public WMElement {
   bool AreChildrenModified();
   IdentifierSymbol* GetSymbol() const { return symbol_; }
 
-  /// As the functions of Agent with this identifier as the parent.
+  /// Like the functions of Agent, with this identifier as the parent.
   StringElement* CreateStringWME(char const* pAttribute, char const* pValue);
   IntElement* CreateIntWME(char const* pAttribute, long long value);
   FloatElement* CreateFloatWME(char const* pAttribute, double value);

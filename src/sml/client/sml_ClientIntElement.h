@@ -5,14 +5,14 @@
 
 namespace sml {
 
-/// A whole number of 64 bits.
+/// An element with a 64-bit integer value.
 class EXPORT IntElement : public WMElement {
  public:
   ~IntElement() override;
 
   long long GetValue() const { return value_; }
 
-  /// As Agent::Update(this, value).
+  /// Same as Agent::Update(this, value).
   void Update(long long value);
 
   char const* GetValueType() const override { return "int"; }

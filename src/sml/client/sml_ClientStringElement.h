@@ -6,14 +6,14 @@
 
 namespace sml {
 
-/// A text value.
+/// An element with a string value.
 class EXPORT StringElement : public WMElement {
  public:
   ~StringElement() override;
 
   char const* GetValue() const { return value_.c_str(); }
 
-  /// As Agent::Update(this, value).
+  /// Same as Agent::Update(this, value).
   void Update(char const* value);
 
   char const* GetValueType() const override { return "string"; }

@@ -7,8 +7,8 @@
 
 namespace sml {
 
-/// A piece of structured trace. IsTag...() asks what it is; Get...() reads an attribute of it, NULL if it has none of
-/// that name.
+/// A part of a structured trace. IsTag...() returns its kind; Get...() returns an attribute, or NULL if it does not
+/// exist.
 class EXPORT ClientTraceXML : public ClientXML {
  public:
   ClientTraceXML();

@@ -18,33 +18,33 @@ class WorkingMemory;
 template <typename T>
 class ObjectPool;
 
-/// An element of working memory as a client sees it: input that it made, or output that its agent made.
+/// An element of working memory from a client's view: input that the client created, or output of its agent.
 ///
-/// Objects belong to their agent. One that was destroyed, or removed from the output link, is kept for a while as a
-/// dead object: calls on it and with it fail with an error of the agent, they do not crash.
+/// Elements belong to their agent. An element that was destroyed, or removed from the output link, is kept for a while
+/// as a dead object: calls that use it fail with an error of the agent instead of crashing.
 class EXPORT WMElement {
  public:
   virtual ~WMElement();
 
-  /// True for output that arrived since the list of changes was last cleared.
+  /// Returns true for output that was added since the list of changes was last cleared.
   bool IsJustAdded();
 
-  /// The identifier that this element hangs on; NULL for the input link and the output link themselves.
+  /// The identifier that this element belongs to; NULL for the input link and the output link themselves.
   IdentifierSymbol* GetParent() const { return parent_; }
   IdentifierSymbol* GetIdentifier() const { return parent_; }
-  /// Its name ("I2").
+  /// The name of that identifier ("I2").
   char const* GetIdentifierName() const;
 
   char const* GetAttribute() const { return attribute_; }
 
   /// "string", "int", "double" or "id".
   virtual char const* GetValueType() const = 0;
-  /// The value as text. Numbers: valid until the next call of this function for a number.
+  /// The value as text. For numbers, valid until the next call of this function for a number.
   virtual char const* GetValueAsString() const = 0;
-  /// The same, written to the buffer and returned from there.
+  /// Same, but written to `buf`; returns the text of `buf`.
   virtual char const* GetValueAsString(std::string& buf) const = 0;
 
-  /// Negative for elements that a client made, positive for those of the agent. Changes with every update.
+  /// Negative for elements of clients, positive for those of the agent. Changes with every update.
   long long GetTimeTag() const { return time_tag_; }
 
   virtual bool IsIdentifier() const { return false; }
@@ -55,15 +55,15 @@ class EXPORT WMElement {
 
   Agent* GetAgent();
 
-  /// As Agent::DestroyWME(this).
+  /// Same as Agent::DestroyWME(this).
   bool DestroyWME();
 
-  /// Appends a line for people.
+  /// Appends a readable description.
   void DebugString(std::string& result);
 
 #ifndef SOARBOX_PUBLIC_API_ONLY
-  /// A number that no other element of this process has or had; 0 once the element is a dead object. While its agent is
-  /// there, it can be asked of any element that was one of that agent. Not part of the interface of Soar 9.6.3.
+  /// A number that is unique among all elements that this process ever creates; 0 for dead objects. May be called for
+  /// any element of an existing agent, even a dead one. Not part of the interface of Soar 9.6.3.
   unsigned long long GetLife() const {
     return life_;
   }
@@ -86,19 +86,19 @@ class EXPORT WMElement {
 
   IdentifierSymbol* parent_ = nullptr;
   char const* attribute_ = "";
-  WMElement* next_ = nullptr;  ///< Of the parent's children; of a dead object: see ObjectPool.
+  WMElement* next_ = nullptr;  ///< The next child of the parent; for dead objects see ObjectPool.
   union {
     WMElement* previous_ = nullptr;  ///< If it has a parent.
-    Agent* agent_;                   ///< If it has none.
+    Agent* agent_;                   ///< If it has no parent.
   };
   long long time_tag_ = 0;
   unsigned long long life_ = 0;
-  unsigned int input_ = 0;  ///< Its handle on the way to the kernel.
+  unsigned int input_ = 0;  ///< Its handle in the connection to the kernel.
   Kind kind_;
   bool just_added_ : 1;
   bool live_ : 1;            ///< False for dead objects.
-  bool output_ : 1;          ///< Made by the agent.
-  bool owns_attribute_ : 1;  ///< Else it is one that all agents share.
+  bool output_ : 1;          ///< The agent created it.
+  bool owns_attribute_ : 1;  ///< False if the attribute's text is shared by all agents.
 };
 
 }  // namespace sml

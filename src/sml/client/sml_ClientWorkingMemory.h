@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// Kept so that programs which include it compile. WorkingMemory is an opaque part of Agent; its public faces are Agent
-/// and the WMElement family.
+/// Exists so that programs that include it compile. WorkingMemory is an internal part of Agent; use Agent and the
+/// WMElement classes.
 #include "sml_ClientIdentifier.h"
 #include "sml_DeltaList.h"
 #include "sml_OutputDeltaList.h"

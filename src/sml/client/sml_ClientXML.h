@@ -10,8 +10,8 @@ namespace sml {
 
 class ClientTraceXML;
 
-/// A piece of structured output. One that is handed to an event handler lives until the handler returns: copy it to
-/// keep it.
+/// A part of structured output. The one that is passed to an event handler is valid until the handler returns; copy it
+/// to keep it.
 class EXPORT ClientXML {
  public:
   ClientXML();
@@ -22,24 +22,24 @@ class EXPORT ClientXML {
   ClientXML(ClientXML const&) = delete;
   ClientXML& operator=(ClientXML const&) = delete;
 
-  /// This piece as a piece of trace; belongs to this object.
+  /// Returns this part as a part of a trace; owned by this object.
   virtual ClientTraceXML* ConvertToTraceXML();
 
   char const* GetTagName() const;
   bool IsTag(char const* pTag) const;
   int GetNumberChildren() const;
-  /// Makes pChild the index-th child; false if there is none.
+  /// Makes pChild the index-th child. Returns false if there is none.
   bool GetChild(ClientXML* pChild, int index) const;
   int GetNumberAttributes() const;
   char const* GetAttributeName(int index) const;
   char const* GetAttributeValue(int index) const;
-  /// NULL if there is no such attribute.
+  /// Returns NULL if there is no such attribute.
   char const* GetAttribute(char const* pName) const;
   char const* GetCharacterData() const;
   bool IsCharacterDataBinary() const;
   bool ConvertCharacterDataToBinary();
   int GetCharacterDataLength() const;
-  /// The piece as a document; give it back with DeleteString.
+  /// Returns this part as a document; free it with DeleteString.
   char* GenerateXMLString(bool includeChildren, bool insertNewLines = false) const;
   int DetermineXMLStringLength(bool includeChildren, bool insertNewLines = false) const;
 
@@ -52,7 +52,7 @@ class EXPORT ClientXML {
   soarxml::ElementXML element_;
 
  private:
-  std::unique_ptr<ClientTraceXML> trace_;  ///< Made by ConvertToTraceXML.
+  std::unique_ptr<ClientTraceXML> trace_;  ///< Created by ConvertToTraceXML.
 };
 
 }  // namespace sml

@@ -7,7 +7,7 @@
 
 namespace sml {
 
-/// An opaque part of Kernel.
+/// An internal part of Kernel.
 class Connection;
 
 }  // namespace sml

@@ -10,19 +10,19 @@ namespace sml {
 class WMElement;
 class WorkingMemory;
 
-/// A change of the input link that waits for Agent::Commit().
+/// A buffered change of the input link that waits for Agent::Commit().
 struct TagWme {
   bool remove = false;
   long long time_tag = 0;
   WMElement* wme = nullptr;  ///< The element to add; NULL for removals.
-  unsigned int input = 0;    ///< The handle of an element to remove on the way to the kernel.
+  unsigned int input = 0;    ///< For removals: the handle of the element in the connection to the kernel.
 };
 
-/// The changes of the input link that wait for Agent::Commit(), in the order in which they were made.
+/// The buffered changes of the input link in the order in which they were made. They wait for Agent::Commit().
 class EXPORT DeltaList {
  public:
   int GetSize() const { return static_cast<int>(changes_.size()); }
-  /// NULL if there is no such change.
+  /// Returns NULL if there is no such change.
   TagWme* GetDelta(int index);
 
  private:

@@ -3,8 +3,8 @@
 
 #include "Export.h"
 
-/// The events of a kernel and of its agents, and the numbers and words for phases, runs and stops. The values travel
-/// over sockets and through language bindings: they never change.
+/// The events of a kernel and its agents, and the numbers and names of phases, runs and stops. The values are used in
+/// network messages and language bindings: they must never change.
 namespace sml {
 
 enum smlPhase {
@@ -209,15 +209,15 @@ inline bool IsStringEventID(int id) {
   return id >= smlEVENT_TCL_LIBRARY_MESSAGE && id <= smlEVENT_LAST_STRING_EVENT;
 }
 
-/// Translates between the numbers of events and their names in messages ("after-decision-cycle").
+/// Converts between event numbers and their names in messages ("after-decision-cycle").
 class EXPORT Events {
  public:
   Events() = default;
 
-  /// The number of an event; smlEVENT_INVALID_EVENT for a name that is not one.
+  /// The number of an event; smlEVENT_INVALID_EVENT if there is no event of this name.
   int ConvertToEvent(char const* pStr) const;
 
-  /// The name of an event; NULL for a number that is not one.
+  /// The name of an event; NULL if there is no event of this number.
   char const* ConvertToString(int id) const;
 };
 

@@ -6,13 +6,13 @@
 
 namespace sml {
 
-/// Keys with a list of values each: the order of the values is kept, an empty list is no entry.
+/// A map from keys to ordered lists of values. A key whose list becomes empty is removed.
 template <typename Key, typename Value>
 class ListMap {
  public:
   typedef std::list<Value> ValueList;
 
-  /// True if this is the key's first value.
+  /// Returns true if this is the key's first value.
   bool add(Key const& key, Value value, bool addToBack = true) {
     ValueList& list = lists_[key];
     const bool first = list.empty();
@@ -29,7 +29,7 @@ class ListMap {
     found->second.remove(value);
     if (found->second.empty()) lists_.erase(found);
   }
-  /// NULL if the key has no values.
+  /// Returns NULL if the key has no values.
   ValueList* getList(Key const& key) {
     auto found = lists_.find(key);
     return found == lists_.end() ? nullptr : &found->second;

@@ -3,8 +3,8 @@
 
 namespace sml {
 
-/// The words that clients and kernels speak with: names of commands, arguments, elements and attributes, and the values
-/// of some of them. They are what Soar 9.6 clients expect; sorted by what they are for, then by name.
+/// The names in messages between clients and kernels: commands, arguments, elements and attributes, and some values.
+/// Soar 9.6 clients expect these names. Grouped by purpose, then sorted.
 struct sml_Names {
   // Documents, connections and answers.
   static constexpr char const* kAck = "ack";
@@ -301,7 +301,7 @@ struct sml_Names {
   static constexpr char const* kTagWMERemove = "removing_wme";
   static constexpr char const* kTagWarning = "warning";
 
-  // What structured traces say: states, operators, phases, rules.
+  // Values in structured traces: states, operators, phases, rules.
   static constexpr char const* kAction = "action";
   static constexpr char const* kActionFunction = "function";
   static constexpr char const* kActionId = "id";

@@ -6,7 +6,7 @@
 
 namespace sml {
 
-/// Objects by name, in the order of their names. Does not own them.
+/// Objects by name, sorted by name. Does not own them.
 template <typename Object>
 class ObjectMap {
  public:

@@ -24,12 +24,12 @@ class EXPORT WMDelta {
   WMElement* wme_;
 };
 
-/// The changes of the output link since the list was last cleared, in order of arrival. Removed elements stay readable
-/// while they are listed.
+/// The changes of the output link since the list was last cleared, in order of arrival. Removed elements can be read
+/// while they are in the list.
 class EXPORT OutputDeltaList {
  public:
   int GetSize() const { return static_cast<int>(deltas_.size()); }
-  /// NULL if there is no such change.
+  /// Returns NULL if there is no such change.
   WMDelta* GetDeltaWME(int index);
 
  private:

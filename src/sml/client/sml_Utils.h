@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// Waiting, messages for debugging, and checks for client programs, under the names that Soar's own programs use for
-/// them. Nothing in the API needs any of them.
+/// Sleeping, debug messages and checks for client programs, with the names that Soar's own programs use. The API does
+/// not need them.
 #include <cassert>
 #include <cerrno>
 #include <chrono>
@@ -17,7 +17,7 @@
 #define unused(x) (void)(x)
 #endif
 
-/// Leave a function whose argument or state is wrong; in debug builds the program ends there.
+/// Return from a function if an argument or a state is wrong; in debug builds the program aborts.
 #if !defined(CHECK)
 #define CHECK(x)      \
   {                   \
@@ -46,17 +46,17 @@
 
 namespace sml {
 
-/// Waits, without holding up other threads.
+/// Blocks only the calling thread.
 inline void Sleep(int seconds, int milliseconds) {
   std::this_thread::sleep_for(std::chrono::seconds(seconds) + std::chrono::milliseconds(milliseconds));
 }
 
-/// Says on the standard error what the system's last error was.
+/// Prints the system's last error to the standard error.
 inline void ReportSystemErrorMessage() {
   std::fprintf(stderr, "%s\n", std::strerror(errno));
 }
 
-/// Write a line to the standard error.
+/// Print a line to the standard error.
 inline void PrintDebug(char const* text) {
   std::fprintf(stderr, "%s\n", text);
 }

@@ -8,7 +8,7 @@
 
 namespace sml {
 
-/// Walks the children of an identifier. It stays valid while the child does that it stands at.
+/// Iterates over the children of an identifier. Valid while its current child is.
 class EXPORT ChildIterator {
  public:
   typedef std::bidirectional_iterator_tag iterator_category;
@@ -44,7 +44,7 @@ class EXPORT ChildIterator {
   ChildIterator(IdentifierSymbol* parent, WMElement* at) : parent_(parent), at_(at) {}
 
   IdentifierSymbol* parent_ = nullptr;
-  WMElement* at_ = nullptr;  ///< Null behind the last one.
+  WMElement* at_ = nullptr;  ///< Null after the last child.
 };
 
 }  // namespace sml

@@ -30,11 +30,11 @@ std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from
 /// The parts of a line of a client's log (sml/server/client_log.h).
 std::vector<std::string> PartsOfClientAct(std::string_view line);
 
-/// A part as it is written in such a line.
+/// A part in the escaped form that such a line contains.
 std::string EscapedForClientAct(std::string_view part);
 
-/// Does to an agent of a kernel in this process what a line of a client's log says. Returns what did not go as it was
-/// recorded, or an empty text.
+/// Executes a line of a client's log on an agent of a kernel in this process. Returns a description of the difference
+/// if the result was not as recorded, else an empty text.
 std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts);
 
 }  // namespace soarbox

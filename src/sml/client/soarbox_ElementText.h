@@ -5,8 +5,8 @@
 
 namespace sml {
 
-/// A text that belongs to one object, in sixteen bytes: up to fifteen characters stand in them, longer ones elsewhere.
-/// Part of the library's own data; not part of the interface of Soar 9.6.3.
+/// A text of one object, in sixteen bytes: up to fifteen characters are stored inside, longer texts on the heap.
+/// Internal; not part of the interface of Soar 9.6.3.
 class ElementText {
  public:
   ElementText() { bytes_[0] = bytes_[kMark] = 0; }
@@ -14,14 +14,14 @@ class ElementText {
   ElementText(ElementText const&) = delete;
   ElementText& operator=(ElementText const&) = delete;
 
-  /// Ends with a zero. Valid until the next change.
+  /// Zero-terminated. Valid until the next change.
   char const* c_str() const { return IsLong() ? LongText() : bytes_; }
   bool empty() const { return *c_str() == 0; }
-  /// Takes over what is not longer than before without allocating.
+  /// Copies the text. Does not allocate if it is not longer than the current one.
   void Assign(char const* text, std::size_t size);
 
  private:
-  static const std::size_t kMark = 15;  ///< Where a short text of full length ends, and what tells long ones.
+  static const std::size_t kMark = 15;  ///< The end of a short text of maximum length; also marks long texts.
 
   bool IsLong() const { return bytes_[kMark] != 0; }
   char* LongText() const {
@@ -33,7 +33,7 @@ class ElementText {
     if (IsLong()) delete[] LongText();
   }
 
-  alignas(char*) char bytes_[kMark + 1];  ///< Long: the place of the text, then the room there (4 bytes).
+  alignas(char*) char bytes_[kMark + 1];  ///< For long texts: the address of the text, then its capacity (4 bytes).
 };
 
 }  // namespace sml

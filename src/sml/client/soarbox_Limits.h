@@ -11,8 +11,8 @@ class Agent;
 
 namespace soarbox {
 
-/// When MindFirings (soarbox_Observation.h) has reached this number, each phase of the agent ends as if it had reached
-/// max-elaborations. Does nothing if its kernel is in another process.
+/// When MindFirings (soarbox_Observation.h) reaches `most`, each phase of the agent ends as if it had reached
+/// max-elaborations. Has no effect if the agent's kernel is in another process.
 void EXPORT SetMindFiringLimit(sml::Agent& agent, std::uint64_t most);
 
 }  // namespace soarbox

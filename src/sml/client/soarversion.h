@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// The version of Soar whose behaviour and interface this library has.
+/// The version of Soar whose behaviour and interface this library implements.
 #define MAJOR_VERSION_NUMBER 9
 #define MINOR_VERSION_NUMBER 6
 #define MICRO_VERSION_NUMBER 3

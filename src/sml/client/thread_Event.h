@@ -7,8 +7,8 @@
 
 namespace soar_thread {
 
-/// Lets one thread wait for another: a trigger wakes one waiter, the next one if nobody waits. For client programs; may
-/// be called from any thread.
+/// An event on which threads wait. A trigger wakes one waiting thread; if there is none, it wakes the next that waits.
+/// For client programs. Callable from any thread.
 class Event {
  public:
   void TriggerEvent() {
@@ -23,7 +23,7 @@ class Event {
     triggered_ = false;
   }
 
-  /// False if the time is over before anybody triggered the event.
+  /// Returns false if the time elapsed before the event was triggered.
   bool WaitForEvent(int seconds, int milliseconds) {
     std::unique_lock<std::mutex> lock(mutex_);
     const auto limit = std::chrono::seconds(seconds) + std::chrono::milliseconds(milliseconds);

@@ -5,7 +5,7 @@
 
 namespace soar_thread {
 
-/// A mutex that the same thread may lock several times. Locked by the two classes below, for client programs.
+/// A recursive mutex for client programs. The two classes below lock it.
 class Mutex {
  private:
   friend class Lock;
@@ -13,7 +13,7 @@ class Mutex {
   std::recursive_mutex mutex_;
 };
 
-/// Holds a mutex for as long as it lives.
+/// Locks a mutex during its lifetime.
 class Lock {
  public:
   explicit Lock(Mutex* mutex) : mutex_(mutex) { LockMutex(); }
@@ -21,7 +21,7 @@ class Lock {
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
 
-  /// For a break in between; the mutex must be held again when the lock goes.
+  /// Unlocks temporarily; the mutex must be locked again before the destructor runs.
   void UnlockMutex() { mutex_->mutex_.unlock(); }
   void LockMutex() { mutex_->mutex_.lock(); }
 
@@ -29,7 +29,7 @@ class Lock {
   Mutex* mutex_;
 };
 
-/// Holds a mutex from the moment in which it could be had.
+/// Locks a mutex, if possible, until it is destroyed.
 class ConditionalLock {
  public:
   ConditionalLock() = default;
@@ -39,7 +39,7 @@ class ConditionalLock {
   ConditionalLock(const ConditionalLock&) = delete;
   ConditionalLock& operator=(const ConditionalLock&) = delete;
 
-  /// Does not wait. False if another thread has the mutex, or if this holds one already.
+  /// Does not wait. Returns false if another thread holds the mutex or if this object holds one already.
   bool TryToLock(Mutex* mutex) {
     if (mutex_ || !mutex->mutex_.try_lock()) return false;
     mutex_ = mutex;

@@ -9,8 +9,8 @@
 
 namespace soar_thread {
 
-/// A thread as a class to derive from: Run() is what it does, and it ends when Run() returns. For client programs. Stop
-/// it and wait for it before the derived object goes.
+/// A base class for threads: Run() is the work, and the thread ends when Run() returns. For client programs. Stop the
+/// thread and wait for its end before the derived object is destroyed.
 class Thread {
  public:
   Thread() = default;
@@ -26,7 +26,7 @@ class Thread {
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
-  /// Begins Run() in a thread of its own, once.
+  /// Starts a thread that executes Run(). Call it once.
   void Start() {
     if (started_.exchange(true)) return;
     thread_ = std::thread([this] {
@@ -34,14 +34,14 @@ class Thread {
       SetStopped(true);
     });
   }
-  /// Asks the thread to end, and waits until it has.
+  /// Asks the thread to end; waits for its end if `wait_till_stopped`.
   void Stop(bool wait_till_stopped) {
     quit_ = true;
     while (wait_till_stopped && started_ && !stopped_) Sleep(0, 1);
   }
   bool IsStopped() { return stopped_; }
   bool IsStarted() { return started_; }
-  /// Waits, in the thread that calls this, for a call of Resume().
+  /// Blocks the calling thread until Resume() is called.
   void Suspend() { pause_.WaitForEventForever(); }
   void Resume() { pause_.TriggerEvent(); }
   /// The thread's work. It should end when QuitNow() is true.

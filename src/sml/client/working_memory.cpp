@@ -15,7 +15,7 @@ using soarbox::server::InputWme;
 
 namespace {
 
-/// An optimized kernel takes input at once, whatever was said of commits.
+/// Whether input is sent immediately. An optimized kernel does so regardless of the auto-commit setting.
 bool CommitsAtOnce(const KernelData& data) {
   return data.auto_commit || data.direct;
 }
@@ -28,7 +28,7 @@ Agent& WorkingMemory::agent() const {
   return data_.agent;
 }
 
-/// Leaves room for the numbers of 2^40 elements.
+/// Reserves numbers for 2^40 elements.
 unsigned long long WorkingMemory::NewLife() {
   static std::atomic<unsigned long long> memories{0};
   return ++memories << 40;
@@ -63,7 +63,7 @@ IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   return symbol;
 }
 
-/// Names an element: with the text that all agents share if there is one.
+/// Sets the attribute of an element, as a shared text if possible.
 void WorkingMemory::SetAttribute(WMElement* wme, std::string_view attribute) {
   if (wme->owns_attribute_) delete[] wme->attribute_;
   wme->owns_attribute_ = false;
@@ -115,7 +115,8 @@ void WorkingMemory::RetireElement(WMElement* wme) {
   }
 }
 
-/// Ends an identifier's use of its symbol. If it was the last one, the symbol goes, and its children with it.
+/// Removes an identifier from the users of its symbol. If it was the last one, the symbol is destroyed, and its
+/// children are appended to `below`.
 void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& below) {
   IdentifierSymbol* symbol = identifier->symbol_;
   if (!symbol) return;
@@ -134,13 +135,13 @@ void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& 
   symbols_.GiveBack(symbol);
 }
 
-/// Makes dead objects of an element and of everything below it that nothing else shares.
+/// Converts an element, and everything below it that is not shared, to dead objects.
 void WorkingMemory::Release(WMElement* wme) {
   const std::size_t base = work_.size();
   const auto release = [&](WMElement* element) {
     Detach(element);
     if (element->kind_ == WMElement::Kind::kIdentifier) DropSymbol(static_cast<Identifier*>(element), work_);
-    // (What was told to be removed is out of the table already.)
+    // (Elements whose removal was reported are no longer in the table.)
     if (element->output_) {
       if (element->live_) output_by_tag_.Take(element->time_tag_);
     } else {
@@ -162,7 +163,7 @@ void WorkingMemory::ReleaseBelow(IdentifierSymbol* symbol) {
   while (symbol->first_child_) Release(symbol->first_child_);
 }
 
-/// Takes a waiting addition back.
+/// Cancels a buffered addition.
 bool WorkingMemory::Cancel(long long tag) {
   if (pending_.changes_.empty()) return false;
   return std::erase_if(pending_.changes_,
@@ -253,7 +254,7 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
     data_.SetError(kInvalidArgument, "The shared value is no identifier of this agent, or it has been removed");
     return nullptr;
   }
-  // As in Soar, other elements may have the same attribute and value; each is removed by itself.
+  // As in Soar, other elements may have the same attribute and value; each is removed individually.
   const bool is_there = shared->parent_ == parent->symbol_ && std::strcmp(shared->attribute_, attribute) == 0;
   if (is_there) return nullptr;
   Identifier* wme = identifiers_.Take();
@@ -267,7 +268,7 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
 InputWme WorkingMemory::Describe(WMElement* wme) {
   InputWme described;
   described.tag = wme->time_tag_;
-  // The kernel knows its own identifiers without their names.
+  // The kernel does not need the names of its own identifiers.
   if (wme->parent_->hint_ == 0) described.id = wme->parent_->Name();
   described.id_key = wme->parent_->key_;
   described.id_hint = wme->parent_->hint_;
@@ -348,8 +349,8 @@ void WorkingMemory::Update(FloatElement* wme, double value) {
   SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, value); });
 }
 
-/// Gives an element that has a new value a new tag. `send`: what percepts do most, a value straight to the kernel;
-/// false if the link has to know all of the element.
+/// Assigns a new tag to an element with a new value. `send` is the fast path for percepts: it sends only the value. It
+/// returns false if the link needs the complete element.
 template <typename Send>
 void WorkingMemory::SendValue(WMElement* wme, Send send) {
   KernelData& kernel = data_.kernel_data();
@@ -415,7 +416,7 @@ void WorkingMemory::Refresh() {
   }
   std::vector<IdentifierSymbol*> seen{input_link_->symbol_};
   std::vector<WMElement*> open;
-  const auto open_children = [&open](IdentifierSymbol* symbol) {  // The first one last.
+  const auto open_children = [&open](IdentifierSymbol* symbol) {  // The first child is the last entry.
     for (WMElement* child = symbol->last_child_; child; child = child->previous_) open.push_back(child);
   };
   open_children(input_link_->symbol_);

@@ -17,13 +17,13 @@ namespace sml {
 
 struct AgentData;
 
-/// The elements that one client sees of one agent: its input, and the output that it was told of.
+/// The elements of one agent from the view of one client: its input, and the output that it received.
 ///
-/// Elements are recycled: in the steady state of a host's loop nothing is allocated.
+/// Elements are reused: in the steady state nothing is allocated.
 class WorkingMemory {
  public:
   explicit WorkingMemory(AgentData& data) : data_(data), life_(NewLife()), last_life_(life_) {
-    // Room for a few commands, so that the first ticks cost what the later ones do.
+    // Reserved for a few commands, so that the first ticks do not allocate more than later ones.
     changes_.deltas_.reserve(kUsualChanges);
     removed_.reserve(kUsualChanges);
     releasing_.reserve(kUsualChanges);
@@ -33,7 +33,7 @@ class WorkingMemory {
 
   // Input -----------------------------------------------------------------------------------------------------------
 
-  /// Null, with an error, if the kernel does not answer.
+  /// Returns null, with an error, if the kernel does not answer.
   Identifier* InputLink();
   StringElement* CreateString(Identifier* parent, char const* attribute, char const* value);
   IntElement* CreateInt(Identifier* parent, char const* attribute, long long value);
@@ -46,7 +46,7 @@ class WorkingMemory {
   bool Destroy(WMElement* wme);
   bool Commit();
   bool IsCommitRequired() const { return !pending_.changes_.empty(); }
-  /// Sends the whole input again, after init-soar.
+  /// Sends the entire input again, after init-soar.
   void Refresh();
   bool SynchronizeInput();
 
@@ -56,7 +56,7 @@ class WorkingMemory {
   void EnableTracking(bool by_user);
   void DisableTracking();
   bool tracking() const { return tracking_ == Tracking::kOn; }
-  /// Empties the list of changes if an apply phase has ended since they came.
+  /// Clears the list of changes if an apply phase has ended since they arrived.
   void DropOldChanges();
   void ClearChanges();
   OutputDeltaList& changes() { return changes_; }
@@ -65,19 +65,20 @@ class WorkingMemory {
 
   void BeginOutput();
   void ReceiveOutput(const OutputWme& wme);
-  /// Adds an element of the output; false if its parent is not known (yet).
+  /// Adds an element of the output. Returns false if its parent is unknown (yet).
   bool AddOutput(const OutputWme& wme);
   void RemoveOutput(long long tag);
-  /// Attaches what waited for its parent; true if everything found one.
+  /// Attaches the elements that waited for their parent. Returns true if all parents exist.
   bool EndOutput() { return orphans_.empty() || AttachOrphans(); }
-  /// init-soar: the output is gone.
+  /// init-soar: the output was removed.
   void InvalidateOutput();
   bool SynchronizeOutput();
 
-  /// What no other working memory of this process has; its elements get the numbers that follow (WMElement::GetLife).
+  /// A number that is unique among all working memories of this process. Its elements use the numbers that follow
+  /// (WMElement::GetLife).
   unsigned long long life() const { return life_; }
 
-  /// A live element of this agent?
+  /// Returns true if it is a live element of this agent.
   bool Owns(const WMElement* wme) const;
   IdentifierSymbol* FindSymbol(long long key);
 
@@ -119,16 +120,16 @@ class WorkingMemory {
   DeltaList pending_;
   OutputDeltaList changes_;
   Tracking tracking_ = Tracking::kAutoOff;
-  unsigned long long changes_at_ = 0;  ///< Apply phases when the last change came.
-  std::vector<WMElement*> removed_;    ///< Removed output that the list of changes still shows.
-  std::vector<WMElement*> releasing_;  ///< Those that ClearChanges releases just now.
-  std::vector<WMElement*> work_;       ///< Elements that Release has still to look at.
+  unsigned long long changes_at_ = 0;  ///< Number of apply phases when the last change arrived.
+  std::vector<WMElement*> removed_;    ///< Removed output that is still in the list of changes.
+  std::vector<WMElement*> releasing_;  ///< Those that ClearChanges is releasing.
+  std::vector<WMElement*> work_;       ///< Elements that Release still has to process.
   struct Orphan {
     OutputWme wme;
     std::string attribute, text;
   };
   std::vector<Orphan> orphans_;
-  std::vector<Orphan> waiting_orphans_;  ///< Those that EndOutput looks at again.
+  std::vector<Orphan> waiting_orphans_;  ///< Those that EndOutput tries again.
 
   ObjectPool<StringElement> strings_;
   ObjectPool<IntElement> ints_;

@@ -38,7 +38,8 @@ void WorkingMemory::ClearChanges() {
   if (removed_.empty()) return;
   releasing_.swap(removed_);
   for (WMElement* wme : releasing_) {
-    // (Removed output is neither a child nor in the table any more, so for most elements this is all that is left.)
+    // (Removed output is neither a child nor in the table any more, so for most elements nothing else remains to be
+    // done.)
     if (wme->kind_ == WMElement::Kind::kIdentifier) {
       Release(wme);
     } else {
@@ -105,7 +106,7 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
   return made;
 }
 
-/// Whether the element is one that this client added to the output itself, such as ^status complete.
+/// Whether this client added the element to the output itself, such as ^status complete.
 bool WorkingMemory::HasOwn(IdentifierSymbol& parent, const OutputWme& wme) {
   return std::any_of(parent.begin(), parent.end(), [&](WMElement* child) {
     if (child->output_ || wme.attribute != child->attribute_) return false;

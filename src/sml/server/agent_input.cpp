@@ -11,7 +11,7 @@ namespace soarbox::server {
 
 namespace {
 
-/// The number in a kernel's name such as "F12"; 0 if the text is no such name.
+/// The number in a kernel's name such as "F12"; 0 for other texts.
 std::uint64_t NumberOf(std::string_view name) {
   if (name.size() < 2 || name[0] < 'A' || name[0] > 'Z') return 0;
   std::uint64_t number = 0;
@@ -19,7 +19,7 @@ std::uint64_t NumberOf(std::string_view name) {
   return error == std::errc() && stop == name.data() + name.size() ? number : 0;
 }
 
-/// The one number of a name such as "f12" that clients give; 0 for other names.
+/// A client's name such as "f12" as a number; 0 for other names.
 std::int64_t ClientKey(std::string_view name) {
   constexpr std::size_t kMostDigits = 16;  // They fit below the letter.
   if (name.size() < 2 || name.size() > 1 + kMostDigits || name[1] < '1' || name[1] > '9') return 0;
@@ -32,7 +32,7 @@ std::int64_t ClientKey(std::string_view name) {
   return IdentifierKey(name[0], number);
 }
 
-/// The live identifier with a kernel's name; none if there is none.
+/// The live identifier with a kernel's name, or the none symbol.
 kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_view name) {
   const std::uint64_t number = NumberOf(name);
   return number == 0 ? kernel::Symbol() : symbols.FindIdentifier(name[0], number);
@@ -42,7 +42,7 @@ kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_vi
 
 kernel::InputObject AgentInput::Resolve(const InputWme& wme) {
   if (wme.id_hint != 0) {
-    // The handle may have gone to another identifier since.
+    // The handle may have been reused for another identifier.
     const kernel::Symbol symbol = kernel::Symbol::FromBits(wme.id_hint);
     const kernel::SymbolTable& symbols = std::as_const(agent_).symbols();
     if (symbol.IsIdentifier() && std::as_const(agent_).memory().identifier(symbol).live &&
@@ -140,7 +140,7 @@ void AgentInput::RemoveByTag(long long tag) {
     if (found != kernel::InputElement::kNone) Remove(found);
     return;
   }
-  // A client that took over the kernel's own view of the input names elements by the kernel's tags.
+  // A client that synchronized its input with the kernel identifies elements by the kernel's tags.
   if (log_ != nullptr) log_->Dropped(*hosted_, tag);
   const kernel::WmeId wme = agent_.memory().FindByTimetag(static_cast<std::uint64_t>(tag));
   if (wme != kernel::WmeId::kNone && agent_.memory().record(wme).kind == kernel::WmeKind::kInput) {
@@ -174,7 +174,7 @@ void AgentInput::Clear() {
 void AgentInput::Tidy() {
   if (elements_.size() < tidy_elements_at_ && NamedObjects() < tidy_objects_at_) return;
   const kernel::InputLink& input = std::as_const(agent_).input();
-  // Elements that wait for the next input phase have no element of working memory either.
+  // Elements that wait for the next input phase are not in working memory either.
   if (input.HasPendingChanges()) return;
   elements_.RemoveIf(
       [&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });

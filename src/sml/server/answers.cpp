@@ -36,7 +36,7 @@ void AddLineResult(wire::Message& response, const cli::CommandResult& result, bo
   }
   if (!result.structured.children.empty()) {
     wire::Element answer = Convert(result.structured);
-    // What was printed stands beside the elements that `print` gives.
+    // The printed text is next to the elements that `print` returns.
     const std::string& first = answer.children.front().tag;
     if ((first == "id" || first == "wme") && !answer.Arg("message")) {
       wire::Element& arg = answer.Add("arg");
@@ -60,7 +60,7 @@ std::shared_ptr<const wire::Element> StructuredDocument(const cli::CommandResult
 }
 
 std::string ErrorDetails(const cli::CommandResult& result) {
-  // What was printed already stands at the beginning of a line: the first line finds it, however many errors there are.
+  // Printed errors are at the beginning of lines. An index of the lines keeps the search fast for many errors.
   std::unordered_map<std::string_view, std::size_t> line_begins;
   const std::string_view printed = result.text;
   for (std::size_t begin = 0, end; begin < printed.size(); begin = end) {

@@ -12,15 +12,15 @@
 
 namespace soarbox::server {
 
-/// Adds a command line's answer to a response: text, or elements.
+/// Adds the result of a command line to a response, as text or as elements.
 void AddLineResult(wire::Message& response, const cli::CommandResult& result, bool structured);
-/// The response <sml> of a structured answer, for clients in this process.
+/// The <sml> of a response with a structured result, for clients in this process.
 std::shared_ptr<const wire::Element> StructuredDocument(const cli::CommandResult& result);
-/// The text of a failed command line, and every error with file, line and column that the text does not show.
+/// The output of a failed command line, followed by the errors that it does not show, with file, line and column.
 std::string ErrorDetails(const cli::CommandResult& result);
-/// What a command line that succeeded warns of: traps in rules that it loaded. Empty for nearly all.
+/// The warnings of a successful command line: probable mistakes in rules that it loaded. Usually empty.
 std::string Warnings(const cli::CommandResult& result);
-/// The <command> of an input message, as an event shows it.
+/// The <command> of an input message, as an event reports it.
 wire::Element InputReceivedCommand(HostedAgent& agent, std::span<const InputWme> wmes);
 std::shared_ptr<const wire::Element> InputReceivedDocument(HostedAgent& agent, std::span<const InputWme> wmes);
 

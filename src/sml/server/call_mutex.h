@@ -5,8 +5,8 @@
 
 namespace soarbox::server {
 
-/// A recursive mutex that costs a few instructions while nobody else wants it: every call of the client API takes it.
-/// Whoever finds it taken sleeps until it is free; no order is promised among those who wait.
+/// A recursive mutex for the calls of the client API. It costs a few instructions while there is no contention. A
+/// thread that finds it locked sleeps until it is free. The order of waiting threads is unspecified.
 class CallMutex {
  public:
   [[gnu::always_inline]] void lock() {
@@ -46,7 +46,7 @@ class CallMutex {
     owner_.store(nullptr, std::memory_order_relaxed);
     if (state_.exchange(kFree, std::memory_order_release) == kWanted) state_.notify_one();
   }
-  /// The holder wakes one who sleeps only if it reads kWanted, so whoever has slept leaves that mark behind.
+  /// The holder wakes a sleeper only if it reads kWanted, so a thread that has slept must store that mark.
   [[gnu::noinline]] void Wait() {
     while (state_.exchange(kWanted, std::memory_order_acquire) != kFree)
       state_.wait(kWanted, std::memory_order_relaxed);
@@ -54,7 +54,7 @@ class CallMutex {
 
   std::atomic<int> state_{kFree};
   std::atomic<const void*> owner_{nullptr};
-  int depth_ = 0;  ///< Of the owner's locks.
+  int depth_ = 0;  ///< Number of locks of the owner.
 };
 
 }  // namespace soarbox::server

@@ -62,7 +62,7 @@ std::string ValueText(const InputWme& wme) {
   return std::string(wme.text);
 }
 
-/// Where acts of this moment take effect: the end of the phase that is running, or the position itself.
+/// The position at which current acts take effect: the end of the running phase, or else the current position.
 RunPosition EffectivePosition(const HostedAgent& hosted) {
   RunPosition at = PositionOf(hosted);
   if (!hosted.agent().running()) return at;

@@ -21,17 +21,17 @@ namespace soarbox::server {
 using wire::InputWme;
 class HostedAgent;
 
-/// How far an agent has run: the output phases that it has completed, and the phase that comes next.
+/// The position of an agent in its run: the completed output phases, and the phase that comes next.
 struct RunPosition {
   std::uint64_t cycles = 0;
   int phase = 0;
-  std::uint64_t elaborations = 0;  ///< Only in the middle of a phase: the elaborations so far. 0: between phases.
+  std::uint64_t elaborations = 0;  ///< Completed elaborations of the current phase; 0: between phases.
   friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
 };
 RunPosition PositionOf(const HostedAgent& hosted);
 
-/// The log of everything that clients do to the agents of a kernel: enough to run the agents again without the clients.
-/// A line for each act, its parts separated by tabs; `\t`, `\n`, `\r` and `\\` stand for these characters.
+/// The log of everything that clients do to the agents of a kernel. It suffices to run the agents again without the
+/// clients. Each act is one line, whose parts are separated by tabs; `\t`, `\n`, `\r` and `\\` are escapes.
 ///
 ///     soarbox-client 1 BUILD      the first line
 ///     agent NAME                  an agent was made;  gone NAME: it was destroyed
@@ -47,11 +47,11 @@ RunPosition PositionOf(const HostedAgent& hosted);
 ///                                 have fired by then, and the time since the log began. FIRINGS is - if not known.
 ///                                 MS is for people: ticks of recordings leave it out (record/client_ticks.h).
 ///
-/// Each act comes after the `go` of the position at which it happened. An act in the middle of a phase counts as
-/// happening at its end: input and commands reach the agent no earlier. Answers come before the `go` that needs them.
+/// Each act follows the `go` of the position at which it happened. An act in the middle of a phase is moved to the end
+/// of the phase: input and commands reach the agent no earlier. Answers precede the `go` that needs them.
 ///
-/// Owned by KernelHost, on the thread that holds the kernel. If the file can no longer be written, the log says so once
-/// on standard error and ends.
+/// Owned by KernelHost and used on the thread that holds the kernel. If the file can no longer be written, the log
+/// reports this once on the standard error and ends.
 class ClientLog {
  public:
   /// Creates the file, replacing an old one. `build` identifies the program. Without a name, the file is a temporary
@@ -73,9 +73,9 @@ class ClientLog {
   void Dropped(HostedAgent& hosted, long long tag);
   void Scene(HostedAgent& hosted, std::string_view lines);
   void Answered(HostedAgent& hosted, std::string_view function, std::string_view argument, std::string_view value);
-  /// The agent has run; writes where it is now.
+  /// The agent has run: writes its new position.
   void Went(HostedAgent& hosted);
-  /// Hands what was written to the operating system: a program that is killed loses nothing before this.
+  /// Flushes the written lines to the operating system, so that they survive if the program is killed.
   void Flush();
 
   /// What was written from this byte on, at most `most` bytes of it.
@@ -87,14 +87,14 @@ class ClientLog {
  private:
   struct Seen {
     RunPosition at;                    ///< The position of the last `go`.
-    RunPosition deferred_at;           ///< The end of the phase in which the acts below happened.
-    std::vector<std::string> waiting;  ///< Lines of acts in the middle of a phase.
+    RunPosition deferred_at;           ///< The end of the phase in which the waiting acts happened.
+    std::vector<std::string> waiting;  ///< The lines of acts in the middle of a phase.
   };
 
   ClientLog(std::FILE* file, bool is_named);
   void Act(HostedAgent& hosted, std::string line);
   void WriteGo(const std::string& agent, const RunPosition& at, const std::string& firings);
-  /// Writes the acts of a phase that is over.
+  /// Writes the acts of a phase that has ended.
   void Settle(const std::string& agent, Seen& seen, const RunPosition& now);
   void Write(const std::string& line);
   void End(const char* reason);
@@ -108,9 +108,9 @@ class ClientLog {
   std::int64_t began_ms_;
 };
 
-/// The parts of a line of the log, unescaped.
+/// Splits a line of the log into its parts and removes the escapes.
 std::vector<std::string> PartsOfLogLine(std::string_view line);
-/// A part as it is written.
+/// A part in the escaped form that the log contains.
 std::string EscapedForLog(std::string_view text);
 
 }  // namespace soarbox::server

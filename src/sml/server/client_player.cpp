@@ -58,7 +58,7 @@ std::string ClientPlayer::Play(HostedAgent& hosted, const Parts& parts) {
   if (kind == "function") {
     functions_.insert(parts[2]);
   } else if (kind == "agent") {
-    // As an agent is that nothing has been done to.
+    // Resets the random numbers to those of a new agent.
     hosted.agent().random() = kernel::RandomStream();
   } else if (kind == "answer" && parts.size() >= kPartsOfAnswer) {
     answers_[{hosted.number(), AnswerKey(parts[2], parts[3])}].next.push_back(parts[4]);

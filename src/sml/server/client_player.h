@@ -19,23 +19,24 @@ namespace soarbox::server {
 class HostedAgent;
 class KernelHost;
 
-/// Does to the agents of a kernel what the lines of a client's log say (client_log.h), in place of the client.
+/// Executes the lines of a client's log (client_log.h) on the agents of a kernel, in place of the client.
 ///
-/// Rules get the recorded answers of the client's functions. If an agent runs another way than it was recorded, because
-/// its rules were edited, it gets all later input as it was recorded. Owned by KernelHost.
+/// Rules receive the recorded answers of the client's functions. If an agent runs differently from the recording,
+/// because its rules were edited, it still receives all later input as recorded. Owned by KernelHost.
 class ClientPlayer {
  public:
   explicit ClientPlayer(KernelHost& host) : host_(host) {}
 
-  /// Carries out one line about an agent, given as its parts. Returns what did not go as recorded, or an empty text.
+  /// Executes one line about an agent, given as its parts. Returns a description of the difference if the result was
+  /// not as recorded, else an empty text.
   std::string Play(HostedAgent& hosted, const std::vector<std::string>& parts);
 
   /// Whether the client implemented this right-hand-side function.
   bool Knows(std::string_view function) const { return functions_.contains(function); }
-  /// What the client answered. The next recorded answer of this function to this argument, if there is one; else
-  /// the last one. None if the client never answered that.
+  /// The client's answer to a call: the next recorded answer of this function for this argument; if there are no more,
+  /// the last one. None if there never was one.
   std::optional<std::string> Answer(const HostedAgent* hosted, std::string_view function, std::string_view argument);
-  /// While true, command lines run no agent: `go` does.
+  /// While true, command lines do not run agents; `go` does.
   bool is_in_line() const { return is_in_line_; }
 
  private:
@@ -58,7 +59,7 @@ class ClientPlayer {
   std::map<std::pair<std::uint64_t, std::string>, Answers> answers_;
   /// By agent's number and recorded handle.
   std::map<std::pair<std::uint64_t, std::string>, kernel::InputElement> elements_;
-  std::set<std::uint64_t> astray_;  ///< Agents of which it was reported that they run another way.
+  std::set<std::uint64_t> astray_;  ///< Agents for which a difference in their runs was already reported.
 };
 
 }  // namespace soarbox::server

@@ -15,7 +15,7 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// What a client says of itself.
+/// The data that a client reports about itself.
 struct ConnectionInfo {
   std::string id;
   std::string name = "unknown";
@@ -23,12 +23,12 @@ struct ConnectionInfo {
   std::string agent_status;
 };
 
-/// A kernel's identifier ("F12") as one number, for maps; never 0.
+/// A kernel's identifier ("F12") as a number for maps; never 0.
 inline long long IdentifierKey(char letter, unsigned long long number) {
   return (static_cast<long long>(letter) << 56) | static_cast<long long>(number);
 }
 
-/// The name behind such a number; empty for 0.
+/// The name for such a number; empty for 0.
 inline std::string IdentifierName(long long key) {
   if (key == 0) return {};
   return static_cast<char>(key >> 56) + std::to_string(key & ((1LL << 56) - 1));
@@ -36,16 +36,16 @@ inline std::string IdentifierName(long long key) {
 
 using wire::InputWme;
 
-/// A client of a kernel: the program that the kernel lives in, or one at the other end of a socket. The kernel calls
-/// these functions for events that the client has registered for; all on the thread that holds the kernel.
+/// A client of a kernel: the program that contains the kernel, or one connected by a socket. The kernel calls the
+/// functions for events that the client registered for, always on the thread that holds the kernel.
 class Connection {
  public:
   virtual ~Connection() = default;
 
   ConnectionInfo info;
   EventSet kernel_events;          ///< Registered events that belong to no agent.
-  long long initial_time_tag = 0;  ///< 0: has not asked.
-  bool takes_part = false;         ///< Takes output or makes input: more than a watcher.
+  long long initial_time_tag = 0;  ///< 0: it has not requested one.
+  bool takes_part = false;         ///< It receives output or creates input, so it does not only watch.
 
   virtual bool embedded() const = 0;
 
@@ -55,14 +55,14 @@ class Connection {
   virtual void OnRunEvent(HostedAgent& agent, int event, int phase) = 0;
   virtual void OnProductionEvent(HostedAgent& agent, int event, std::string_view name) = 0;
   virtual void OnPrint(HostedAgent& agent, const std::string& text) = 0;
-  /// `self`: this client's own command line is echoed.
+  /// `self`: the echo is of this client's own command line.
   virtual void OnEcho(HostedAgent& agent, const std::string& text, bool self) = 0;
-  /// `pieces`: the children of <trace> as a document shows them.
+  /// `pieces` are the children of <trace> in the form of a document.
   virtual void OnXmlTrace(HostedAgent& agent, std::string_view pieces) = 0;
   virtual void OnXmlInput(HostedAgent& agent, std::span<const InputWme> wmes) = 0;
   virtual void OnOutput(HostedAgent& agent, std::span<const kernel::OutputChange> changes) = 0;
   virtual void OnOutputInit(HostedAgent& agent) = 0;
-  /// The client's answer; none if it gives none.
+  /// Returns the client's answer; none if it does not answer.
   virtual std::optional<std::string> OnFunction(HostedAgent* agent, int event, std::string_view name,
                                                 std::string_view argument) = 0;
 };

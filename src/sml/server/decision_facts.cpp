@@ -13,7 +13,8 @@ namespace {
 using kernel::PreferenceType;
 using mind::PreferenceKind;
 
-/// Slots with more preferences are not decided again and again to see which drops mattered.
+/// Maximum number of preferences, and of drops, for which the decision is repeated to find out which drops were
+/// decisive.
 constexpr std::size_t kMostTried = 64, kMostDropsTried = 16;
 
 PreferenceKind KindOf(PreferenceType type) {
@@ -23,7 +24,7 @@ PreferenceKind KindOf(PreferenceType type) {
   return kKinds[static_cast<std::size_t>(type)];
 }
 
-// The steps and the policies of the kernel and of minds are the same, in one order.
+// The enumerations of the kernel and of mind/ must have the same order.
 static_assert(static_cast<int>(mind::Stage::kWorst) == static_cast<int>(kernel::DecisionStage::kWorst));
 static_assert(static_cast<int>(mind::Policy::kLast) == static_cast<int>(kernel::ExplorationPolicy::kLast));
 

@@ -14,13 +14,13 @@
 
 namespace soarbox::server {
 
-/// Turns what the decision procedure says, in handles of the kernel, into facts: the only place where that is done.
-/// Keeps its memory from decision to decision.
+/// Converts the outcome of the decision procedure from handles of the kernel to values of mind/. This is the only place
+/// that does so. Reuses its memory.
 class DecisionReader {
  public:
-  /// Valid until the next call, and as long as the rules are there.
+  /// Valid until the next call, and only while the rules exist.
   const mind::DecisionView& Read(const kernel::Agent& agent, const kernel::DecisionReport& report);
-  /// The same for an operator of the last decision that was read; null if the decision does not mention it.
+  /// The operator in the last decision that was read; null if the decision does not contain it.
   const mind::DecisionView::Operator* Find(kernel::Symbol op) const;
 
  private:
@@ -28,13 +28,13 @@ class DecisionReader {
   std::string_view Keep(std::string_view text);
 
   mind::DecisionView decision_;
-  std::vector<kernel::Symbol> operators_;  ///< By place.
-  std::deque<std::string> texts_;          ///< The first used_ of them.
+  std::vector<kernel::Symbol> operators_;  ///< By index.
+  std::deque<std::string> texts_;          ///< Only the first used_ are in use.
   std::size_t used_ = 0;
   PrintedNames names_;
 };
 
-/// What the procedure says of a state's operators now. Empty if there is no such state, or nothing speaks of operators.
+/// The current decision on a state's operators. Empty if there is no such state, or no preference for operators.
 mind::Decision DecisionNow(const kernel::Agent& agent, std::string_view state);
 
 }  // namespace soarbox::server

@@ -24,7 +24,7 @@ std::uint64_t DecisionPacker::PlaceOf(kernel::Symbol op) {
   return operators_.size() - 1;
 }
 
-/// Fills operators_ (but for their texts), key_ and rules_.
+/// Sets operators_ (without their texts), key_ and rules_.
 void DecisionPacker::ReadKey(const kernel::Agent& agent, const kernel::DecisionReport& report) {
   constexpr std::uint64_t kNoOperator = 0xFFFF;
   const kernel::ExplorationSettings& exploration = agent.exploration();
@@ -61,7 +61,7 @@ bool DecisionPacker::HasRules(const Shape& shape) const {
   return true;
 }
 
-/// The shape of the decision that was read; null if there was none like it.
+/// Finds the shape of the decision that was read; null if it is new.
 const DecisionPacker::Shape* DecisionPacker::FindShape() {
   for (std::size_t i = 0, at = last_; i < shapes_.size(); ++i, at = at + 1 == shapes_.size() ? 0 : at + 1) {
     const Shape& shape = shapes_[at];
@@ -72,7 +72,7 @@ const DecisionPacker::Shape* DecisionPacker::FindShape() {
   return nullptr;
 }
 
-/// The same, quickly, of a decision that IsAlone.
+/// The fast path of FindShape, for decisions that satisfy IsAlone.
 const DecisionPacker::Shape* DecisionPacker::FindAlone(const kernel::Agent& agent,
                                                        const kernel::DecisionReport& report) {
   const kernel::SlotPreference& only = report.preferences[0];

@@ -15,10 +15,10 @@
 
 namespace soarbox::server {
 
-/// Packs what the decision procedure says of one agent (mind/decision_codec.h), quickly: an agent decides in the same
-/// few ways again and again, and all but its operators' identifiers and names is as it was then. What a decision says
-/// follows from its preferences, who made them, what was selected, and how one of several is selected; where these are
-/// those of an earlier decision, its bytes serve again. They are the same bytes that DecisionReader and Pack make.
+/// Packs the decisions of one agent (mind/decision_codec.h) quickly. Most decisions of an agent repeat an earlier one
+/// except for the identifiers and names of operators. The packed bytes depend only on the preferences, their creators,
+/// the selected operator, and the exploration policy. If these equal those of an earlier decision, its bytes are
+/// reused. The bytes are the same as those of DecisionReader and Pack.
 class DecisionPacker {
  public:
   struct Operator {
@@ -27,22 +27,23 @@ class DecisionPacker {
 
   /// Valid until the next call.
   std::string_view Pack(const kernel::Agent& agent, const kernel::DecisionReport& report);
-  /// How the last decision names an operator; empty if it does not mention it. Valid until the next Pack.
+  /// The id and name of an operator in the last decision; empty if the decision does not contain it. Valid until the
+  /// next Pack.
   Operator Find(kernel::Symbol op) const;
 
  private:
   static constexpr std::size_t kMostShapes = 8, kMostPreferences = 64;
 
-  /// What decisions have in common that differ in their operators only, and the bytes that follow from it.
+  /// The common part of decisions that differ only in their operators, and the packed bytes for it.
   struct Shape {
     std::vector<std::uint64_t> key;
-    std::string rules;       ///< Of the preferences, one after the other; their sizes are in the key.
-    std::string head, tail;  ///< What is packed before and after the operators.
-    /// One operator was proposed, by one rule, and selected; that and the policy is all that the bytes follow from.
+    std::string rules;       ///< Rules of the preferences, concatenated; their sizes are in the key.
+    std::string head, tail;  ///< The packed bytes before and after the operators.
+    /// One rule proposed the only operator, which was selected: the bytes depend only on that and the policy.
     bool is_alone = false;
     kernel::ExplorationPolicy policy = kernel::ExplorationPolicy::kSoftmax;
   };
-  /// An operator of the last decision, and where its id and its name are in bytes_.
+  /// An operator of the last decision, with the positions of its id and name in bytes_.
   struct Mentioned {
     kernel::Symbol op;
     std::size_t id = 0, id_size = 0, name = 0, name_size = 0;
@@ -58,14 +59,14 @@ class DecisionPacker {
 
   DecisionReader reader_;
   PrintedNames names_;
-  std::vector<Mentioned> operators_;  ///< By place.
-  bool is_anew_ = false;              ///< The last decision was read by reader_, which knows its operators.
+  std::vector<Mentioned> operators_;  ///< By index.
+  bool is_anew_ = false;              ///< The last decision was read by reader_, which then contains its operators.
   std::vector<std::uint64_t> key_;
   std::vector<std::string_view> rules_;
   std::vector<Shape> shapes_;
-  std::size_t last_ = 0;  ///< The shape of the last decision that had one.
-  std::size_t next_ = 0;  ///< The shape to give up next.
-  std::string bytes_;     ///< Only grows: of the last decision are the first.
+  std::size_t last_ = 0;  ///< The index of the last used shape.
+  std::size_t next_ = 0;  ///< The index of the shape to be replaced next.
+  std::string bytes_;     ///< Only grows; the last decision is at its beginning.
 };
 
 }  // namespace soarbox::server

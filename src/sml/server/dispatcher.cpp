@@ -159,7 +159,7 @@ void TellOrigin(Request& request) {
                            : OriginOfElement(agent, std::strtoull(timetag->c_str(), nullptr, 10)));
 }
 
-/// The files that this client loads for the agent are a stranger's: where they may read, a folder a line.
+/// Sets a fence for the files that this client loads for the agent: the folders that may be read, one per line.
 void FenceFiles(Request& request) {
   const std::string* text = request.Arg(wire::kFenceFolders);
   if (!text) return request.Invalid("Folders are missing");
@@ -232,7 +232,7 @@ void UnregisterForEvent(Request& request) {
   ChangeRegistration(request, false);
 }
 
-/// The event of fire_event and suppress_event; 0 after an error.
+/// The event number of fire_event and suppress_event; 0 after an error.
 int SystemEvent(Request& request, bool start_too) {
   const std::string* name = request.Arg("eventid");
   if (!name) {
@@ -386,7 +386,7 @@ constexpr std::array kEntries = {
     Entry{"version", NeedsAgent::kNo, Version},
 };
 
-/// Calls that change what agents do without a command line.
+/// Whether the call changes what agents do without a command line.
 bool GoesPastTheDoor(const Request& request) {
   if (request.name == "register_for_event") {
     const std::string* name = request.Arg("eventid");

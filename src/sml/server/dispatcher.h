@@ -10,7 +10,7 @@ namespace soarbox::server {
 
 class KernelHost;
 
-/// Carries out one call of a client. Every call gets a response; what is wrong with it stands there in words.
+/// Executes one call of a client. Every call gets a response; errors are described in its text.
 class Dispatcher {
  public:
   Dispatcher(KernelHost& host, Connection& from) : host_(host), from_(from) {}

@@ -9,14 +9,14 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// Turns what happens inside a phase (elaborations, firings, rules that come and go) into events for clients. It asks
-/// the kernel only for what some client listens to.
+/// Converts events inside a phase (elaborations, firings, rules added and removed) to events for clients. Subscribes to
+/// the kernel's events only if a client listens to them.
 class EventRelay : public kernel::Observer {
  public:
   explicit EventRelay(HostedAgent& hosted) : hosted_(hosted) {}
   ~EventRelay() override;
 
-  /// The clients' wishes changed.
+  /// Call when the set of events that clients listen to has changed.
   void Update(EventSet listened);
 
   void OnElaborationBegin(const kernel::Agent& agent) override;

@@ -11,10 +11,10 @@ namespace soarbox::server {
 
 namespace {
 
-/// Printed text that nobody flushes is sent on when it has grown to this size.
+/// Printed text is sent when it reaches this size, even if it is not flushed.
 constexpr std::size_t kPrintChunk = 64 * 1024;
 
-/// How many agents this program has had.
+/// Number of agents created by this program.
 std::atomic<std::uint64_t> agents_made{0};
 
 }  // namespace
@@ -37,7 +37,7 @@ void HostedAgent::Register(Connection& connection, int event) {
   auto found = std::find_if(listeners_.begin(), listeners_.end(),
                             [&](const Listener& listener) { return listener.connection == &connection; });
   if (found == listeners_.end()) {
-    // The program that the kernel lives in hears everything first.
+    // The program that contains the kernel receives everything first.
     found = listeners_.insert(connection.embedded() ? listeners_.begin() : listeners_.end(), Listener{&connection, {}});
   }
   if (found->events.Has(event)) return;
@@ -81,13 +81,13 @@ void HostedAgent::UpdateListened() {
 template <typename Call>
 void HostedAgent::Tell(int event, Call call) {
   if (!listened_.Has(event)) return;
-  // In Soar 9.6.3 the line of a decision is written after the events that end its phase.
+  // In Soar 9.6.3, the line of a decision is written after the events at the end of its phase.
   const bool within_phase = event < ::sml::smlEVENT_BEFORE_PHASE_EXECUTED ||
                             event == ::sml::smlEVENT_AFTER_DECIDE_PHASE ||
                             event == ::sml::smlEVENT_AFTER_PHASE_EXECUTED || ::sml::IsProductionEventID(event);
   if (!within_phase) FlushPrint();
-  // Handlers may register and unregister: the list may change under the loop. They may also destroy the agent, and its
-  // clients know nothing of it then.
+  // Handlers may register and unregister, so the list may change during the loop. They may also destroy the agent; its
+  // clients must not receive events for it then.
   for (std::size_t i = 0; i < listeners_.size() && !doomed; ++i) {
     if (listeners_[i].events.Has(event)) call(*listeners_[i].connection);
   }
@@ -131,7 +131,7 @@ void HostedAgent::SendPrint() {
   for (std::size_t i = 0; i < listeners_.size() && !doomed; ++i) {
     if (listeners_[i].events.Has(::sml::smlEVENT_PRINT)) listeners_[i].connection->OnPrint(*this, text);
   }
-  // Keeps the room for the next text, unless a handler printed meanwhile.
+  // Keeps the allocated memory for the next text, unless a handler printed meanwhile.
   if (printed_.empty()) {
     text.clear();
     printed_.swap(text);
@@ -148,7 +148,7 @@ void HostedAgent::FlushXmlTrace() {
   if (tracer_->Take(pieces)) {
     Tell(::sml::smlEVENT_XML_TRACE_OUTPUT, [&](Connection& connection) { connection.OnXmlTrace(*this, pieces); });
   }
-  // Keeps the room for the next ones.
+  // Keeps the allocated memory for the next parts.
   trace_pieces_ = std::move(pieces);
 }
 

@@ -24,7 +24,7 @@ class EventRelay;
 class HostedAgent;
 class XmlTracer;
 
-/// The command line's view of a hosted agent, with the way back.
+/// The session of a hosted agent for the command language, with a reference back to the agent.
 class HostedSession : public cli::Session {
  public:
   HostedSession(HostedAgent& hosted, kernel::Agent& agent, const std::string& name)
@@ -35,11 +35,11 @@ class HostedSession : public cli::Session {
   HostedAgent& hosted_;
 };
 
-/// One agent of a kernel, with what clients need of it: its command line session, its input by tags, who listens to
-/// what, texts that wait to be sent, and how its last run ended. No subscriber, no cost: what nobody listens to is not
-/// made.
+/// One agent of a kernel with the data for its clients: its command line session, its input by tags, the listeners,
+/// texts that wait to be sent, and the result of its last run. Events without listeners are not generated and cost
+/// nothing.
 ///
-/// Owned by KernelHost and touched only by the thread that holds the kernel, but for RequestStop().
+/// Owned by KernelHost. Used only by the thread that holds the kernel, except for RequestStop().
 class HostedAgent {
  public:
   explicit HostedAgent(std::string name);
@@ -48,7 +48,7 @@ class HostedAgent {
   HostedAgent& operator=(const HostedAgent&) = delete;
 
   const std::string& name() const { return name_; }
-  /// Differs from that of every other agent of the program, those before it too.
+  /// A number that is unique among all agents that the program ever creates.
   std::uint64_t number() const { return number_; }
   kernel::Agent& agent() { return agent_; }
   const kernel::Agent& agent() const { return agent_; }
@@ -59,67 +59,69 @@ class HostedAgent {
 
   void Register(Connection& connection, int event);
   void Unregister(Connection& connection, int event);
-  /// Takes a connection out of all lists.
+  /// Removes a connection from all lists.
   void Forget(Connection& connection);
   bool Listens(int event) const { return listened_.Has(event); }
-  /// Somebody wants to hear of single phases.
+  /// A client listens to single phases.
   bool ListensToPhases() const { return phase_listeners_; }
-  /// Somebody wants to hear of the steps of runs: phases, cycles, or each time that the agent gets its turn.
+  /// A client listens to steps of runs: phases, cycles, or each turn of the agent.
   bool ListensToSteps() const {
     return phase_listeners_ || listened_.HasAnyOf({::sml::smlEVENT_BEFORE_RUNNING, ::sml::smlEVENT_AFTER_RUNNING});
   }
 
-  // Telling ---------------------------------------------------------------------------------------------------------
+  // Events ----------------------------------------------------------------------------------------------------------
 
   void FireRun(int event, int phase) {
     if (listened_.Has(event)) TellRun(event, phase);
   }
-  /// An event of one phase and the one for every phase: the one that was registered last comes first.
+  /// Fires the event of one phase and the general one for every phase; the one that was registered last goes first.
   void FirePhase(int specific, int general, int phase);
   void FireProduction(int event, std::string_view name);
   void FireOutput(std::span<const kernel::OutputChange> changes);
   void FireOutputInit();
   void FireXmlInput(std::span<const InputWme> wmes);
   void FireEcho(const Connection* from, const std::string& text);
-  /// Sends the text that was printed since the last time: before any other event, but for those within a phase and at
-  /// its end.
+  /// Sends the text printed since the last call. Called before any other event, except those within a phase and at its
+  /// end.
   void FlushPrint() {
     if (!printed_.empty()) SendPrint();
   }
-  /// Sends the structured trace since the last time.
+  /// Sends the structured trace since the last call.
   void FlushXmlTrace();
-  /// Delivers the output of an output phase, if it changed.
+  /// Sends the output of an output phase if it changed.
   void DeliverOutput();
 
-  /// The trace settings may have changed: the structured trace follows. Before runs and after command lines.
+  /// Updates the structured trace after the trace settings may have changed. Called before runs and after command
+  /// lines.
   void PrepareRun();
 
   // Running ---------------------------------------------------------------------------------------------------------
 
-  /// Asks for the end of the run, from any thread.
+  /// Requests the end of the run. Callable from any thread.
   void RequestStop() { stop_.store(true, std::memory_order_release); }
   void ClearStop() { stop_.store(false, std::memory_order_release); }
   bool StopRequested() const { return stop_.load(std::memory_order_acquire); }
 
   ::sml::smlRunState run_state = ::sml::sml_RUNSTATE_STOPPED;
-  ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;  ///< Of the last run that has ended.
-  bool in_run = false;                                         ///< A run that it takes part in has not ended yet.
-  std::uint64_t last_run = 0;  ///< The number of the last run that it took part in; 0 for none since init-soar.
+  ::sml::smlRunResult last_result = ::sml::sml_RUN_COMPLETED;  ///< Of the last completed run.
+  bool in_run = false;                                         ///< It takes part in a run that has not ended yet.
+  std::uint64_t last_run = 0;  ///< The last run in which it took part; 0: none since init-soar.
   bool doomed = false;         ///< Destroyed, but still in use (KernelHost::Stay).
 
-  /// What holds for the files that its client loads, and for what its rules carry out; null: what holds in the kernel.
+  /// The restrictions for files that its client loads and for commands of its rules; null: those of the kernel apply.
   std::unique_ptr<const cli::Fence> fence;
 
-  /// What made elements, if somebody asked to note it. Before the agent, which calls it until it ends. Never null.
+  /// Records origins of elements, if enabled. Declared before the agent, which calls it until it is destroyed. Never
+  /// null.
   std::unique_ptr<kernel::Origins> origins;
 
-  /// The log of what clients do; null: nobody keeps one. The host's.
+  /// The log of clients' acts, owned by the host; null if there is none.
   ClientLog* log = nullptr;
 
-  /// The object that stands for this agent in the program that the kernel lives in.
+  /// The object for this agent in the program that contains the kernel.
   void* embedded_peer = nullptr;
 
-  /// The decision counter that Soar reports: begins with 1, grows at the end of each output phase.
+  /// The decision count that Soar reports: starts at 1, and increases at the end of each output phase.
   std::uint64_t decision_count() const { return agent_.counters().decision_cycles + 1; }
 
  private:
@@ -147,7 +149,7 @@ class HostedAgent {
   std::array<std::uint32_t, ::sml::smlEVENT_LAST> registered_at_{};
   std::uint32_t registrations_ = 0;
   std::string printed_;
-  std::string trace_pieces_;  ///< Of the structured trace, while they are handed out.
+  std::string trace_pieces_;  ///< Parts of the structured trace while they are being sent.
   std::uint64_t output_generation_ = 0;
   std::atomic<bool> stop_{false};
 };

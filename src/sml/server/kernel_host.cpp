@@ -59,8 +59,8 @@ void KernelHost::SourceSettings(HostedAgent& hosted) {
   for (const std::filesystem::path& folder : folders) {
     const std::filesystem::path file = folder / "settings.soar";
     if (!std::filesystem::exists(file, ignored)) continue;
-    // Where strangers' files are kept away, the folder that somebody happens to be in may be theirs; $SOAR_HOME is the
-    // user's own.
+    // If a fence protects from untrusted files, settings in the working directory may be untrusted; $SOAR_HOME belongs
+    // to the user.
     const bool is_own = home != nullptr && folder == home;
     if (fence_ && !is_own && !fence_->MayRead(file)) continue;
     const cli::Interpreter::Fenced fenced(interpreter_, is_own ? nullptr : fence_.get());
@@ -90,7 +90,7 @@ void KernelHost::InstallFunctions(HostedAgent& hosted) {
     LineOptions options;
     options.fenced = true;
     const cli::CommandResult result = Execute(&hosted, line, options);
-    // What a command prints ends with its line end, why it failed does not.
+    // The output of a command ends with a line end; its error message does not.
     return !result.ok && result.text.ends_with('\n') ? result.text.substr(0, result.text.size() - 1) : result.text;
   });
 }

@@ -24,10 +24,10 @@
 
 namespace soarbox::server {
 
-/// A kernel: agents, the command language that they share, the clients that listen, and the runs.
+/// A kernel: its agents, the command language, the clients, and the runs.
 ///
-/// Everything but StopAll() and the pump's flag belongs to the thread that holds mutex(); clients lock it around each
-/// call. Handlers of clients run inside, on the same thread, and may call anything.
+/// Everything except StopAll() and the pump's flag may be used only by the thread that holds mutex(). Clients lock it
+/// for each call. Handlers of clients run while it is held, on the same thread, and may call any function.
 class KernelHost : public cli::Host {
  public:
   KernelHost();
@@ -35,8 +35,8 @@ class KernelHost : public cli::Host {
 
   CallMutex& mutex() { return mutex_; }
 
-  /// While one lives, agents that are destroyed stay where they are: the caller, or somebody further up the stack, is
-  /// using them. Handlers may destroy any agent at any moment, so whatever calls handlers holds one.
+  /// While a Stay exists, destroyed agents are not deleted, because the caller, or a caller of the caller, is using
+  /// them. Handlers may destroy any agent at any time, so all code that calls handlers must hold a Stay.
   class Stay {
    public:
     explicit Stay(KernelHost& host) : host_(host) { ++host_.stays_; }
@@ -52,18 +52,18 @@ class KernelHost : public cli::Host {
 
   // Agents ----------------------------------------------------------------------------------------------------------
 
-  /// Null if there is an agent of that name. Sources settings.soar, if there is one.
+  /// Returns null if the name is in use. Sources settings.soar, if it exists.
   HostedAgent* CreateAgent(const std::string& name);
-  /// The log of what clients do (KeepLog); null: nobody keeps one.
+  /// The log of clients' acts (KeepLog); null if there is none.
   std::unique_ptr<ClientLog> log;
-  /// What plays such a log; null: nobody has played one.
+  /// Replays such a log; null if none was replayed.
   std::unique_ptr<ClientPlayer> player;
-  /// Tells the clients of a new agent.
+  /// Reports a new agent to the clients.
   void AnnounceAgent(HostedAgent& hosted) { FireAgent(hosted, ::sml::smlEVENT_AFTER_AGENT_CREATED); }
   void DestroyAgent(HostedAgent& hosted);
   void DestroyAllAgents();
   HostedAgent* Find(std::string_view name);
-  /// In the order of their names.
+  /// Sorted by name.
   const std::vector<HostedAgent*>& agents() const { return order_; }
 
   // Command lines ---------------------------------------------------------------------------------------------------
@@ -72,29 +72,29 @@ class KernelHost : public cli::Host {
     bool echo = false;
     bool filter = true;
     const Connection* from = nullptr;
-    bool fenced = false;    ///< The line loads a file of a stranger.
+    bool fenced = false;    ///< The line loads an untrusted file.
     bool recorded = false;  ///< The line comes from a recording.
   };
-  /// From now on the commands of files that are loaded fenced, and those that rules carry out, reach these folders
-  /// only. `rules_only`: they are looked over, and nothing but their rules counts.
+  /// Restricts the commands in fenced files, and the commands of rules, to these folders from now on. With
+  /// `rules_only`, files are only checked: of their commands, only rules take effect.
   void SetFence(std::vector<std::filesystem::path> folders, bool rules_only);
 
-  /// `hosted` may be null: the line goes to the agent that was addressed last.
+  /// If `hosted` is null, the line is for the agent that was addressed last.
   cli::CommandResult Execute(HostedAgent* hosted, std::string_view line, const LineOptions& options);
   cli::Interpreter& interpreter() { return interpreter_; }
-  /// A filter is registered: every command line must go through Execute.
+  /// A filter is registered: every command line must be executed by Execute.
   bool HasFilters() const { return !functions_.empty() && SearchFilters(); }
 
   // Runs ------------------------------------------------------------------------------------------------------------
 
   kernel::RunResult RunAgents(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
-  /// `as_told`: false while clients are told that the run begins, as in Soar.
+  /// `as_told`: returns false until clients have been informed that the run begins, as in Soar.
   bool running(bool as_told = false) const { return as_told ? run_.tells_running() : run_.running(); }
-  /// The agent took part in the last run.
+  /// Returns true if the agent took part in the last run.
   bool OnRunList(const HostedAgent& hosted) const { return hosted.last_run != 0 && hosted.last_run == run_.number(); }
-  /// Asks all agents to stop, from any thread.
+  /// Asks all agents to stop. Callable from any thread.
   void StopAll() { stop_requests_.fetch_add(1, std::memory_order_acq_rel); }
-  /// How often a stop was requested; a run ends when the number changes.
+  /// Number of stop requests; a run ends when it changes.
   std::uint64_t stop_requests() const { return stop_requests_.load(std::memory_order_acquire); }
   void SetInterruptCheckRate(int rate) { run_.SetInterruptCheckRate(rate); }
   void Initialize(HostedAgent& hosted);
@@ -109,10 +109,10 @@ class KernelHost : public cli::Host {
   // Clients ---------------------------------------------------------------------------------------------------------
 
   void AddConnection(Connection& connection);
-  /// Forgets all its registrations, functions and its range of time tags.
+  /// Removes all registrations and functions of a client, and its range of time tags.
   void RemoveConnection(Connection& connection);
   const std::vector<Connection*>& connections() const { return connections_; }
-  /// The first tag of the client: ranges of 2^27 below each other. 0 if all eight are taken.
+  /// The first time tag of the client. Clients have consecutive ranges of 2^27 tags. 0 if all eight ranges are in use.
   long long AssignTimeTags(Connection& connection);
 
   void Register(Connection& connection, HostedAgent* hosted, int event);
@@ -126,29 +126,29 @@ class KernelHost : public cli::Host {
   }
   void FireUpdate(int event, int run_flags);
   void FireAgent(HostedAgent& hosted, int event);
-  /// The answer of the first client that gives one.
+  /// Returns the answer of the first client that gives one.
   std::optional<std::string> CallFunction(HostedAgent* hosted, int event, std::string_view name,
                                           std::string_view argument);
   bool system_stop_suppressed() const { return system_stop_suppressed_; }
   void SuppressSystemStop(bool on) { system_stop_suppressed_ = on; }
 
-  /// A function that serves what remote clients asked for; called between the steps of runs.
+  /// Sets the function that serves requests of remote clients; it is called between the steps of runs.
   void SetPump(std::function<void()> pump) { pump_ = std::move(pump); }
-  /// There is work for the pump. From any thread.
+  /// The pump has work. Callable from any thread.
   void RequestPump() { pump_requested_.store(true, std::memory_order_release); }
   bool PumpRequested() const {
     return pump_requested_.load(std::memory_order_acquire) && !held_.load(std::memory_order_relaxed);
   }
-  /// While on, runs leave what remote clients asked for until somebody serves them between runs.
+  /// While on, runs do not serve requests of remote clients; they wait until the end of the run.
   void HoldPump(bool on) { held_.store(on, std::memory_order_relaxed); }
-  /// Hears of each command line of a remote client, with the agent's name, before it is carried out.
+  /// `listener` receives each command line of a remote client, with the agent's name, before it is executed.
   void Overhear(std::function<void(char const*, char const*)> listener) { overhear_ = std::move(listener); }
-  /// Somebody keeps a record of what remote clients do, and it knows command lines only.
+  /// A listener records what remote clients do, and it supports only command lines.
   bool IsOverheard() const { return static_cast<bool>(overhear_); }
   void Pump() {
     if (PumpRequested()) ServePump();
   }
-  /// Somebody wants to hear of the rounds of runs.
+  /// A client listens to the rounds of runs.
   bool ListensToRounds() const {
     using namespace ::sml;
     return listened_.HasAnyOf({smlEVENT_INTERRUPT_CHECK, smlEVENT_BEFORE_AGENTS_RUN_STEP,
@@ -179,9 +179,9 @@ class KernelHost : public cli::Host {
   cli::Interpreter interpreter_;
   std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;
   std::vector<HostedAgent*> order_;
-  std::vector<std::unique_ptr<HostedAgent>> doomed_;  ///< Destroyed while somebody held a Stay.
+  std::vector<std::unique_ptr<HostedAgent>> doomed_;  ///< Destroyed while a Stay existed.
   int stays_ = 0;
-  std::unique_ptr<HostedAgent> nobody_;  ///< Takes command lines while there is no agent.
+  std::unique_ptr<HostedAgent> nobody_;  ///< Executes command lines while there is no agent.
   HostedAgent* last_addressed_ = nullptr;
   std::vector<Connection*> connections_;
   std::vector<Function> functions_;
@@ -193,15 +193,15 @@ class KernelHost : public cli::Host {
   std::atomic<bool> held_{false};
   const cli::Fence* FenceOf(const HostedAgent& hosted, const LineOptions& options) const;
   std::unique_ptr<const cli::Fence> fence_;  ///< Null: none.
-  /// Lines of a recording have one always.
+  /// Lines of a recording are always restricted.
   std::unique_ptr<const cli::Fence> recorded_fence_ =
       std::make_unique<const cli::Fence>(std::vector<std::filesystem::path>(), cli::Fence::Source::kRecording);
   std::function<void(char const*, char const*)> overhear_;
   std::atomic<std::uint64_t> stop_requests_{0};
 };
 
-/// Logs what clients of the kernel do from now on, as a recording; `build` identifies this program. Fails if agents are
-/// there already, if a log is kept, or if the file cannot be written.
+/// Logs everything that clients of the kernel do from now on, as a recording. `build` identifies this program. Fails if
+/// agents exist already, if there is a log already, or if the file cannot be written.
 Result<void> KeepLog(KernelHost& host, const std::string& file, std::string_view build);
 
 }  // namespace soarbox::server

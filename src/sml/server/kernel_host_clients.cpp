@@ -32,7 +32,7 @@ long long KernelHost::AssignTimeTags(Connection& connection) {
   if (connection.initial_time_tag != 0) return connection.initial_time_tag;
   for (int range = 0; range < kTagRanges; ++range) {
     const long long tag = -1 - range * kTagRange;
-    // The highest range belongs to the program that the kernel lives in, whether it asks or not.
+    // The highest range is reserved for the program that contains the kernel.
     if (range == 0 && !connection.embedded()) continue;
     const bool taken = std::any_of(connections_.begin(), connections_.end(),
                                    [&](const Connection* other) { return other->initial_time_tag == tag; });
@@ -79,7 +79,7 @@ void KernelHost::UnregisterFunction(Connection& connection, int event, const std
 
 void KernelHost::FlushPrints() {
   const Stay stay(*this);
-  // Handlers may make and destroy agents: the list may change under the loop.
+  // Handlers may create and destroy agents, so the list may change during the loop.
   for (std::size_t i = 0; i < order_.size(); ++i) order_[i]->FlushPrint();
 }
 

@@ -26,10 +26,10 @@ bool KernelHost::SearchFilters() const {
                      [](const Function& function) { return function.name == kFilterName; });
 }
 
-/// Shows the line to each filter in turn, which may change it. A result: the line ends there with this answer.
+/// Passes the line to each filter in turn; filters may change it. If a filter ends the line, returns its result.
 std::optional<cli::CommandResult> KernelHost::PassFilters(HostedAgent& hosted, std::string& line) {
   for (std::size_t i = 0; i < functions_.size() && !hosted.doomed; ++i) {
-    if (functions_[i].name != kFilterName) continue;  // Clients register it as a filter or as a client message.
+    if (functions_[i].name != kFilterName) continue;  // Clients register filters as filters or as client messages.
     const auto answer =
         functions_[i].connection->OnFunction(&hosted, smlEVENT_FILTER, kFilterName, FilterDocument(line));
     if (!answer) continue;
@@ -76,12 +76,12 @@ cli::CommandResult KernelHost::ExecuteUnfiltered(HostedAgent& hosted, std::strin
                                                  const LineOptions& options) {
   const bool echoes = (options.echo || hosted.session().output().echo_commands) && hosted.Listens(smlEVENT_ECHO);
   if (echoes) hosted.FireEcho(options.from, std::string(line));
-  // A user's own line ends the fence that a file around it may have put up, a stranger's puts it up.
+  // A line of the user ends the fence of a surrounding file; a line of an untrusted file starts one.
   const cli::Interpreter::Fenced fenced(interpreter_, FenceOf(hosted, options));
   if (hosted.log && options.from) hosted.log->Line(hosted, cli::WithWholeFileName(interpreter_, line));
   cli::CommandResult result = interpreter_.Execute(hosted.session(), line);
   if (hosted.doomed) return result;
-  // Memory may run out outside of a run too.
+  // Memory may also run out outside of a run.
   if (hosted.agent().out_of_memory()) hosted.run_state = sml_RUNSTATE_HALTED;
   hosted.PrepareRun();
   hosted.FlushPrint();

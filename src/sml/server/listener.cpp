@@ -22,10 +22,10 @@ struct Listener::State {
       : host(kernel_host), options(listener_options) {}
 
   void Accepted(std::unique_ptr<wire::Channel> channel) {
-    std::unique_ptr<wire::Channel> dropped;  // It ends when nothing is locked.
+    std::unique_ptr<wire::Channel> dropped;  // Destroyed after the lock is released.
     {
       const std::lock_guard lock(mutex);
-      // Whether there is room is seen in Serve; nobody can fill the memory meanwhile.
+      // Serve checks the limit of clients; this check only protects the memory.
       if (static_cast<int>(arrived.size()) >= options.max_clients) {
         const auto silent = std::ranges::find_if(arrived, [](const auto& each) { return each->silent(); });
         if (silent == arrived.end()) return;
@@ -38,12 +38,12 @@ struct Listener::State {
     Wake();
   }
 
-  /// False: there is none, and whoever came has been told.
+  /// Returns false if there is no room; the new client was informed.
   bool MakeRoom(wire::Channel& channel) {
     const auto is_there = [](const std::unique_ptr<RemoteConnection>& each) { return !each->closed(); };
     const auto count = std::count_if(connections.begin(), connections.end(), is_there);
     if (count < options.max_clients) return true;
-    // They stand in the order in which they came.
+    // They are in order of arrival.
     const auto silent = std::find_if(connections.begin(), connections.end(),
                                      [&](const auto& each) { return is_there(each) && each->silent(); });
     if (silent != connections.end()) {
@@ -67,11 +67,12 @@ struct Listener::State {
     host.FireSystem(::sml::smlEVENT_AFTER_CONNECTION);
   }
 
-  /// Admits those who show the secret, and sends away those who say anything else. True if anybody said something.
+  /// Admits clients that present the secret, and disconnects those that send anything else. Returns true if a message
+  /// came.
   bool AskForSecrets() {
     bool any = false;
     std::vector<std::unique_ptr<wire::Channel>> waiting;
-    waiting.swap(guests);  // Admit may lead back here.
+    waiting.swap(guests);  // Admit may call this function again.
     for (std::unique_ptr<wire::Channel>& channel : waiting) {
       std::string document;
       if (!channel->Pop(document)) {
@@ -81,13 +82,13 @@ struct Listener::State {
       any = true;
       if (HasSecret(*channel, document)) Admit(std::move(channel));
     }
-    // Those who say nothing make room: the oldest first.
+    // Silent clients are disconnected to make room, the oldest first.
     const std::size_t most = static_cast<std::size_t>(options.max_clients);
     if (guests.size() > most) guests.erase(guests.begin(), guests.end() - static_cast<std::ptrdiff_t>(most));
     return any;
   }
 
-  /// Whether the first message of a client shows the secret. The client gets the answer.
+  /// Whether the first message of a client presents the secret. Sends the response to the client.
   bool HasSecret(wire::Channel& channel, const std::string& document) {
     const Result<wire::Message> message = wire::ReadMessage(document);
     if (!message) return false;
@@ -129,9 +130,9 @@ struct Listener::State {
   std::function<void()> wake;
   std::vector<std::unique_ptr<wire::Channel>> arrived;  ///< Not yet clients of the kernel.
 
-  // Of the thread that holds the kernel.
+  // Used only by the thread that holds the kernel.
   std::vector<std::unique_ptr<RemoteConnection>> connections;
-  std::vector<std::unique_ptr<wire::Channel>> guests;  ///< Clients that have not shown the secret yet.
+  std::vector<std::unique_ptr<wire::Channel>> guests;  ///< Clients that have not presented the secret yet.
   bool serving = false;
   unsigned long long next_id = 1;
 
@@ -155,7 +156,7 @@ Result<std::unique_ptr<Listener>> Listener::Open(KernelHost& host, const Listene
       [raw = state.get()](std::unique_ptr<wire::Channel> channel) { raw->Accepted(std::move(channel)); });
   if (!opened) return opened.error();
   state->acceptor = std::move(opened.value());
-  // Programs of the same user look for a file first; without it they come over the port.
+  // Programs of the same user first look for the socket file; without it they use the port.
   const std::string path = wire::LocalSocketPath(options.port == -1 ? getpid() : options.port);
   if (!path.empty() && options.local) {
     auto local = wire::Acceptor::OpenLocal(
@@ -177,7 +178,7 @@ void Listener::SetWake(std::function<void()> wake) {
 
 bool Listener::Serve() {
   State& state = *state_;
-  // A call that is being carried out may come here again (a run that pumps): the outer one goes on with the list.
+  // An executing call may enter this function again (a run that pumps): the outer call continues with the list.
   std::vector<std::unique_ptr<wire::Channel>> arrived;
   {
     const std::lock_guard lock(state.mutex);
@@ -198,8 +199,8 @@ bool Listener::Serve() {
   for (std::size_t i = 0; i < state.connections.size(); ++i) any = state.connections[i]->Serve() || any;
   if (!outermost) return any;
   state.serving = false;
-  // Clients are let go only here, where none of their calls is being carried out, and never in the middle of a run,
-  // where an event may be on its way to them.
+  // Clients are destroyed only here, when none of their calls is being executed. During a run they are never destroyed,
+  // because an event may be on its way to them.
   if (state.host.running()) return any;
   std::erase_if(state.connections, [&](const std::unique_ptr<RemoteConnection>& connection) {
     if (!connection->gone()) return false;

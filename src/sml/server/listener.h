@@ -13,36 +13,35 @@ class KernelHost;
 
 struct ListenerOptions {
   int port = 12121;                   ///< -1: any free port.
-  std::string address = "127.0.0.1";  ///< Only this machine, unless told otherwise: there is a command shell behind it.
-  bool local = true;                  ///< Listen at a file of this user's too (wire/local_socket.h).
-  std::string secret;                 ///< What clients must show first (wire/secret.h); empty: nothing.
-  /// Whoever comes when there are so many is told so and sent away, unless one has said nothing yet: the oldest of
-  /// those makes room.
+  std::string address = "127.0.0.1";  ///< By default only this machine, because clients can execute commands.
+  bool local = true;                  ///< Also listen at a file of this user (wire/local_socket.h).
+  std::string secret;                 ///< Clients must present it first (wire/secret.h); empty: none is needed.
+  /// Further clients are refused with a message. But if some clients have not sent anything yet, the oldest of these is
+  /// disconnected instead.
   int max_clients = 128;
   int patience_ms = 30'000;  ///< wire::ChannelLimits::patience
-  /// Bytes that may wait for a client that does not read. Trace above half of it is dropped and counted; a client that
-  /// exceeds it is disconnected.
+  /// Maximum number of unsent bytes for a client that does not read. Above half of it, trace is dropped and counted;
+  /// above it, the client is disconnected.
   std::size_t max_waiting_bytes = 16u << 20;
-  /// How long the kernel waits for a client's answer to an event before it goes on without.
+  /// Maximum time that the kernel waits for a client's answer to an event.
   int answer_timeout_ms = 2000;
 };
 
-/// Serves a kernel to clients over TCP and local sockets. A thread of its own reads and writes; what clients ask for is
-/// carried out by
-/// whoever calls Serve() while it holds the kernel. A client that is slow, silent or hostile never stalls the kernel
+/// Serves a kernel to clients over TCP and local sockets. A separate thread reads and writes; the thread that calls
+/// Serve() while it holds the kernel executes the requests. A slow, silent or hostile client cannot stall the kernel
 /// for longer than the time-out, and only once.
 class Listener {
  public:
-  /// An error that names the address and the port if it cannot be listened on.
+  /// Returns an error with the address and the port if it cannot listen.
   static Result<std::unique_ptr<Listener>> Open(KernelHost& host, const ListenerOptions& options);
   ~Listener();
 
   int port() const;
-  /// Carries out what is waiting. The caller holds the kernel. True if there was anything.
+  /// Executes pending requests. The caller must hold the kernel. Returns true if there were any.
   bool Serve();
-  /// Called from the reading thread when something is waiting.
+  /// The function is called on the reading thread when a request arrives.
   void SetWake(std::function<void()> wake);
-  /// Disconnects all and stops listening. The caller holds the kernel.
+  /// Disconnects all clients and stops listening. The caller must hold the kernel.
   void Close();
 
  private:

@@ -8,20 +8,20 @@
 
 namespace soarbox::server {
 
-/// Events that a client has been sent and has not answered yet, and the call that may have crossed each of them.
+/// The events sent to a client that it has not answered yet, and for each the call that may have crossed it.
 ///
-/// A client that waits for the answer to a call looks at messages as they come. If an event comes first, its handler
-/// may call the kernel too, and then meets the answer to the outer call while it waits for its own. Clients built on
-/// Soar's own library put such an answer aside, and look for it only when no message has come for a second: in a world
-/// that runs they wait for ever. So that answer is sent once more when the event has been answered; clients drop what
-/// they do not wait for. Only the first call that comes after an event can have crossed it, since a client has one
-/// outer call at a time.
+/// While a client waits for the response to a call, it processes all messages. If an event arrives first, its handler
+/// may call the kernel. It may then receive the response to the outer call while it waits for its own. Clients built on
+/// Soar's own library put that response aside, and look for it only when no message has arrived for a second. In a
+/// running world they wait forever. Therefore the response is sent again after the event was answered; clients ignore
+/// responses that they do not wait for. Only the first call after an event can have crossed it, because a client has
+/// one outer call at a time.
 class OpenEvents {
  public:
   void Sent(std::string id) {
     if (open_.size() < kMost) open_.push_back({std::move(id), false, {}});
   }
-  /// A call that is inside no other has been answered with this document.
+  /// A call that is not nested in another one was answered with this document.
   void Called(const std::string& answer) {
     for (Event& event : open_) {
       if (!event.called) event.answer = answer;
@@ -30,7 +30,7 @@ class OpenEvents {
   }
   bool Has(std::string_view id) const { return Find(id) != open_.end(); }
   bool empty() const { return open_.empty(); }
-  /// The event is over: returns what must be sent once more, if anything.
+  /// The event was answered: returns the document to send again, or an empty text.
   std::string Answered(std::string_view id) {
     const auto found = Find(id);
     if (found == open_.end()) return {};
@@ -40,7 +40,7 @@ class OpenEvents {
   }
 
  private:
-  /// Usually one; more are open only if the client is slow.
+  /// Usually one event is open; more are open only if the client is slow.
   static constexpr std::size_t kMost = 64;
 
   struct Event {

@@ -26,7 +26,7 @@ constexpr std::size_t kMostReported = 96;
 static_assert(static_cast<int>(kernel::OriginElement::Source::kArchitecture) ==
               static_cast<int>(mind::OriginElementFact::Source::kArchitecture));
 
-/// Copies an origin and all that it leads to, breadth first.
+/// Copies an origin and all origins that it refers to, breadth first.
 class OriginReader {
  public:
   OriginReader(const kernel::Agent& agent, const Origins& origins) : agent_(agent), origins_(origins) {}
@@ -82,7 +82,7 @@ class OriginReader {
   const kernel::Agent& agent_;
   const Origins& origins_;
   std::vector<mind::OriginFact> facts_;
-  std::vector<std::uint32_t> found_;  ///< By place in facts_.
+  std::vector<std::uint32_t> found_;  ///< By index in facts_.
   std::map<std::uint32_t, std::uint32_t> places_;
 };
 

@@ -10,12 +10,12 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// Lets the kernel note origins from now on (kernel/longterm/origins.h), with decisions as mind/decision_codec.h packs
-/// them.
+/// Makes the kernel record origins from now on (kernel/longterm/origins.h), with decisions packed by
+/// mind/decision_codec.h.
 void NoteOrigins(HostedAgent& agent);
-/// The origin of an element, with those that it leads to. A command that has gone is found for a while, too.
+/// The origin of an element, and the origins that it refers to. Also available for a while for removed commands.
 mind::OriginFacts OriginOfElement(const HostedAgent& agent, std::uint64_t timetag);
-/// The same for the newest element with this attribute on the output link.
+/// The origin of the newest element with this attribute on the output link.
 mind::OriginFacts OriginOfCommand(const HostedAgent& agent, std::string_view command);
 
 }  // namespace soarbox::server

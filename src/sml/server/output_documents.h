@@ -8,11 +8,11 @@
 
 namespace soarbox::server {
 
-/// Adds the elements of a message about output to its <command>: the output link itself, what came, what went. `first`:
-/// the first message about an agent states the link once more at the end.
+/// Adds the elements of an output message to its <command>: the output link itself, additions, removals. `first`: the
+/// first message about an agent repeats the link at the end.
 void AddOutput(wire::Element& command, const kernel::Agent& agent, std::span<const kernel::OutputChange> changes,
                bool first);
-/// <wme action="add" ...> with values as clients read them: texts without bars, numbers with six decimals.
+/// <wme action="add" ...> with values in the form that clients expect: texts without bars, numbers with six decimals.
 wire::Element AddedWme(const kernel::Agent& agent, long long tag, kernel::Symbol id, kernel::Symbol attribute,
                        kernel::Symbol value);
 

@@ -14,7 +14,7 @@
 
 namespace soarbox::server {
 
-/// "S1", made in place.
+/// The text of an identifier ("S1"), built in place.
 class IdentifierText {
  public:
   IdentifierText(const kernel::Agent& agent, kernel::Symbol symbol) {
@@ -31,22 +31,23 @@ class IdentifierText {
  private:
   char text_[24] = {};
   std::size_t size_ = 0;
-  std::string other_;  ///< Of operators that are constants.
+  std::string other_;  ///< For operators that are constants.
 };
 
-/// Names as they are printed. The same few come again and again, and it takes a while to see whether one needs bars.
+/// A cache of printed names. The same few names are used again and again, and finding out whether a name needs bars is
+/// slow.
 class PrintedNames {
  public:
   /// Valid until the next call.
   std::string_view Of(const kernel::Agent& agent, kernel::Symbol symbol) {
     if (!symbol.IsString()) return other_ = cli::SymbolText(agent, symbol);
     Entry& entry = entries_[symbol.index() % entries_.size()];
-    // The symbol may have been swept, and its place taken by another, which was made later.
+    // The symbol may have been swept, and its handle reused by one created later.
     const std::uint32_t stamp = agent.symbols().Stamp(symbol);
     if (entry.symbol != symbol || entry.stamp != stamp) entry = {symbol, stamp, cli::SymbolText(agent, symbol)};
     return entry.printed;
   }
-  /// The operator's ^name; empty if it has none. Valid until the next name is asked for.
+  /// The operator's ^name; empty if it has none. Valid until the next call for a name.
   std::string_view NameOfOperator(const kernel::Agent& agent, kernel::Symbol op) {
     if (!op.IsIdentifier()) return {};
     const kernel::Symbol value = agent.memory().ValueOf(op, kernel::words::kName);

@@ -13,7 +13,7 @@ using namespace ::sml;
 
 namespace {
 
-/// A debugger that brings all of its windows up to date needs about so long.
+/// The approximate time that a debugger needs to update all its windows.
 constexpr std::chrono::milliseconds kRoundPause{500};
 
 std::string EventName(int event) {
@@ -49,7 +49,7 @@ RemoteConnection::~RemoteConnection() = default;
 
 bool RemoteConnection::Serve() {
   bool any = false;
-  // Asked before the messages are taken: what came before the end is served.
+  // Read before the messages, so that all messages before the end are served.
   const bool closed = channel_->closed();
   std::string document;
   while (channel_->Pop(document)) {
@@ -130,7 +130,7 @@ bool RemoteConnection::BeginRound() {
 
 void RemoteConnection::SendNotice() {
   if (slow_ || !notice_id_.empty()) return;
-  // What happens again and again must not keep the others back, and what happened last is told last.
+  // Events that recur must not delay other kinds. The kind that happened last is sent last.
   if (round_.empty() && !BeginRound()) return;
   wire::Message call = NoticeCall(round_.front());
   round_.erase(round_.begin());
@@ -155,7 +155,7 @@ std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wa
     if (left.count() <= 0 || !channel_->Wait(document, left)) break;
     const Result<wire::Message> message = wire::ReadMessage(document);
     if (!message) continue;
-    // An event inside an event waits for an answer of its own; this one's is then awaited again.
+    // A nested event waits for its own answer; afterwards the outer answer is awaited again.
     const std::string awaited = awaited_id_;
     if (message.value().type == wire::DocType::kResponse && message.value().ack == id) {
       Answered(id);

@@ -18,25 +18,25 @@ namespace soarbox::server {
 
 class KernelHost;
 
-/// A client at the other end of a socket: events become documents, its calls are carried out.
+/// A client connected by a socket. Sends events as documents and executes the client's calls.
 ///
-/// Events whose handlers may change the agent (runs, output, agents coming and going) wait for the client's answer, as
-/// in Soar, but only until the time-out: then the client counts as slow and is not waited for until it has answered the
-/// last of them. Text and trace never wait, and are dropped when they pile up; the next that gets through tells how
-/// many.
+/// Handlers of some events may change the agent (runs, output, creation and destruction of agents). For these the
+/// kernel waits for the client's answer, as in Soar, but at most until the time-out. After a time-out the client counts
+/// as slow: the kernel does not wait for it until it has answered the last such event. Text and trace never wait; they
+/// are dropped if too much is unsent, and the next message that is sent reports how many were dropped.
 ///
-/// A client that only watches (it takes no output and makes no input, as a debugger) does not hold up a run that it has
-/// not started itself: of the events that come with every decision it is sent the next one when it has answered the one
-/// before, and each kind waits once, however often it happened meanwhile. Between two rounds of them it gets time to
-/// redraw what it shows. The same goes for a slow client.
+/// A client that only watches (it receives no output and creates no input, for example a debugger) does not delay a run
+/// that it did not start. Of the events that come with every decision, it receives the next one after it has answered
+/// the previous one; each kind waits at most once, however often it happened meanwhile. Between two rounds of such
+/// events it has time to redraw. The same applies to slow clients.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);
   ~RemoteConnection() override;
 
-  /// Carries out the calls that have come. True if there were any.
+  /// Executes the calls that have arrived. Returns true if there were any.
   bool Serve();
-  /// The other side is gone and everything that it sent has been served.
+  /// The client has disconnected, and everything that it sent has been served.
   bool gone() const { return gone_; }
   bool slow() const { return slow_; }
   bool silent() const { return channel_->silent(); }
@@ -64,30 +64,30 @@ class RemoteConnection : public Connection {
   /// An event that comes with every run, phase or decision.
   struct Notice {
     int event = 0;
-    std::string agent;           ///< Empty: of the kernel.
-    std::string_view parameter;  ///< What `value` is called; empty: there is none.
+    std::string agent;           ///< Empty for an event of the kernel.
+    std::string_view parameter;  ///< The name of the parameter `value`; empty if there is none.
     int value = 0;
   };
 
   std::string NextId() { return std::to_string(next_id_++); }
   void Handle(const wire::Message& message);
-  /// An answer that nobody waits for, as to each piece of trace; told without parsing it.
+  /// A response that needs no processing, such as one to a part of the trace; recognized without parsing.
   bool IsIdleAnswer(std::string_view document) const;
-  /// Sends a call; with kForAnswer, serves the client until its answer is there. The answer, if one came.
+  /// Sends a call. With kForAnswer, serves the client until its response arrives, and returns it if it does.
   std::optional<wire::Message> Call(wire::Message& call, Wait wait, bool droppable = false);
-  /// Sends a notice, or keeps it for later; see above.
+  /// Sends a notice or stores it for later, as described at the class.
   void Announce(Notice notice);
-  /// Sends the next of the notices that wait, unless the client has yet to answer the last one.
+  /// Sends the next waiting notice, unless the client has not answered the last one yet.
   void SendNotice();
-  /// Takes the notices that wait for the next round, if it is time.
+  /// Starts the next round with all waiting notices, if it is time.
   bool BeginRound();
   /// The client has answered an event.
   void Answered(const std::string& id);
   static wire::Message NoticeCall(const Notice& notice);
-  /// Says how many messages were dropped since that was last said; empty if none.
+  /// Reports the number of messages dropped since the last report; empty if none.
   std::string DroppedNote() const;
-  /// Sends text or trace, together with more of the same if more comes soon. `note` turns the note about dropped
-  /// messages into such a piece.
+  /// Sends text or trace, combined with further parts if they follow soon. `note` converts the report on dropped
+  /// messages to such a part.
   template <typename Note>
   void SendTrace(HostedAgent& agent, int event, std::string_view piece, std::string_view opening,
                  std::string_view closing, Note note);
@@ -96,20 +96,20 @@ class RemoteConnection : public Connection {
   std::unique_ptr<wire::Channel> channel_;
   std::chrono::milliseconds timeout_;
   std::uint64_t next_id_ = 0;
-  std::string awaited_id_;               ///< Of the last call that is waited for; slow until it is answered.
+  std::string awaited_id_;  ///< The id of the last awaited call; the client counts as slow until it is answered.
   std::optional<wire::Message> answer_;  ///< To the awaited call.
   OpenEvents open_events_;
-  std::vector<Notice> notices_;  ///< That wait, in the order in which they happened last.
-  std::vector<Notice> round_;    ///< Those of them that are being sent, one after another.
+  std::vector<Notice> notices_;  ///< Waiting notices, ordered by their last occurrence.
+  std::vector<Notice> round_;    ///< The notices of the current round that are still to be sent.
   std::chrono::steady_clock::time_point next_round_{};
-  bool alarm_set_ = false;  ///< For the next round.
-  std::string notice_id_;   ///< Of the notice that was sent and not answered; empty: none.
-  int serving_ = 0;         ///< How many of the client's calls are being carried out, one in another.
+  bool alarm_set_ = false;  ///< An alarm for the next round is set.
+  std::string notice_id_;   ///< Id of the notice that was sent but not answered; empty if none.
+  int serving_ = 0;         ///< Number of the client's calls that are being executed, nested in each other.
   bool slow_ = false;
   bool gone_ = false;
-  unsigned long long told_dropped_ = 0;  ///< How many of the dropped messages the client knows of.
-  std::string head_, piece_;             ///< Room for parts of documents.
-  std::set<std::string> told_output_;    ///< Agents whose output this client has been told of.
+  unsigned long long told_dropped_ = 0;  ///< Number of dropped messages that were reported to the client.
+  std::string head_, piece_;             ///< Buffers for parts of documents.
+  std::set<std::string> told_output_;    ///< Agents whose output was sent to this client.
 };
 
 }  // namespace soarbox::server

@@ -31,7 +31,7 @@ int PhaseNumber(const HostedAgent& hosted) {
   return static_cast<int>(hosted.agent().next_phase());
 }
 
-/// The step that agents take in turn if the request does not say: the run's own unit; a run without end goes by phases.
+/// The interleave step if the request does not specify one: the run's own unit; a phase for runs without end.
 RunUnit InterleaveOf(const cli::RunRequest& request, bool given) {
   if (given) return request.interleave;
   return request.unit == RunUnit::kForever ? RunUnit::kPhase : request.unit;
@@ -41,7 +41,7 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
   return request.unit == RunUnit::kDecision || request.unit == RunUnit::kForever;
 }
 
-/// Runs whose steps are decisions or, without an end, phases.
+/// Whether the steps of the run are decisions or, for runs without end, phases.
 bool CanStepAlone(const cli::RunRequest& request, RunUnit interleave) {
   if (request.until_goal_removed) return false;
   if (request.unit == RunUnit::kOutput) return interleave == RunUnit::kOutput;
@@ -53,7 +53,7 @@ bool CanStepAlone(const cli::RunRequest& request, RunUnit interleave) {
 kernel::RunResult RunControl::Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given) {
   const bool timed = addressed.session().times().on();
   const auto began = timed ? cli::RunTimes::Clock::now() : cli::RunTimes::Clock::time_point();
-  // Requests to stop count from the moment from which others can see that there is a run.
+  // Stop requests count from the moment when others can see that there is a run.
   addressed.ClearStop();
   if (!request.self_only) {
     for (HostedAgent* hosted : host_.agents()) hosted->ClearStop();
@@ -104,7 +104,8 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
     Runner runner;
     runner.hosted = &hosted;
     runner.remaining = request.count;
-    // The way to the stop phase makes the last decision, so an agent that is not there yet needs one cycle less.
+    // The advance to the stop phase executes the last decision, so an agent that has not reached it needs one cycle
+    // less.
     const kernel::Agent& agent = hosted.agent();
     if (request.unit == RunUnit::kDecision && runner.remaining > 0 &&
         agent.next_phase() != agent.settings().stop_phase) {
@@ -115,7 +116,7 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
     runner.active = runner.remaining > 0;
     runners_.push_back(runner);
   };
-  // A run of one agent touches no other: its cost does not depend on how many there are.
+  // A run of one agent does not access others, so its cost does not depend on their number.
   if (!request.self_only) {
     for (HostedAgent* hosted : host_.agents()) add(*hosted);
   }
@@ -134,7 +135,7 @@ void RunControl::Begin(HostedAgent& addressed, const cli::RunRequest& request) {
       continue;
     }
     hosted.PrepareRun();
-    // As in Soar, the agent does not run yet while clients hear of it.
+    // As in Soar, the agent does not count as running while clients are informed of the run.
     is_told_ = false;
     hosted.FireRun(smlEVENT_BEFORE_RUN_STARTS, PhaseNumber(hosted));
     is_told_ = true;
@@ -174,7 +175,7 @@ void RunControl::StepAlone(Runner& runner, const cli::RunRequest& request, RunUn
     if (result.decisions > 1) runner.idle_outputs += static_cast<int>(result.decisions) - 1;
     hosted.FlushPrint();
     if (runner.active) CountStep(runner, request, cycle_ended ? 1 : 0, !agent.in_middle_of_phase());
-    // What FireUpdates comes to.
+    // The effect of FireUpdates.
     runner.passed_output = runner.generated = false;
   }
   if (EndsAtStopPhase(request)) return;
@@ -182,7 +183,7 @@ void RunControl::StepAlone(Runner& runner, const cli::RunRequest& request, RunUn
   Finish(runner, true);
 }
 
-/// Output phases without output until the agent is served.
+/// The number of output phases without output until the agent's run ends.
 std::uint64_t RunControl::OutputsLeft(const Runner& runner) {
   const int left = runner.hosted->agent().settings().max_nil_output_cycles - runner.idle_outputs;
   return runner.output_changed ? 1 : static_cast<std::uint64_t>(std::max(1, left));
@@ -328,7 +329,7 @@ void RunControl::StepPhase(Runner& runner, bool whole) {
 }
 
 void RunControl::AfterOutputPhase(Runner& runner) {
-  // In runs until output, an agent has passed when it is served.
+  // In runs until output, an agent has passed when its run ends.
   if (unit_ != RunUnit::kOutput) runner.passed_output = true;
   if (ClientLog* const log = runner.hosted->log) log->Went(*runner.hosted);
   runner.hosted->DeliverOutput();
@@ -336,7 +337,7 @@ void RunControl::AfterOutputPhase(Runner& runner) {
   const auto added = [](const kernel::OutputChange& change) { return change.added; };
   const bool changed = output.generation() != runner.generation;
   runner.generation = output.generation();
-  // What an agent only takes back is no output of its own.
+  // Changes that only remove elements do not count as output.
   if (changed && std::any_of(output.changes().begin(), output.changes().end(), added)) {
     runner.generated = true;
     runner.output_changed = true;
@@ -389,7 +390,7 @@ void RunControl::Finish(Runner& runner, bool tell) {
     hosted.run_state = sml_RUNSTATE_HALTED;
     hosted.last_result = sml_RUN_ERROR;
   } else if (runner.interrupted) {
-    // A rule that interrupts, and a client that stops the run, have results of their own.
+    // Runs that end because a rule interrupts or a client stops them have other results.
     hosted.run_state = sml_RUNSTATE_INTERRUPTED;
     hosted.last_result =
         runner.reason == StopReason::kInterrupted ? sml_RUN_INTERRUPTED : sml_RUN_COMPLETED_AND_INTERRUPTED;

@@ -10,7 +10,7 @@
 namespace soarbox::server {
 namespace {
 
-/// Null while nobody has enabled it.
+/// Null while imagery is not enabled.
 kernel::Imagery* ImageryOf(HostedAgent& hosted) {
   const kernel::Imagery* const known = std::as_const(hosted).agent().find_imagery();
   return known != nullptr && known->enabled() ? &hosted.agent().imagery() : nullptr;

@@ -8,12 +8,12 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// What clients say to the scene of an agent's top state, and ask of it (kernel/imagery).
-/// Lines of the scene graph edit language; false if the spatial visual system is off.
+/// Sends lines of the scene graph edit language to the scene of an agent's top state (kernel/imagery). Returns false if
+/// the spatial visual system is off.
 bool SendScene(HostedAgent& hosted, std::string_view lines);
-/// The lines that were refused since somebody asked last, with reasons, one a line.
+/// Returns the lines refused since the last call, with reasons, one per line.
 std::string TakeRefusedScene(HostedAgent& hosted);
-/// The answers to queries, one a line; empty if the spatial visual system is off.
+/// Returns the answers to queries, one per line; empty if the spatial visual system is off.
 std::string QueryScene(HostedAgent& hosted, std::string_view queries);
 
 }  // namespace soarbox::server

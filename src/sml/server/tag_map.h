@@ -9,8 +9,8 @@
 
 namespace soarbox::server {
 
-/// A hash map from the time tags of clients to values, open-addressed: no allocation while it does not grow.
-/// Tag 0 is not a key. Iteration order means nothing: sort what you list.
+/// A hash map from time tags of clients to values, with open addressing. Allocates only when it grows. Tag 0 is not a
+/// valid key. The order of iteration is unspecified: sort what you list.
 template <typename Value>
 class TagMap {
  public:
@@ -29,12 +29,12 @@ class TagMap {
     }
     Add(tag, value);
   }
-  /// Sets the value of a tag that has none.
+  /// Adds a value; the tag must not be present.
   void Add(std::int64_t tag, const Value& value) {
     if ((size_ + 1) * 2 > slots_.size()) Grow();
     Insert(tag, value);
   }
-  /// Takes the tag out and gives its value.
+  /// Removes the tag and returns its value.
   std::optional<Value> Take(std::int64_t tag) {
     const std::size_t hole = Locate(tag);
     if (hole == kNowhere) return std::nullopt;
@@ -83,7 +83,7 @@ class TagMap {
     return (static_cast<std::uint64_t>(tag) * 0x9E3779B97F4A7C15ull >> 32) & (slots_.size() - 1);
   }
   std::size_t Next(std::size_t i) const { return (i + 1) & (slots_.size() - 1); }
-  /// Takes an entry away and moves later ones of the run back, so that no lookup meets a hole before its entry.
+  /// Removes an entry and moves later entries of the run back, so that no lookup finds a hole before its entry.
   void Close(std::size_t hole) {
     --size_;
     for (std::size_t i = Next(hole); slots_[i].first != 0; i = Next(i)) {

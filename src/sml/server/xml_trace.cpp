@@ -21,7 +21,7 @@ using kernel::Event;
 
 namespace {
 
-/// A trace that nobody takes is cut off at this many bytes.
+/// Maximum size in bytes of a trace that no client takes; a larger one is discarded.
 constexpr std::size_t kMaxBytes = 16u << 20;
 
 const char* TypeName(kernel::FiringType type) {
@@ -70,7 +70,7 @@ void XmlTracer::Refresh() {
   }
   const cli::TraceSettings& trace = hosted_.session().trace();
   const auto on = [&](TraceFlag flag) { return trace.On(flag); };
-  // The output phase is always watched: at its start the trace is sent.
+  // The output phase is always observed, because the trace is sent at its start.
   kernel::EventMask mask = Event::kPrint | Event::kRun;
   mask = mask | Event::kPhase;
   if (on(TraceFlag::kPhases)) mask = mask | Event::kElaboration;

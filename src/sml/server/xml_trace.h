@@ -13,18 +13,18 @@ namespace soarbox::server {
 
 class HostedAgent;
 
-/// Builds the structured trace of an agent: what the command line's trace settings show, as elements. Switched on only
-/// while a client listens. The pieces are sent at the start of every output phase and at the end of runs. They are
-/// written as the text that goes to clients elsewhere.
+/// Builds the structured trace of an agent: the trace selected by the command line's settings, as elements. Enabled
+/// only while a client listens. The parts are sent at the start of every output phase and at the end of runs, in the
+/// form of the text for remote clients.
 class XmlTracer : public kernel::Observer {
  public:
   explicit XmlTracer(HostedAgent& hosted) : hosted_(hosted) {}
   ~XmlTracer() override;
 
   void SetOn(bool on);
-  /// Subscribes to what the trace settings need now; call after they may have changed.
+  /// Subscribes to the events that the trace settings require now. Call it after they may have changed.
   void Refresh();
-  /// Moves what has gathered, the children of <trace>, into `pieces`; false if nothing has.
+  /// Moves the collected trace (children of <trace>) into `pieces`. Returns false if there is none.
   bool Take(std::string& pieces);
 
   void OnPhaseBegin(const kernel::Agent& agent, kernel::Phase phase) override;
@@ -54,21 +54,21 @@ class XmlTracer : public kernel::Observer {
 
  private:
   bool ShowsFiring(const kernel::FiringInfo& info) const;
-  /// Firings are shown with what they matched and made.
+  /// Firings are shown with the matched elements and the created preferences.
   bool Detailed() const;
   void AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info);
   void AddPreference(const kernel::Agent& agent, kernel::PreferenceId id);
   void AddWme(const kernel::Agent& agent, const kernel::WmeInfo& wme);
   void AddText(std::string_view tag, std::string_view text);
-  /// Sets an attribute to a symbol's text.
+  /// Sets an attribute to the text of a symbol.
   void Set(const kernel::Agent& agent, std::string_view name, kernel::Symbol symbol);
 
   HostedAgent& hosted_;
   bool on_ = false;
   bool subscribed_ = false;
-  bool retracting_ = false;  ///< The preferences that go now are those of a firing that is shown in detail.
+  bool retracting_ = false;  ///< The preferences being removed belong to a firing that is shown in detail.
   std::string pieces_;
-  std::string symbol_;  ///< Room for a symbol's text.
+  std::string symbol_;  ///< Buffer for the text of a symbol.
   wire::XmlPen pen_{pieces_};
 };
 

@@ -46,16 +46,16 @@ IoThread::~IoThread() {
 
 namespace {
 
-/// Messages that may be dropped wait for others to go with them: for so long, or until there are so many bytes.
+/// Droppable messages are collected for this time or up to this number of bytes.
 constexpr std::chrono::milliseconds kGatherTime{1};
 constexpr std::size_t kGathered = 64 * 1024;
-/// No part joins a message that would become longer than this.
+/// Maximum length of a message to which parts are appended.
 constexpr std::size_t kLongestJoined = 16 * 1024;
-/// So many messages can be open at once.
+/// Maximum number of open messages.
 constexpr std::size_t kMostOpen = 8;
 
-/// Tells the other side that its bytes have come. Soar's own clients send a message in two pieces, and their system
-/// keeps the second back until the first is acknowledged, which would else take 40 ms: far longer than most calls.
+/// Acknowledges received bytes immediately. Soar's own clients send a message in two parts, and their system delays the
+/// second until the first is acknowledged. Otherwise this would take 40 ms, far longer than most calls.
 void AcknowledgeNow([[maybe_unused]] AnySocket& socket) {
 #ifdef TCP_QUICKACK
   const int on = 1;
@@ -65,8 +65,7 @@ void AcknowledgeNow([[maybe_unused]] AnySocket& socket) {
 
 }  // namespace
 
-// A connection
-// ----------------------------------------------------------------------------------------------------------
+// A connection --------------------------------------------------------------------------------------------------------
 
 struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   Socket(AnySocket connected, const ChannelLimits& channel_limits)
@@ -74,7 +73,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
 
   void Start() {
     asio::error_code ignored;
-    // (Fails on local sockets, which delay nothing.)
+    // (Fails for local sockets, which do not delay data.)
     socket.set_option(tcp::no_delay(true), ignored);
     socket.non_blocking(true, ignored);
     asio::post(socket.get_executor(), [self = shared_from_this()] {
@@ -83,7 +82,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     });
   }
 
-  /// A message is due from now on: it comes in time, or nothing is heard any more.
+  /// A message must be completed within the time limit from now on; else the channel is closed.
   void AwaitMessage() {
     if (limits.patience.count() == 0 || shut) return;
     doubt.expires_after(limits.patience);
@@ -92,7 +91,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     });
   }
 
-  // On the thread that moves bytes.
+  // Called on the thread for sockets.
   void Read() {
     socket.async_read_some(
         asio::buffer(piece),
@@ -154,8 +153,8 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
                       });
   }
 
-  /// Lets text and trace pile up for a moment: a call of the system for each would cost more than the decision it tells
-  /// of.
+  /// Collects text and trace for a moment, because a system call for each part would cost more than the decision that
+  /// it describes.
   void Gather() {
     timer.expires_after(kGatherTime);
     timer.async_wait([self = shared_from_this()](const asio::error_code&) {
@@ -196,7 +195,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     if (call) call();
   }
 
-  // On any thread.
+  // Called on any thread.
   bool Send(const std::string& message, bool droppable) {
     const std::array<char, 4> header = FrameHeader(message.size());
     const std::size_t size = header.size() + message.size();
@@ -251,7 +250,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     return SendSoon(lock, true);
   }
 
-  /// Ends the open messages and puts them into the outbox; the lock is held.
+  /// Ends the open messages and moves them to the outbox. The lock must be held.
   void CloseOpen() {
     for (Open& message : open) {
       const std::array<char, 4> header = FrameHeader(message.bytes.size() + message.tail.size());
@@ -261,10 +260,10 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     open.clear();
   }
 
-  /// Sees to it that what has been put into the outbox goes, at once or after a moment, and that open messages get
-  /// closed.
+  /// Makes sure that the messages in the outbox are sent, immediately or after a moment, and that open messages are
+  /// ended.
   bool SendSoon(std::unique_lock<std::mutex>& lock, bool may_wait) {
-    // (What is being written takes the rest with it.)
+    // (The current write operation also sends the rest.)
     if (writing) return true;
     if (!may_wait || outbox.size() >= kGathered) {
       SendNow();
@@ -282,7 +281,8 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     return true;
   }
 
-  /// Sends what the system takes at once, which needs no other thread. The lock is held, and nothing is being written.
+  /// Sends as much as the system accepts immediately, without another thread. The lock must be held, and no write
+  /// operation may be in progress.
   void SendNow() {
     asio::error_code error;
     const std::size_t sent = socket.send(asio::buffer(outbox), 0, error);
@@ -291,7 +291,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     waiting_out -= sent;
   }
 
-  /// Takes a message; the lock is held.
+  /// Removes and returns a message. The lock must be held.
   bool Take(std::string& message) {
     if (inbox.empty()) return false;
     message = std::move(inbox.front());
@@ -309,14 +309,14 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
   const ChannelLimits limits;
   FrameReader reader;
   std::array<char, 64 * 1024> piece{};
-  bool had_begun = false;  ///< A part of a message had come before.
+  bool had_begun = false;  ///< A part of a message had been received.
   std::atomic<bool> silent{true};
 
   mutable std::mutex mutex;
   std::condition_variable arrived;
   std::deque<std::string> inbox;
   std::string outbox;
-  /// A message that waits for further parts.
+  /// A message to which further parts may be appended.
   struct Open {
     std::uint64_t series = 0;
     std::string bytes, tail;
@@ -391,8 +391,7 @@ void Channel::SetWake(std::function<void()> wake) {
   socket_->wake = std::move(wake);
 }
 
-// Connecting and listening
-// ----------------------------------------------------------------------------------------------
+// Connecting and listening --------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -434,14 +433,14 @@ Result<std::unique_ptr<Channel>> ConnectLocal(IoThread& thread, const std::strin
 
 struct Acceptor::Contents {
   virtual ~Contents() = default;
-  /// On the thread that moves bytes.
+  /// Called on the thread for sockets.
   virtual void Close() = 0;
 
   asio::io_context* context = nullptr;
   ChannelLimits limits;
   std::function<void(std::unique_ptr<Channel>)> accepted;
   int port = 0;
-  std::unique_ptr<LocalSocketFile> file;  ///< Of a local one.
+  std::unique_ptr<LocalSocketFile> file;  ///< For local sockets.
 };
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where programs have no sockets (WebAssembly): nobody can be connected.
+// The implementation for platforms without sockets (WebAssembly): all functions return errors.
 #include "diagnostics/problem.h"
 #include "sml/wire/channel.h"
 

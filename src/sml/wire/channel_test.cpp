@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Connections to those who begin and do not go on.
+// Connections of clients that start a message but do not complete it.
 #include "sml/wire/channel.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace soarbox::wire {
 namespace {
 
-/// Listens, and hands over the first channel that comes.
+/// Listens and returns the first accepted channel.
 struct Listening {
   Listening() {
     ChannelLimits limits;
@@ -42,7 +42,7 @@ void Send(int to, std::string_view bytes) {
   EXPECT_EQ(send(to, bytes.data(), bytes.size(), MSG_NOSIGNAL), static_cast<ssize_t>(bytes.size()));
 }
 
-/// Waits until the other side closes the connection.
+/// Waits until the peer closes the connection.
 bool IsClosed(int from) {
   char byte = 0;
   return recv(from, &byte, 1, 0) <= 0;
@@ -69,7 +69,7 @@ TEST(Channel, WhoHasSentOneMaySaySoLittleAsHeLikesButMustEndWhatHeBegins) {
   ASSERT_TRUE(channel->Wait(message, std::chrono::seconds(60)));
   EXPECT_EQ(message, "hello");
   EXPECT_FALSE(channel->silent());
-  // Four times the patience later he is still there.
+  // The connection is still open after four times the patience.
   usleep(200'000);
   EXPECT_FALSE(channel->closed());
   Send(client, kHello);

@@ -8,12 +8,12 @@
 
 namespace soarbox::wire {
 
-/// The call that asks for it, by the argument "state". Soarbox's own: other kernels answer with an error.
+/// The call that requests a decision; its argument is "state". Soarbox only: other kernels answer with an error.
 inline constexpr const char* kDecisionCall = "soarbox_decision";
 
-/// Adds <decision> with the bytes that recordings hold of one (mind/decision_codec.h), as hexadecimal digits.
+/// Adds <decision> with the bytes of a decision in recordings (mind/decision_codec.h), in hexadecimal.
 void AddDecision(Element& parent, const mind::Decision& decision);
-/// Reads the <decision> of an answer; none if there is none or it is not one of ours.
+/// Reads the <decision> of a response; none if there is none or if it is invalid.
 std::optional<mind::Decision> ReadDecision(const Element& parent);
 
 }  // namespace soarbox::wire

@@ -31,7 +31,7 @@ struct Element {
     return *this;
   }
 
-  /// The value of an attribute; null if it is not there.
+  /// The value of an attribute; null if it does not exist.
   const std::string* Attribute(std::string_view name) const;
   /// The first child with that tag; null if there is none.
   const Element* Child(std::string_view child_tag) const;

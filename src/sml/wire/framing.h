@@ -10,24 +10,25 @@
 
 namespace soarbox::wire {
 
-/// No message may be longer. The protocol sets no limit; an endless one must not eat the memory.
+/// Maximum length of a message. The protocol sets no limit, but an endless message must not exhaust the memory.
 inline constexpr std::uint32_t kMaxMessageBytes = 64u << 20;
 
-/// The four bytes that go before a message: its length, most significant byte first.
+/// The four bytes before a message: its length, most significant byte first.
 std::array<char, 4> FrameHeader(std::size_t length);
 /// Header and message in one string.
 std::string Frame(std::string_view message);
 
-/// Cuts a stream of bytes into messages. Bytes come in pieces of any size; several messages may be in one piece.
+/// Splits a stream of bytes into messages. The bytes may come in chunks of any size; a chunk may contain several
+/// messages.
 class FrameReader {
  public:
   explicit FrameReader(std::uint32_t max_message_bytes = kMaxMessageBytes) : limit_(max_message_bytes) {}
 
-  /// Appends the messages that are complete now to `messages`; empty ones are dropped. False if a length is above the
-  /// limit: the stream cannot be read any further.
+  /// Appends the complete messages to `messages`; empty ones are dropped. Returns false if a length exceeds the limit:
+  /// the rest of the stream cannot be read.
   bool Feed(std::string_view bytes, std::vector<std::string>& messages);
 
-  /// Bytes of a message that is not complete yet.
+  /// Number of bytes of an incomplete message.
   std::size_t pending() const { return header_bytes_ + body_.size(); }
 
  private:

@@ -8,17 +8,17 @@
 
 namespace soarbox::wire {
 
-/// One element that a client adds to the input (or one that it takes away: only the tag counts then). The text belongs
-/// to whoever made this.
+/// An element that a client adds to the input, or removes from it (then only the tag is used). The caller owns the
+/// text.
 struct InputWme {
   enum class Type : std::uint8_t { kString, kInt, kDouble, kId };
 
   bool add = true;
   long long tag = 0;
-  /// The parent, as the client or the kernel names it. May be left out if there is an id_hint.
+  /// The parent, by the name that the client or the kernel uses. May be empty if id_hint is set.
   std::string_view id;
-  long long id_key = 0;       ///< The same as one number (IdentifierKey), if the kernel named it.
-  std::uint32_t id_hint = 0;  ///< The kernel's handle of the parent when the client heard of it; 0 if it never did.
+  long long id_key = 0;       ///< The name as a number (IdentifierKey), if the kernel created it.
+  std::uint32_t id_hint = 0;  ///< The kernel's handle of the parent, as sent to the client; 0 if it never was.
   std::string_view attribute;
   Type type = Type::kString;
   std::string_view text;  ///< A string, or the name of an identifier.
@@ -28,7 +28,7 @@ struct InputWme {
 
 /// Adds <wme action="add" .../> or <wme action="remove" tag="..."/> to a command.
 void AddWme(Element& command, const InputWme& wme);
-/// Reads such an element; what is missing or is no number is empty or 0. It points into the element.
+/// Reads such an element. Missing or invalid numbers are 0, missing texts are empty. The result refers to the element.
 InputWme ReadWme(const Element& element);
 
 }  // namespace soarbox::wire

@@ -17,7 +17,7 @@ std::optional<std::pair<unsigned long long, unsigned long long>> IdentityOf(cons
   return std::pair<unsigned long long, unsigned long long>(found.st_dev, found.st_ino);
 }
 
-/// A folder of this user's that nobody else can enter.
+/// Whether it is a folder of this user that no other user can access.
 bool IsPrivateFolder(const std::string& path) {
   struct stat found {};
   if (lstat(path.c_str(), &found) != 0) return false;
@@ -40,7 +40,7 @@ bool LocalSocketFile::Prepare(const std::string& path) {
   if (!IsPrivateFolder(folder)) return false;
   struct stat found {};
   if (lstat(path.c_str(), &found) != 0) return true;
-  // Only sockets are cleared away: anything else is somebody's file.
+  // Only sockets are removed: any other file may be important.
   return S_ISSOCK(found.st_mode) && unlink(path.c_str()) == 0;
 }
 

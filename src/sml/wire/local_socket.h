@@ -7,17 +7,17 @@
 
 namespace soarbox::wire {
 
-/// Where a kernel that listens on a port is also found by programs of the same user and machine: a socket in the file
-/// `.soartmp/PORT` of the home folder. Empty without a home folder, or if the name is too long for a socket.
+/// The file of the socket at which programs of the same user on the same machine find a kernel that listens on a port:
+/// `.soartmp/PORT` in the home folder. Empty if there is no home folder, or if the name is too long for a socket.
 std::string LocalSocketPath(long long port);
 
-/// The file of a socket that is listened on. Whatever a kernel left there before is removed first, and the file goes
-/// with this object, unless somebody else has put another in its place.
+/// The file of a listening socket. Removes a file that an earlier kernel left, and removes its own file in the
+/// destructor, unless another program has replaced it.
 class LocalSocketFile {
  public:
-  /// Makes the folder, which nobody else may enter, and clears the place. False if that cannot be.
+  /// Creates the folder with access only for this user, and removes an old file. Returns false on failure.
   static bool Prepare(const std::string& path);
-  /// For a file that exists now.
+  /// `path` must exist.
   explicit LocalSocketFile(std::string path);
   ~LocalSocketFile();
   LocalSocketFile(const LocalSocketFile&) = delete;

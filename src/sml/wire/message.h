@@ -10,7 +10,7 @@
 
 namespace soarbox::wire {
 
-/// The version that stands in every message and that `version` answers.
+/// The version in every message and in the response to `version`.
 inline constexpr std::string_view kSmlVersion = "9.6.3";
 
 /// A call that Soar 9.6.3 does not have: what files that are loaded for an agent may read. Its folders, one a line, and
@@ -26,11 +26,11 @@ inline constexpr const char* kLogFrom = "from";
 
 enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
 
-/// A document: a call, the response to one, or a notice that nobody answers.
+/// A document: a call, a response, or a notification without a response.
 struct Message {
   DocType type = DocType::kCall;
   std::string id;   ///< The sender's number, as text.
-  std::string ack;  ///< Of a response: the id of the call.
+  std::string ack;  ///< For a response: the id of the call.
   Element root;     ///< <sml>; its children are the contents.
 
   const Element* Command() const { return root.Child("command"); }
@@ -43,18 +43,18 @@ Message MakeCall(std::string_view command);
 Message MakeResponse(std::string_view ack);
 /// Adds <result output="raw">text</result>.
 void AddRawResult(Message& response, std::string_view text);
-/// Adds the result and the error that a failed call gives; `code` may be empty.
+/// Adds the result and the error of a failed call; `code` may be empty.
 void AddError(Message& response, std::string_view text, std::string_view code = {});
 
-/// Puts doctype, id, ack and version into the root and writes the document.
+/// Adds doctype, id, ack and version to the root and returns the document as text.
 std::string ToDocument(const Message& message);
-/// Reads a document. An error for text that is not XML, or whose root is not <sml> with a doctype.
+/// Parses a document. Returns an error if the text is not XML, or if its root is not <sml> with a doctype.
 Result<Message> ReadMessage(std::string_view document);
 
-/// A number in the shortest form that reads back as the same number, as `%g` with 16 digits prints it: 0, 100, 50.25,
-/// 1e-10.
+/// A number in the shortest form that is read back as the same number, formatted like `%g` with 16 digits: 0, 100,
+/// 50.25, 1e-10.
 std::string ShortDouble(double value);
-/// A number with six decimals, as the kernel sends it.
+/// A number with six decimals, the form in which the kernel sends it.
 std::string FixedDouble(double value);
 
 }  // namespace soarbox::wire

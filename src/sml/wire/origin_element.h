@@ -6,14 +6,14 @@
 
 namespace soarbox::wire {
 
-/// The calls that switch the noting of origins on, and that ask for one by the argument "timetag" or "command".
-/// Soarbox's own: other kernels answer with an error.
+/// The calls that enable recording of origins, and that request one by the argument "timetag" or "command". Soarbox
+/// only: other kernels answer with an error.
 inline constexpr const char* kNoteOriginsCall = "soarbox_note_origins";
 inline constexpr const char* kOriginCall = "soarbox_origin";
 
-/// Adds <origins> with an <origin> for each.
+/// Adds <origins> with one <origin> each.
 void AddOrigins(Element& parent, const mind::OriginFacts& facts);
-/// Reads the <origins> of an answer. Places that are out of bounds are dropped; without <origins> nothing is noted.
+/// Reads the <origins> of a response. Indices out of range are dropped. Without <origins>, the result is empty.
 mind::OriginFacts ReadOrigins(const Element& parent);
 
 }  // namespace soarbox::wire

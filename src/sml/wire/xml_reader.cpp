@@ -57,7 +57,8 @@ void AppendUtf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// Reads without recursion: the elements that are open stand on a stack, so that no nesting can exhaust the real one.
+/// Parses without recursion: open elements are on an explicit stack, so that deep nesting cannot overflow the call
+/// stack.
 class Reader {
  public:
   Reader(std::string_view document, const ReadLimits& limits) : text_(document), limits_(limits) {}
@@ -103,7 +104,7 @@ class Reader {
     return Error();
   }
 
-  /// Skips up to and with `end`; false if it is not there.
+  /// Skips everything up to and including `end`. Returns false if it is missing.
   bool SkipTo(std::string_view end, std::string_view what) {
     const std::size_t found = text_.find(end, at_);
     if (found == std::string_view::npos) return Bad(what);
@@ -111,7 +112,7 @@ class Reader {
     return true;
   }
 
-  /// White space, comments and processing instructions.
+  /// Skips white space, comments and processing instructions.
   bool SkipMisc() {
     while (true) {
       SkipSpace();
@@ -165,7 +166,7 @@ class Reader {
     return true;
   }
 
-  /// Text with entities up to (not with) `stop`.
+  /// Reads text with entities up to `stop`, which is not consumed.
   bool ReadText(char stop, std::string& out) {
     while (!AtEnd() && text_[at_] != stop) {
       if (text_[at_] == '&') {
@@ -202,7 +203,7 @@ class Reader {
     }
   }
 
-  /// Reads "<tag attributes>" or "<tag attributes/>" into the element; `closed` tells which.
+  /// Reads "<tag attributes>" or "<tag attributes/>" into the element; `closed` is set for the latter form.
   bool ReadStartTag(Element& element, bool& closed) {
     ++at_;
     const auto name = ReadName();

@@ -9,17 +9,17 @@
 
 namespace soarbox::wire {
 
-/// The limits of a document. Documents come from strangers.
+/// The limits of a document, because documents come from untrusted sources.
 struct ReadLimits {
-  int max_depth = 200;                   ///< Elements inside elements.
+  int max_depth = 200;                   ///< Maximum nesting of elements.
   std::size_t max_elements = 1'000'000;  ///< In the whole document.
-  std::size_t max_attributes = 1'000;    ///< Of one element: each is compared with those before it.
+  std::size_t max_attributes = 1'000;    ///< Maximum per element: each attribute is compared with the previous ones.
 };
 
-/// Reads one document. Takes more than is ever written: a header, comments, self-closing tags, white space, single
-/// quotes, character data sections and numeric character references. Of mixed text, the last block of an element
-/// counts; text that is only white space beside child elements is dropped. Document types are refused. The error says
-/// what is wrong and where (line and column).
+/// Parses one document. Accepts more than kernels and clients write: a header, comments, self-closing tags, white
+/// space, single quotes, CDATA sections and numeric character references. Of mixed content, the last text block of an
+/// element is used; text that is only white space next to child elements is dropped. Document type declarations are
+/// refused. The error contains a description, line and column.
 Result<Element> ReadXml(std::string_view document, const ReadLimits& limits = {});
 
 }  // namespace soarbox::wire

@@ -9,19 +9,19 @@
 
 namespace soarbox::wire {
 
-/// Writes elements in the one form that the protocol fixes: attributes in byte order of their names, double quotes,
-/// explicit end tags, no white space between elements, and five entities in text and attributes alike.
+/// Writes elements in the form that the protocol requires: attributes in byte order of their names, double quotes,
+/// explicit end tags, no white space between elements, and five entities in text and attributes.
 struct WriteOptions {
   bool children = true;
-  bool new_lines = false;  ///< For people: a line break after each end tag. Not part of the protocol.
+  bool new_lines = false;  ///< A line break after each end tag, for readability. Not part of the protocol.
 };
 
 void AppendEscaped(std::string& out, std::string_view text);
 void AppendXml(std::string& out, const Element& element, const WriteOptions& options = {});
 std::string ToXml(const Element& element, const WriteOptions& options = {});
 
-/// Writes elements straight into a text, for what is written too often to build it first. Attributes are to be given in
-/// byte order of their names.
+/// Writes elements directly to a text, for documents that are too frequent to build as Elements first. Attributes must
+/// be added in byte order of their names.
 class XmlPen {
  public:
   explicit XmlPen(std::string& out) : out_(out) {}
@@ -40,7 +40,7 @@ class XmlPen {
     return *this;
   }
   XmlPen& Set(std::string_view name, std::uint64_t value);
-  /// Ends the element that was begun with this tag.
+  /// Ends the element that was started with this tag.
   XmlPen& End(std::string_view tag) {
     EndStart();
     out_ += "</";
