@@ -20,13 +20,13 @@ class Interpreter;
 class PrintStream;
 class Session;
 
-/// A command while it is carried out: its words, and where its answer goes.
+/// A command that is being executed: its words, and its result.
 struct CommandCall {
   Interpreter& interpreter;
   Session& session;
   std::span<const Word> words;  ///< words[0] is the command's full name; aliases are expanded.
   CommandResult& result;
-  /// Set by a failure: which closing line its text still needs.
+  /// Set after a failure: which closing line the text still needs.
   enum class Failure { kNone, kPlain, kWithMessage, kWithoutMessage, kReported } failure = Failure::kNone;
 
   kernel::Agent& agent() const;
@@ -38,11 +38,11 @@ struct CommandCall {
   bool Fail(std::string_view message);
   /// Ends the command with an error whose text is already printed.
   bool FailPrinted();
-  /// Adds a hint for people; programs that read the text do not see it.
+  /// Adds a hint for users. It is not part of the text that programs parse.
   void Hint(std::string message, std::string hint);
   void AddArgument(std::string param, std::string type, std::string value);
 
-  /// Takes apart the words after `words[0]`. After an error the call has already failed.
+  /// Parses the words after `words[0]`. Returns false, after Fail, if they are invalid.
   bool Parse(std::span<const OptionSpec> specs, ParsedWords& parsed);
 };
 
@@ -55,10 +55,10 @@ struct SubcommandInfo {
   std::string_view summary;  ///< One line.
   std::span<const OptionSpec> options = {};
   bool (*handler)(CommandCall& call) =
-      nullptr;  ///< Called with words[0] the sub-command's name. None: see CommandInfo.
+      nullptr;  ///< Called with the subcommand's name as words[0]. If null, CommandInfo::handler is called.
 };
 
-/// A command: what the interpreter needs to carry it out, and the help to describe it.
+/// A command: its implementation and its help.
 struct CommandInfo {
   std::string_view name;
   std::string_view usage;
@@ -72,19 +72,19 @@ struct CommandInfo {
 /// All commands, sorted by name.
 std::span<const CommandInfo> Commands();
 
-/// The command that `word` names by its full name or a unique beginning; else null, with Soar's message in `error`.
+/// The command with this full name or unique prefix. If there is none, returns null and sets `error` to Soar's message.
 const CommandInfo* FindCommand(std::string_view word, std::string& error);
 
-/// The line that lists what an ambiguous word may be.
+/// The line that lists the possible meanings of an ambiguous word.
 std::string DidYouMean(std::vector<std::string_view> names);
 
-/// Carries out the sub-command that words[1] names by its full name or a unique beginning. If there is none, the
-/// message is `invalid`. As in Soar, the options are first checked against those of all sub-commands of the command.
-/// `usage_hint` follows the message about a wrong option, but the letters in `also_known` pass this check.
+/// Executes the subcommand that words[1] names by its full name or a unique prefix. If there is none, the message is
+/// `invalid`. As in Soar, the options are first checked against those of all subcommands of the command. `usage_hint`
+/// is added to the message about an invalid option. Letters in `also_known` pass this check.
 bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
                    std::string_view also_known = {});
 
-/// The names of commands and sub-commands that are nearest to a misspelt word.
+/// The names of commands and subcommands that are most similar to a misspelt word.
 std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);
 
 // The commands, by file.
@@ -121,7 +121,7 @@ bool CommandTrace(CommandCall& call);
 bool CommandVisualize(CommandCall& call);
 bool CommandWm(CommandCall& call);
 
-// Option tables that the table of commands shows.
+// Option tables that are defined with the commands and used by the table of commands.
 extern const std::span<const OptionSpec> kRunOptions;
 extern const std::span<const OptionSpec> kTraceOptions;
 extern const std::span<const OptionSpec> kPrintOptions;

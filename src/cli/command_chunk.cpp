@@ -23,7 +23,7 @@ using kernel::LearnMode;
 using kernel::LearnSettings;
 using kernel::SingletonType;
 
-/// The kernel learns by what the store says.
+/// Applies the stored settings to the kernel's learning.
 void ApplyChunkSettings(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   const auto number = [&](std::string_view name) {
@@ -99,7 +99,7 @@ void ChunkHelp(CommandCall& call) {
       "===================================================\n";
   const auto row = [&](std::string_view left, std::string_view what) { text += fmt::format("{:<54}{}\n", left, what); };
   const auto title = [&](std::string_view words) { text.append(words).append("\n"); };
-  /// The choice that holds is written in capitals.
+  /// The active choice is printed in capitals.
   const auto choice = [&](std::string_view name, std::string_view one, std::string_view other, std::string_view end,
                           std::string_view what) {
     std::string words[] = {std::string(one), std::string(other)};
@@ -228,7 +228,7 @@ bool Singleton(CommandCall& call) {
   if (call.agent().learning().automatic_singletons) singletons.NoteAll();
   const kernel::Symbol attribute = call.agent().mutable_symbols().String(words[1]);
   const std::string pattern = PatternText(*id, words[1], *value);
-  // What a file sets is not told of.
+  // Settings in files are not reported.
   const auto tell = [&](const std::string& text) {
     if (call.interpreter.source_run() == nullptr) call.Out(text);
   };
@@ -263,7 +263,7 @@ bool IsChunkMode(std::string_view word) {
   return std::ranges::find(kModes, word) != std::end(kModes) || word == "on" || word == "all" || word == "off";
 }
 
-/// The sub-command that a word begins; `error` lists them if there are several.
+/// Returns the sub-command that begins with a word; `error` lists them if there are several.
 std::string FullChunkWord(const std::string& word, std::string& error) {
   if (IsChunkMode(word)) return word;
   std::vector<std::string_view> found;
@@ -276,7 +276,7 @@ std::string FullChunkWord(const std::string& word, std::string& error) {
   return found.empty() ? word : std::string(found.front());
 }
 
-/// The mode as a setting.
+/// Sets the mode, as a setting.
 bool LearnSetting(CommandCall& call) {
   if (call.words.size() == 2) {
     call.Out("learn is " + call.session.settings().Get("chunk", "mode") + "\n");
@@ -296,7 +296,7 @@ bool Chunk(CommandCall& call) {
       std::string_view("singleton").starts_with(call.words[1].text)) {
     return Singleton(call);
   }
-  // Soar's chunk has no options and does not mind them.
+  // Soar's chunk has no options and ignores them.
   const auto plain = std::count_if(call.words.begin() + 1, call.words.end(),
                                    [](const Word& word) { return !word.text.starts_with('-'); });
   if (plain == 0) {
@@ -320,7 +320,7 @@ bool Chunk(CommandCall& call) {
   if (word == "all") mode = "always";
   if (word == "off") mode = "never";
   if (!mode.empty() && call.words.size() == 2) {
-    // A beginning of several names, but a mode of its own all the same.
+    // A prefix of several names, but also a mode.
     if (word == "all") call.Out("%?  Did you mean allow-local-negations, or allow-opaque?\n");
     SetChunkMode(call, mode);
     call.Out("Learns rules in states: " + (word == "all" || word == "off" ? word : mode) + "\n");

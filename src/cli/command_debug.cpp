@@ -12,7 +12,7 @@
 namespace soarbox::cli {
 namespace {
 
-/// The clock goes into the answer only; nothing of the agent sees it.
+/// Measures wall time, which appears only in the reply and does not affect the agent.
 bool Time(CommandCall& call) {
   if (call.words.size() < 2) return call.Fail("You must submit a command that you'd like timed.");
   const auto start = std::chrono::steady_clock::now();
@@ -42,7 +42,7 @@ bool Allocate(CommandCall& call) {
 }
 
 bool InternalSymbols(CommandCall& call) {
-  // Only what the agent uses now: rules and working memory mention all of it.
+  // Only symbols that the agent currently uses: rules and working memory contain all of them.
   const kernel::Agent& agent = call.agent();
   std::vector<std::string> strings, integers, floats, identifiers, variables;
   std::vector<std::uint32_t> seen;
@@ -118,7 +118,7 @@ bool CommandDebug(CommandCall& call) {
         "Use 'debug ?' to learn more about the debug command.");
     return true;
   }
-  // A command that is timed has options of its own.
+  // The timed command has its own options.
   if (call.words[1].text == "time" || call.words[1].text == "t") {
     const std::span<const Word> outer = call.words;
     call.words = outer.subspan(1);

@@ -78,7 +78,7 @@ ExplorationParameter* FindParameter(ExplorationSettings& settings, std::string_v
   return nullptr;
 }
 
-/// As Soar shows a parameter: with 16 digits at most.
+/// Formats a parameter like Soar: at most 16 digits.
 std::string ParameterText(double value) {
   return fmt::format("{:.16g}", value);
 }

@@ -52,7 +52,7 @@ std::string Exclusions(const EpisodicMemory& memory) {
   return text;
 }
 
-/// The kernel takes a forced episode and forgets that it was asked for.
+/// The kernel processes the setting `force` once and then resets it.
 void Refresh(CommandCall& call) {
   const EpisodicMemory* memory = EpisodicMemory::Find(call.agent().long_term());
   if (memory == nullptr) return;
@@ -69,7 +69,7 @@ bool GetEpmemParameter(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// Where episodes are kept from the next opening on.
+/// Sets where episodes are stored from the next opening on.
 void ApplyDatabase(CommandCall& call) {
   const Database database = DatabaseOf(call, kEpisodic);
   if (!database.is_file || database.path.empty()) {
@@ -83,7 +83,7 @@ void ApplyDatabase(CommandCall& call) {
   Memory(call).SetOpener(open, !database.options.overwrite);
 }
 
-/// For commands that use the memory. False if its file cannot be opened; the command has failed then.
+/// For commands that use the memory. False if its file cannot be opened; then the command has failed.
 bool Use(CommandCall& call) {
   const Result<void> opened = Memory(call).TryOpen();
   return opened || FailWith(call, opened.error());
@@ -102,7 +102,7 @@ bool BackUpEpisodes(CommandCall& call, const std::string& file) {
   return BackUp(call, kEpisodic, Memory(call), path, file);
 }
 
-/// Hands a setting that was stored to the kernel.
+/// Applies a stored setting to the kernel.
 void Apply(CommandCall& call, std::string_view name) {
   EpisodicMemory& memory = Memory(call);
   EpisodicSettings& settings = memory.mutable_settings();
@@ -228,7 +228,7 @@ bool EpmemTimers(CommandCall& call, std::string_view wanted) {
   return ShowTimers(call, "         Episodic Memory Timers         ", kNames, wanted);
 }
 
-/// The episode that a word names, or 0.
+/// The episode with this number, or 0.
 kernel::EpisodeNumber EpisodeOf(CommandCall& call, const std::string& word) {
   const auto number = ParseInteger(word);
   const EpisodicMemory& memory = Memory(call);
@@ -285,7 +285,7 @@ bool EpmemOverview(CommandCall& call) {
   return true;
 }
 
-/// All settings, for `?`.
+/// Lists all settings, for `?`.
 bool ListSettings(CommandCall& call) {
   call.Out("Episodic memory: settings\n");
   for (const SettingInfo& info : SettingStore::All()) {

@@ -23,7 +23,7 @@ std::string ExplainAnswer(bool yes) {
   return yes ? "Yes" : "No";
 }
 
-/// The rule that `explain chunk` chose, or null.
+/// The rule chosen with `explain chunk`, or null.
 const ExplainedRule* ChosenRule(CommandCall& call) {
   for (const ExplainedRule& rule : call.agent().explanations().rules()) {
     if (rule.number == call.session.explain().rule) return &rule;
@@ -36,8 +36,8 @@ bool AnyExplained(CommandCall& call, bool justifications) {
                              [&](const ExplainedRule& rule) { return rule.justification == justifications; });
 }
 
-/// The recorded rules of one kind, one a line behind `margin` blanks; the first one stands behind `first`. At most
-/// `most`; says in `listed` how many.
+/// Lists the recorded rules of one kind, one per line after `margin` blanks, the first one after `first`. At most
+/// `most`; `listed` is set to their number.
 std::string ListedRules(CommandCall& call, bool justifications, std::string_view first, std::size_t margin,
                         std::size_t most, std::size_t& listed) {
   std::string text(first);
@@ -84,7 +84,7 @@ void ExplainOverview(CommandCall& call) {
       summary.Text(ListedRules(call, justifications, fmt::format("{:<54}", kind + " available for explanation:"), 54,
                                kMostInOverview, listed) +
                    "\n");
-      // As in Soar 9.6.3, rules of the other kind count among those that are not listed.
+      // As in Soar 9.6.3, rules of the other kind are included in the number of rules that are not listed.
       const std::string plural = justifications ? "justifications" : "chunks";
       if (const std::size_t all = call.agent().explanations().rules().size(); all > listed) {
         summary.Text(fmt::format(
@@ -203,7 +203,7 @@ LoadedRules LoadedIn(CommandCall& call) {
   return [&call](const std::string& name) { return IsLoadedRule(call, name); };
 }
 
-/// Of what the learned rule's own instance tested, only firings that some explanation has are named.
+/// Of the elements that the learned rule's own instance tested, only firings that are part of an explanation are named.
 ExplainedRule WithKnownCreators(CommandCall& call, ExplainedRule rule) {
   const std::vector<ExplainedRule>& explained = call.agent().explanations().rules();
   for (ExplainedRule::Condition& condition : rule.conditions) {
@@ -238,7 +238,7 @@ bool ExplainChunk(CommandCall& call) {
   return true;
 }
 
-/// The firing as the rule has it, or as another one does: behind that rule it made no result.
+/// The firing as the rule recorded it, or as another rule did, in which case it made no result here.
 std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const ExplainedRule& rule, std::uint32_t serial) {
   if (serial == rule.instance) return LearnedInstance(WithKnownCreators(call, rule));
   if (const ExplainedRule::Firing* const firing = rule.FindFiring(serial); firing != nullptr) return *firing;
@@ -246,7 +246,7 @@ std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const Explain
     const ExplainedRule::Firing* const known = other.FindFiring(serial);
     if (known == nullptr && serial != other.instance) continue;
     ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(WithKnownCreators(call, other));
-    // (As in Soar 9.6.3 the instance of a rule that was learned before has made its results.)
+    // (As in Soar 9.6.3, the instance of a rule that was learned before has made its results.)
     firing.made_result = known == nullptr && other.number < rule.number;
     firing.path.clear();
     return firing;
@@ -282,8 +282,7 @@ bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
   return true;
 }
 
-/// The full word for the beginnings that the menu names and for others that are unique; `error` lists what else it may
-/// be.
+/// Completes the abbreviations that the menu names, and other unique ones; `error` lists the possible words.
 std::string FullExplainWord(const std::string& word, std::string& error) {
   if (word == "f") return "formation";
   if (word == "c") return "constraints";

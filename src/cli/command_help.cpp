@@ -37,7 +37,7 @@ bool CommandHelp(CommandCall& call) {
         "File names in other commands start from the current directory.\n");
     return true;
   }
-  // An alias is described with the command that it stands for.
+  // An alias is described together with its command.
   const std::string expansion = call.interpreter.aliases().Expansion(word);
   if (!expansion.empty()) {
     call.Out(fmt::format("{} = \"{}\"\n\n", word, expansion));

@@ -22,7 +22,7 @@ std::string Counted(int count, std::string_view what) {
   return fmt::format("{} production{} {}.", count, count == 1 ? "" : "s", what);
 }
 
-/// "N productions sourced. M productions excised. K productions ignored.", and the names of those that were excised.
+/// "N productions sourced. M productions excised. K productions ignored.", and the names of the excised ones.
 std::string CountsText(const SourceRun::Counts& counts, bool names) {
   std::string text = Counted(counts.sourced, "sourced");
   if (!counts.excised.empty()) {
@@ -38,7 +38,7 @@ void FreshLine(CommandCall& call) {
   if (!call.result.text.empty() && call.result.text.back() != '\n') call.Out("\n");
 }
 
-/// Says in which line of which file a command failed: all that is known about each error, or the line alone.
+/// Reports the file and line in which a command failed, with each error if there are any.
 void ReportPlace(CommandCall& call, const std::string& path, int line, std::size_t first_diagnostic) {
   FreshLine(call);
   bool reported = false;
@@ -56,7 +56,7 @@ void ReportPlace(CommandCall& call, const std::string& path, int line, std::size
   if (!reported) call.Out(fmt::format("\t{}:{}\n", path, line));
 }
 
-/// Carries out the commands of a text, all of them, whatever fails; false if any did.
+/// Executes all commands of a text, even if some fail; false if any failed.
 bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std::string_view text) {
   if (std::string why = WhyNoPlainText(text); !why.empty()) {
     Diagnostic diagnostic;
@@ -102,12 +102,12 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const std::size_t length = call.result.text.size();
     const bool command_ok = call.interpreter.ExecuteWords(call, words);
     if (stars) {
-      // What is no rule ends the line of stars, whether it prints or not, unless a file that was read in between did
-      // so.
+      // Any command other than a rule ends the line of stars, even without output, unless a file that was read in
+      // between ended it.
       if (call.result.text.compare(length, 2, " \n") != 0) call.result.text.insert(length, " \n");
       run.stars_pending = false;
     }
-    if (generates) run.stars_pending = false;  // Its own stars go on in whatever line comes next.
+    if (generates) run.stars_pending = false;  // Its own stars continue in the next line.
     if (!command_ok) {
       ok = false;
       ReportPlace(call, path, line, first_diagnostic);
@@ -117,7 +117,7 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
   return ok;
 }
 
-/// All of a file. Its size is known for most: then it is read in one piece, and no room is wasted on it.
+/// Reads a file. If its size is known, it is read in one piece into a buffer of this size.
 std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   std::error_code error;
   std::string text;
@@ -131,15 +131,15 @@ std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   return text;
 }
 
-/// Whether a warning is about something in a rule's text that the rule does not have: nobody finds it later.
+/// Whether a warning is about a part of a rule's text that is not in the rule, so that later checks cannot find it.
 bool IsAboutDroppedText(const Diagnostic& warning) {
   return warning.severity == Severity::kWarning &&
          (warning.message.ends_with("only operator takes it") || warning.message.ends_with(" is ignored") ||
           warning.message.ends_with(" is read as 0"));
 }
 
-/// Tells of traps in what was loaded: what its rules do not have of their text, numbers that fall between two
-/// proposals, and conditions in an order that makes partial matches without number.
+/// Reports problems of the loaded rules: dropped parts of their texts, numbers between the ranges of two proposals, and
+/// orders of conditions with very many partial matches.
 void ReportTraps(CommandCall& call, int loaded) {
   const kernel::Agent& agent = call.agent();
   std::vector<const kernel::Production*> rules;
@@ -156,7 +156,7 @@ void ReportTraps(CommandCall& call, int loaded) {
   call.result.diagnostics.insert(call.result.diagnostics.end(), traps.begin() + known, traps.end());
 }
 
-/// While it lives, relative names start from the folder of a file, as after `pushd`.
+/// While it exists, relative names are resolved from the folder of a file, as after `pushd`.
 class InFolderOf {
  public:
   InFolderOf(Interpreter& interpreter, const std::string& file) : interpreter_(interpreter) {
@@ -189,7 +189,7 @@ class InFolderOf {
   bool ok_ = true, entered_ = false;
 };
 
-/// What a file says at its end: its counts if they were asked for, and an end to the line of stars.
+/// Ends the output of a file: prints its counts if requested, and ends the line of stars.
 void EndFile(CommandCall& call, SourceRun& run, const std::string& path) {
   if (run.per_file) call.Out(path + ": " + CountsText(run.counts, run.verbose));
   if (run.counts.sourced + run.counts.ignored > 0) {
@@ -202,7 +202,7 @@ void EndFile(CommandCall& call, SourceRun& run, const std::string& path) {
   run.counts = {};
 }
 
-/// The files that are open, outermost first, and the one that is to be next; of many the ends.
+/// The open files, outermost first, and the next one; if there are many, the first and the last ones.
 std::string Chain(const SourceRun& run, const std::string& next) {
   constexpr std::size_t kMostAtEnd = 4;
   std::string text;
@@ -216,8 +216,7 @@ std::string Chain(const SourceRun& run, const std::string& next) {
   return text + next;
 }
 
-/// Files that source themselves, by others or not, would never end; those that source ever more would not in anybody's
-/// time.
+/// Limits the nesting and the number of files: files that source each other would never end.
 bool MayOpen(CommandCall& call, SourceRun& run, const std::string& path) {
   if (std::ranges::any_of(run.files, [&](const auto& open) { return open.text() == path; }))
     return call.Fail("This file sources itself: " + Chain(run, path));
@@ -289,7 +288,7 @@ bool LoadLibrary(CommandCall& call) {
 bool LoadRete(CommandCall& call) {
   ParsedWords parsed;
   if (!call.Parse(kLoadSubcommands[2].options, parsed)) return false;
-  // `rete-net -s FILE` of older scripts comes here, too.
+  // Older scripts use `rete-net -s FILE`, which also comes here.
   const auto save = parsed.Argument('s');
   if (save && parsed.arguments.empty()) return SaveRuleImage(call, *save);
   const auto load = parsed.Argument('l');

@@ -263,7 +263,7 @@ const std::span<const SubcommandInfo> kOutputSubcommands = kOutputSubcommandList
 
 bool CommandOutput(CommandCall& call) {
   if (call.words.size() < 2) return OutputOverview(call);
-  // The command to be written to a file has options of its own, which are not output's.
+  // The command whose output goes to a file has its own options.
   if (std::string_view("command-to-file").starts_with(call.words[1].text) && call.words[1].text.size() > 1) {
     const std::span<const Word> outer = call.words;
     call.words = outer.subspan(1);

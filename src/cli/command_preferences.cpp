@@ -54,14 +54,14 @@ constexpr Section kSections[] = {
     {PreferenceType::kNumericIndifferent, "numeric indifferents"},
 };
 
-/// How much is said about where a preference comes from.
+/// The level of detail about the origin of a preference.
 enum class Detail { kNone, kNames, kTimetags, kWmes };
 
 class PreferencePrinter {
  public:
   PreferencePrinter(CommandCall& call, Detail detail) : call_(call), agent_(call.agent()), detail_(detail) {}
 
-  /// Prints what a slot holds, section by section; `chances`: with selection probabilities, if there are any.
+  /// Prints the preferences of a slot, by type; `chances`: with selection probabilities, if there are any.
   void PrintSlot(SlotId slot, bool chances) {
     for (const Section& section : kSections) {
       const std::vector<PreferenceId> preferences = agent_.PreferencesOf(slot, section.type);
@@ -78,7 +78,7 @@ class PreferencePrinter {
     for (const Agent::CandidateChance& candidate : candidates) PrintPreference(candidate.preference, &candidate);
   }
 
-  /// Everything about one object, slot by slot.
+  /// Prints all slots of an object.
   void PrintObject(Symbol id) {
     const kernel::WorkingMemory& memory = agent_.memory();
     for (SlotId slot_id = memory.identifier(id).slots; slot_id != SlotId::kNone; slot_id = memory.slot(slot_id).next) {
@@ -97,23 +97,23 @@ class PreferencePrinter {
     PrintWmes("Input (IO) wmes for ", id, memory.identifier(id).input_wmes);
   }
 
-  /// Where the elements come from that lead to an object.
+  /// Prints the origins of the elements that lead to an object.
   void PrintSupportOf(Symbol value) {
     const kernel::WorkingMemory& memory = agent_.memory();
     std::vector<WmeId> links;
     for (std::uint32_t i = 0; i < memory.wmes().size(); ++i) {
       if (memory.wmes()[i].live && memory.wmes()[i].value == value) links.push_back(static_cast<WmeId>(i));
     }
-    // The last to enter the match comes first.
+    // The newest first.
     std::sort(links.begin(), links.end(),
               [&](WmeId a, WmeId b) { return ArrivalOf(agent_.rete(), a) > ArrivalOf(agent_.rete(), b); });
     for (const WmeId link : links) {
       std::string text = WmeText(agent_, link);
-      if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As the reference shows proposals.
+      if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As Soar prints proposals.
       Print("Support for " + text + "\n");
       const kernel::WmeRecord& record = memory.record(link);
       if (record.slot() == SlotId::kNone || record.preference == PreferenceId::kNone) {
-        // Of the architecture's elements, only a tie's items pass for such.
+        // Of the architecture's elements, only the items of a tie are printed like this.
         const std::string attribute = SymbolText(agent_, memory.wme(link).attribute);
         const bool is_item =
             record.kind == kernel::WmeKind::kArchitecture && (attribute == "item" || attribute == "non-numeric");
@@ -171,7 +171,7 @@ class PreferencePrinter {
       text += " = " + value;
     }
     text += preference.o_supported ? " :O " : " :I ";
-    // Made in a substate.
+    // Created in a substate.
     if (!chance && preference.level > 1) text += fmt::format(" [level {}] ", preference.level);
     if (chance) text += fmt::format("({:.2f}%)", chance->probability * 100);
     Print(text + "\n");
@@ -193,7 +193,7 @@ class PreferencePrinter {
     }
     if (detail_ == Detail::kWmes) {
       for (const WmeId wme : wmes) {
-        // Elements of the top state may have gone since: their time tags have to do.
+        // Elements of the top state may have been removed: then only their time tags are printed.
         Print(MatchedText(agent_, wme, agent_.memory().level(agent_.memory().wme(wme).id)) + "\n");
         AddWmeNode(node, agent_, wme);
       }
@@ -214,7 +214,7 @@ class PreferencePrinter {
   Detail detail_;
 };
 
-/// Whether anything knows a constant: an attribute that does not exist may still be one that rules name.
+/// Whether a constant is used anywhere: rules may use an attribute that no element has.
 bool IsKnown(const Agent& agent, Symbol constant) {
   if (!constant.IsNumber()) return true;
   const kernel::WmeTable& wmes = agent.memory().wmes();
@@ -225,7 +225,7 @@ bool IsKnown(const Agent& agent, Symbol constant) {
   return false;
 }
 
-/// The attribute that a word stands for; the none symbol if nothing knows it.
+/// The attribute of a word; the none symbol if it is not used anywhere.
 Symbol FindAttribute(Agent& agent, const std::string& word) {
   if (const Symbol identifier = FindIdentifier(agent, word)) return identifier;
   const bool quoted = word.size() > 1 && word.front() == '|' && word.back() == '|';
@@ -242,7 +242,7 @@ bool NotFound(CommandCall& call, const std::string& what) {
   return call.Fail("An Error occured trying to print the prefs.");
 }
 
-/// Links of a state that the architecture makes where rules could: they have room for preferences, but none.
+/// Links of a state that the architecture creates in slots without preferences.
 bool IsLinkToModule(std::string_view attribute) {
   return attribute == "smem" || attribute == "epmem" || attribute == "reward-link";
 }

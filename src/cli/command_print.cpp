@@ -39,7 +39,7 @@ constexpr OptionSpec kPrintOptionList[] = {
     {'v', "varprint", OptionArgument::kNone, "identifiers in angle brackets"},
 };
 
-/// Where a list of rules goes and in which form.
+/// The destination and the format of a list of rules.
 struct RuleListStyle {
   bool full = false;
   bool internal = false;
@@ -107,7 +107,7 @@ void PrintGoalDependencySets(CommandCall& call) {
                                   : std::string("  Old GDS value ");
     elements.emplace_back(ArrivalOf(agent.rete(), id), owner + WmeText(agent, id) + "\n");
   }
-  // The last to enter the match comes first.
+  // The newest first.
   std::sort(elements.rbegin(), elements.rend());
   for (const auto& [entered, text] : elements) out.Print(text);
   out.Print(line + "\n");
@@ -178,12 +178,12 @@ void PrintRuleNamed(CommandCall& call, const std::string& word, const RuleListSt
   call.stream().Print("No production named " + word + "\n");
 }
 
-/// As `print --varprint` shows an identifier.
+/// Formats an identifier like `print --varprint`.
 std::string InBrackets(std::string name, bool as_variable) {
   return as_variable ? "<" + std::move(name) + ">" : name;
 }
 
-/// A single word: an object, a time tag, a long-term identifier or a rule.
+/// Prints the object of a single word: an object, a time tag, a long-term identifier or a rule.
 void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& style, RuleListStyle rule_style) {
   kernel::Agent& agent = call.agent();
   PrintStream& out = call.stream();
@@ -228,7 +228,7 @@ bool CommandPrint(CommandCall& call) {
 
   ObjectStyle style;
   style.depth = call.session.output().print_depth;
-  // A depth is read where it stands, before what may be wrong with the words behind it.
+  // A depth is parsed in its place, before errors in the words after it.
   if (const auto depth = parsed.Argument('d')) {
     const auto number = ParseLeadingInteger(*depth);
     if (!number || *number < 0) return call.Fail("Non-negative depth expected.");
@@ -269,11 +269,11 @@ bool CommandPrint(CommandCall& call) {
     return true;
   }
 
-  // Several words, or one in parentheses, are a pattern.
+  // Several words, or a word in parentheses, are a pattern.
   std::string text;
   for (const Word& word : parsed.arguments) text += (text.empty() ? "" : " ") + word.text;
   if (text.find('|') != std::string::npos || text.empty()) {
-    // Bars make a name of it, as Soar reads it, whatever else stands there.
+    // As in Soar, bars make the word a name.
     rules.full = parsed.Has('f') || !parsed.Has('n');
     PrintRuleNamed(call, text, rules);
     return true;

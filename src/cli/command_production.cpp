@@ -48,7 +48,7 @@ bool ProductionOverview(CommandCall& call) {
   return true;
 }
 
-/// The rules that options name by type, oldest first; all of them if there are no such options.
+/// The rules of the types in the options, oldest first; all rules without such options.
 std::vector<ProductionId> Selected(CommandCall& call, const ParsedWords& parsed) {
   struct Letter {
     char letter;
@@ -106,7 +106,7 @@ bool Excise(CommandCall& call) {
   }
   std::size_t count = rules.size();
   if (parsed.Has('a')) {
-    // Templates go, too, but are not counted then.
+    // Templates are excised too, but not counted.
     count -= static_cast<std::size_t>(std::count_if(rules.begin(), rules.end(), [&](ProductionId id) {
       return agent.production(id).type == ProductionType::kTemplate;
     }));
@@ -199,7 +199,7 @@ bool Find(CommandCall& call) {
   std::string pattern;
   for (const Word& word : parsed.arguments) pattern += (pattern.empty() ? "" : " ") + word.text;
   PrintStream::Capture capture(call.stream(), &call.result.text);
-  // With another option than these two, Soar searches nothing; so do we, but say why.
+  // With any other option, Soar finds nothing. We do the same, with an explanation.
   const bool searches = parsed.options.empty() || parsed.Has('l') || parsed.Has('r');
   if (!searches) call.Hint("nothing is searched", "give --lhs as well");
   FindRules(call.stream(), call.agent(), pattern, searches, parsed.Has('s'), [&](const Production& rule) {
@@ -223,7 +223,7 @@ void PrintCounts(CommandCall& call, const std::vector<Counted>& lines) {
   }
 }
 
-/// The wanted rules by type, those of one type newest first. `in_bars`: names that need them.
+/// The selected rules by type, newest first within a type. `in_bars`: puts names in bars if necessary.
 template <typename Wanted, typename Count>
 std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<ProductionType> types, bool in_bars,
                                 Wanted&& wanted, Count&& count) {
@@ -246,8 +246,8 @@ std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<Product
   return lines;
 }
 
-/// Largest count first. Equal counts stand as Soar's library leaves them: it sorts upwards with std::sort, which keeps
-/// their order only in short lists.
+/// Sorts by count, largest first. Equal counts are in the order of Soar's library: std::sort in ascending order, which
+/// is stable only for short lists.
 void SortCounts(std::vector<Counted>& lines, std::size_t limit) {
   std::sort(lines.begin(), lines.end(), [](const Counted& a, const Counted& b) { return a.number < b.number; });
   std::reverse(lines.begin(), lines.end());
@@ -279,12 +279,12 @@ bool FiringCounts(CommandCall& call) {
     number_given = true;
     limit = static_cast<std::size_t>(*number);
   }
-  // Templates are not told apart here: the option for them shows all rules.
+  // Templates are not distinguished here: their option shows all rules.
   const auto asks_for = [&](char letter) { return parsed.Has(letter); };
   const bool all = parsed.Has('a') || parsed.Has('T') || std::ranges::none_of(std::string_view("cdjru"), asks_for);
   const auto wanted = [&](const Production& rule) {
     if (all) return true;
-    // Rules of reinforcement learning are a kind of their own.
+    // Rules of reinforcement learning are a separate type.
     if (rule.is_rl) return parsed.Has('r');
     switch (rule.type) {
       case ProductionType::kUser:
@@ -307,14 +307,14 @@ bool FiringCounts(CommandCall& call) {
                  false, wanted, [&](ProductionId id) { return id == ProductionId::kNone ? 0 : count(id); });
   if (lines.empty()) return call.Fail("No productions in memory of those type(s).");
   if (parsed.Has('f')) std::erase_if(lines, [&](const Counted& line) { return line.number == 0; });
-  // None at all: those that have never fired.
+  // Zero means the rules that have never fired.
   if (number_given && limit == 0) std::erase_if(lines, [&](const Counted& line) { return line.number > 0; });
   SortCounts(lines, limit);
   PrintCounts(call, lines);
   return true;
 }
 
-/// Of a rule that holds very many partial matches for what it has fired, and what helps; else nothing.
+/// A hint for a rule with very many partial matches per firing; else empty.
 std::string CrowdText(const kernel::Agent& agent, ProductionId id) {
   constexpr std::size_t kMany = 10'000;
   constexpr std::size_t kManyForEach = 1'000;
@@ -368,7 +368,7 @@ bool MemoryUsage(CommandCall& call) {
     }
     return false;
   };
-  // A justification holds the one match that it stands for.
+  // A justification has exactly one match.
   std::vector<Counted> lines =
       CountRules(call,
                  {ProductionType::kUser, ProductionType::kDefault, ProductionType::kChunk,

@@ -57,7 +57,7 @@ bool Get(CommandCall& call, const std::string& name, const ParsedWords& parsed) 
 
 bool Set(CommandCall& call, const std::string& name, const ParsedWords& parsed) {
   if (parsed.arguments.empty()) return call.Fail("Too few arguments.");
-  // A path may have blanks.
+  // A path may contain blanks.
   if (parsed.arguments.size() > 1 && name != "update-log-path") return call.Fail("Too many arguments.");
   std::string value;
   for (const Word& word : parsed.arguments) value += (value.empty() ? "" : " ") + word.text;
@@ -82,7 +82,7 @@ bool Set(CommandCall& call, const std::string& name, const ParsedWords& parsed) 
 
 bool Statistics(CommandCall& call, const std::optional<std::string>& name) {
   const kernel::RlStatistics& figures = call.agent().reward();
-  // Soar 9.6.3 never counts the error of updates; `trace --rl` shows what they move.
+  // Soar 9.6.3 never counts the errors of updates; `trace --rl` shows the changes.
   const std::pair<std::string_view, std::pair<std::string_view, double>> kFigures[] = {
       {"update-error", {"Error from last update", 0}},
       {"total-reward", {"Total reward in last cycle", figures.reward}},
@@ -97,7 +97,7 @@ bool Statistics(CommandCall& call, const std::optional<std::string>& name) {
   return !name || call.Fail("Invalid statistic.");
 }
 
-/// The tree of a level as a graph for Graphviz, nearest choices first.
+/// The tree of a level as a Graphviz graph, nearest choices first.
 std::string GraphText(const ChoiceGraph::Node& root) {
   std::string text = "digraph RL_Trace {\n";
   std::deque<std::pair<const ChoiceGraph::Node*, std::size_t>> open{{&root, 0}};

@@ -12,7 +12,7 @@
 namespace soarbox::cli {
 namespace {
 
-/// `output warnings off` silences what is only said about a rule, not what is wrong with its text.
+/// `output warnings off` suppresses remarks about a rule, but not errors in its text.
 bool IsWarning(std::string_view text) {
   while (text.starts_with('\n')) text.remove_prefix(1);
   return text.starts_with("Warning: On the LHS") || text.starts_with("Attempted to add rule with ungrounded");
@@ -26,8 +26,8 @@ void PrintMessages(CommandCall& call, const std::vector<kernel::RuleMessage>& me
   }
 }
 
-/// Adds what is said about a rule. A source that repeats what is warned of (a constant that looks like an identifier,
-/// say) may do so in thousands of places: the first one is kept, the others are counted.
+/// Adds messages about a rule. A file may cause the same warning (for example about a constant that looks like an
+/// identifier) in thousands of places: the first is kept, the others are counted.
 void Keep(std::vector<Diagnostic>& kept, std::vector<Diagnostic>& messages, SourceRun* source) {
   for (Diagnostic& message : messages) {
     if (source && message.severity != Severity::kError) {
@@ -42,7 +42,7 @@ void Keep(std::vector<Diagnostic>& kept, std::vector<Diagnostic>& messages, Sour
   }
 }
 
-/// Loads one rule and answers as Soar does: "*", "#*" after a rule of the same name, or why not.
+/// Loads a rule and replies like Soar: "*", "#*" if it replaced a rule of the same name, or the error.
 bool LoadRule(CommandCall& call, std::string_view body, const Word& word, std::string_view failure) {
   PrintStream::Capture capture(call.stream(), &call.result.text);
   kernel::Agent& agent = call.agent();

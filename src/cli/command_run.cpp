@@ -35,13 +35,13 @@ bool ReadUnit(std::string_view letter, RunUnit& unit) {
   return true;
 }
 
-/// How many cycles a run by decisions is to execute before the way to the stop phase, which nothing cuts off.
+/// Number of cycles that a run by decisions executes before it continues to the stop phase.
 std::uint64_t CyclesOf(const kernel::Agent& agent, const RunRequest& request) {
   const bool at_stop = agent.next_phase() == agent.settings().stop_phase;
   return request.count > 0 && !at_stop ? request.count - 1 : request.count;
 }
 
-/// Whether an interrupt cut off nothing of a run: then the run is complete all the same.
+/// Whether an interrupt cut off nothing, so that the run is complete.
 bool IsComplete(const RunRequest& request, bool by_phase, std::uint64_t cycles, std::uint64_t wanted_cycles) {
   if (by_phase) return true;
   return request.unit == RunUnit::kElaboration || (request.unit == RunUnit::kDecision && cycles >= wanted_cycles);
@@ -56,7 +56,7 @@ bool CommandRun(CommandCall& call) {
   if (!call.Parse(kRunOptions, parsed)) return false;
   RunRequest request;
   bool has_unit = false;
-  // The smallest unit counts.
+  // The smallest unit is used.
   for (const std::string_view letter : {"e", "p", "d", "o"}) {
     if (!has_unit && parsed.Has(letter.front())) has_unit = ReadUnit(letter, request.unit);
   }

@@ -20,7 +20,7 @@
 namespace soarbox::cli {
 namespace {
 
-/// The rules of some types, in the order of `print`.
+/// The rules of these types, in the order of `print`.
 std::string RulesText(const kernel::Agent& agent, std::initializer_list<kernel::ProductionType> types) {
   std::string text;
   for (const kernel::ProductionType type : types) {
@@ -31,11 +31,11 @@ std::string RulesText(const kernel::Agent& agent, std::initializer_list<kernel::
   return text;
 }
 
-/// What Soar writes whatever the values are: of these settings, only these.
+/// The settings that Soar always writes; other settings only if they differ from their defaults.
 constexpr std::string_view kAlwaysOfChunk[] = {"bottom-only",   "add-osk",    "allow-local-negations",
                                                "add-ltm-links", "max-chunks", "max-dupes"};
 
-/// Commands that bring the settings back: Soar's, and the others that differ from their initial values.
+/// The commands that restore the settings: those that Soar writes, and all that differ from their defaults.
 std::string SettingsText(CommandCall& call) {
   const kernel::AgentSettings& settings = call.agent().settings();
   const kernel::AgentSettings initial;
@@ -101,7 +101,7 @@ bool SaveAgent(CommandCall& call) {
                                                      ProductionType::kTemplate, ProductionType::kChunk});
   const kernel::SemanticMemory& memory = kernel::SemanticMemory::Of(call.agent().long_term());
   const bool has_facts = memory.knowledge().object_count() > 0;
-  // Soar writes this line also when semantic memory is on and holds nothing.
+  // Soar also writes this line if semantic memory is on but empty.
   const std::string facts = has_facts
                                 ? "# Semantic Memory\n\n" + ExportText(memory, {}, call.agent().settings().like) + "\n"
                                 : "# Semantic memory is not enabled.  Did not save.\n";

@@ -58,7 +58,7 @@ kernel::SoarVersion LikeOf(CommandCall& call) {
 
 // Settings ------------------------------------------------------------------------------------------------------------
 
-/// Numbers between commas, as `base-incremental-threshes` shows them.
+/// Parses numbers separated by commas, as `base-incremental-threshes` prints them.
 std::vector<std::uint64_t> Numbers(const std::string& text) {
   std::vector<std::uint64_t> numbers;
   for (std::size_t at = 0; at < text.size();) {
@@ -72,7 +72,7 @@ std::vector<std::uint64_t> Numbers(const std::string& text) {
   return numbers;
 }
 
-/// Hands the settings' texts to the memory.
+/// Applies the texts of the settings to the memory.
 void Apply(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   SemanticMemory& memory = MemoryOf(call);
@@ -112,14 +112,14 @@ void Apply(CommandCall& call) {
 
 // The database --------------------------------------------------------------------------------------------------------
 
-/// Opens the file and takes over what it holds.
+/// Opens the file and loads its contents.
 Result<void> OpenFile(SemanticMemory& memory, const Database& database) {
   memory.SetJournal(nullptr);
   memory.Clear();
   return LoadFrom(memory, database, kSemantic.kind);
 }
 
-/// The file is opened when the memory is used first, by a command or in a run.
+/// The file is opened when the memory is first used, by a command or in a run.
 void OpenLater(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   const Database database = DatabaseOf(call, kSemantic);
@@ -130,7 +130,7 @@ void OpenLater(CommandCall& call) {
   memory.SetOpener([database](SemanticMemory& opened) { return OpenFile(opened, database); });
 }
 
-/// For commands that use the memory. False if its file cannot be opened; the command has failed then.
+/// For commands that use the memory. False if its file cannot be opened; then the command has failed.
 bool Use(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   if (memory.opened()) return true;
@@ -142,7 +142,7 @@ bool Use(CommandCall& call) {
   const Result<void> result = OpenFile(memory, database);
   if (result) return true;
   memory.NoteClosed();
-  OpenLater(call);  // A run says it once more.
+  OpenLater(call);  // A run reports it again.
   return FailWith(call, result.error());
 }
 
@@ -180,7 +180,7 @@ bool GetSmemParameter(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// A number that is named goes on the list, or off it.
+/// Adds a number to the list, or removes it.
 std::string Toggled(const std::string& list, const std::string& value) {
   const auto number = ParseInteger(value);
   if (!number || *number <= 0) return {};
@@ -215,7 +215,7 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
   if (name == "initial-variable-id") {
     const std::int64_t number = ParseLeadingInteger(value).value_or(0);
     if (number < 1) return call.Fail("The id counter must be at least 1.");
-    // Of a memory that is in use, only the numbers to come change.
+    // For a memory in use, this changes only future numbers.
     if (!memory.opened() && store.Set("smem", name, value) != SettingStore::SetResult::kOk) {
       return call.Fail("Invalid setting for SMem parameter.");
     }
@@ -371,7 +371,7 @@ bool SmemTimers(CommandCall& call, std::string_view wanted) {
   return ShowTimers(call, "         Semantic Memory Timers         ", kNames, wanted);
 }
 
-/// The text of an option that wants braces, or a failure.
+/// Reads the text of an option that requires braces; else fails.
 bool TextOf(CommandCall& call, const ParsedWords& parsed, char letter, std::string& text) {
   if (const auto argument = parsed.Argument(letter)) {
     text = *argument;
@@ -398,7 +398,7 @@ bool CommandSmem(CommandCall& call) {
   }
   std::string text;
   const char letter = parsed.options.front().letter;
-  // What an option takes beside its own argument.
+  // Number of words that an option accepts after its own argument.
   const std::size_t most = letter == 's' || letter == 'q' || letter == 'r' || letter == 'x' ? 1 : 0;
   if (parsed.arguments.size() > most) return call.Fail("Too many arguments.");
   switch (letter) {
@@ -433,7 +433,7 @@ bool CommandSmem(CommandCall& call) {
     default:
       break;
   }
-  // Soar 9.6.3 reads --precalculate and does not know it. What spreads is worked out when it is asked for.
+  // Soar 9.6.3 parses --precalculate but rejects it. Spreading is computed when it is needed.
   return call.Fail("Unknown option.");
 }
 

@@ -56,7 +56,7 @@ bool ReadPhase(std::string_view word, Phase& phase) {
   return true;
 }
 
-/// The part of an argument that a number can be read from, as Soar reads it: nothing gives 0.
+/// Parses the numeric prefix of an argument like Soar; without one it is 0.
 std::int64_t LooseInteger(const std::string& text) {
   return ParseLeadingInteger(text).value_or(0);
 }
@@ -121,7 +121,7 @@ bool SoarOverview(CommandCall& call) {
     rules += agent.CountProductions(type);
   }
   std::string stack;
-  // Of a deep stack, the two states at either end.
+  // For a deep stack, the first two and the last two states.
   const std::size_t depth = agent.goals().depth();
   for (std::size_t level = 1; level <= depth; ++level) {
     if (depth > 4 && level == 3) {
@@ -138,7 +138,7 @@ bool SoarOverview(CommandCall& call) {
       .Rule('=');
   const SettingStore& store = call.session.settings();
   const kernel::Imagery* const imagery = std::as_const(call.agent()).find_imagery();
-  // In Soar's order; the last never is.
+  // In Soar's order; the last one is never enabled.
   const std::pair<const char*, bool> modules[] = {{"Core", true},
                                                   {"EBC", store.Get("chunk", "mode") != "never"},
                                                   {"SMem", store.IsOn("smem", "learning")},
@@ -199,7 +199,7 @@ bool Version(CommandCall& call) {
   return true;
 }
 
-/// Reads "on" or "off" from the words of a setting; nothing: not there. False: neither.
+/// Reads "on" or "off" from the words of a setting; nothing: no value. False: an invalid value.
 bool ReadSwitch(CommandCall& call, std::optional<bool>& on) {
   ParsedWords parsed;
   if (!call.Parse(kSwitchOptions, parsed)) return false;
@@ -275,15 +275,15 @@ bool Tcl(CommandCall& call) {
   return ShowSetting(call, "tcl");
 }
 
-/// How far a stranger's files may raise what ends a decision: a world takes its steps whatever they say, and none of it
-/// goes by the clock.
+/// Maximum values that a stranger's files may set for the limits of a decision. A world always advances, and no limit
+/// depends on wall time.
 constexpr std::pair<std::string_view, std::int64_t> kMostOfStrangers[] = {{"max-elaborations", 10'000},
                                                                           {"max-goal-depth", 1'000},
                                                                           {"max-nil-output-cycles", 1'000},
                                                                           {"max-gp", 100'000},
                                                                           {"max-dc-time", 0}};
 
-/// A setting with a number: shows it, or gives the new value to `set`, which refuses what does not fit.
+/// A setting with a number: shows it, or passes the new value to `set`, which may reject it.
 bool Number(CommandCall& call, std::string_view name, std::int64_t minimum,
             const std::function<std::string(std::int64_t)>& set) {
   if (call.words.size() < 2) return ShowSetting(call, name);
@@ -369,7 +369,7 @@ bool StopPhase(CommandCall& call) {
         word = "propose";
         break;
       case 'd':
-        word = "decide";  // Which Soar does not take for the name of a phase: it says "decision".
+        word = "decide";  // Soar does not accept "decision" as a phase; its name is "decide".
         break;
       case 'a':
         word = "apply";
@@ -431,7 +431,7 @@ constexpr SubcommandInfo kSoarSubcommandList[] = {
 const std::span<const SubcommandInfo> kSoarSubcommands = kSoarSubcommandList;
 
 bool CommandSoar(CommandCall& call) {
-  // More words than a setting and its value show the summary, as no words do.
+  // Like no words, more than a setting and its value show the summary.
   const auto plain =
       std::count_if(call.words.begin(), call.words.end(), [](const Word& word) { return !word.text.starts_with('-'); });
   if (plain < 2 || plain > 3) return SoarOverview(call);

@@ -46,7 +46,7 @@ std::string RuleCountsText(const kernel::Agent& agent) {
 constexpr kernel::Phase kTimedPhases[] = {kernel::Phase::kInput, kernel::Phase::kPropose, kernel::Phase::kDecide,
                                           kernel::Phase::kApply, kernel::Phase::kOutput};
 
-/// Milliseconds per piece of work.
+/// Milliseconds per unit of work.
 double Each(double seconds, std::uint64_t count) {
   return count == 0 ? 0 : 1000 * seconds / static_cast<double>(count);
 }

@@ -13,7 +13,7 @@ namespace {
 
 using kernel::Imagery;
 
-/// The switches: true if the word was one of them. `ok`: whether it was done.
+/// Handles the switches: true if the word was one of them. `ok`: whether it succeeded.
 bool Switch(CommandCall& call, const std::string& word, bool& ok) {
   const bool enable = word == "--enable" || word == "-e" || word == "--on";
   const bool disable = word == "--disable" || word == "-d" || word == "--off";
@@ -53,7 +53,7 @@ bool CommandSvs(CommandCall& call) {
   if (call.agent().running()) return call.Fail("svs cannot be used while the agent runs.");
   bool ok = true;
   if (call.words.size() == 2 && Switch(call, word, ok)) return ok;
-  // What there is to ask and to say does not depend on whether anybody imagines.
+  // The list of commands does not depend on whether SVS is on.
   if (call.words.size() == 3 && word == "commands" && call.words[2].text == "all") {
     call.Out(AllSceneKinds());
     return true;

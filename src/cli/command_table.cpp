@@ -3,7 +3,7 @@
 
 namespace soarbox::cli {
 
-/// The one table that carries out, completes and documents commands. Sorted by name.
+/// The table by which commands are executed, completed and documented. Sorted by name.
 std::span<const CommandInfo> Commands() {
   static const CommandInfo kCommands[] = {
       {"alias",

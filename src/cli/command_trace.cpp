@@ -128,7 +128,7 @@ bool SetLevel(CommandCall& call, const std::string& word) {
   return true;
 }
 
-/// What the options change, message by message in a fixed order.
+/// The changes that the options request; messages are printed in a fixed order.
 struct Changes {
   bool changed[kTraceFlagCount] = {};
   bool learning = false;
@@ -237,7 +237,7 @@ bool CommandTrace(CommandCall& call) {
       return false;
     }
   }
-  // A level comes last and overrules the options, of which it leaves the detail of elements and learned rules.
+  // A level is applied last and overrides the options, except the detail of elements and learned rules.
   const auto level = parsed.Argument('l');
   if (level && !ParseLeadingInteger(*level)) return call.Fail("Syntax: trace [options]");
   if (level && !SetLevel(call, *level)) return false;

@@ -76,7 +76,7 @@ bool VisualizeHelp(CommandCall& call) {
   return true;
 }
 
-/// Where the drawing goes: numbered behind those that are there, unless one file is to be used.
+/// The file of the drawing: with the next free number, unless one file is to be used.
 std::filesystem::path NextFile(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   std::string name = store.Get("visualize", "file-name");
@@ -89,7 +89,7 @@ std::filesystem::path NextFile(CommandCall& call) {
   }
 }
 
-/// Makes the image and shows it, as far as this is wanted and this machine can.
+/// Creates and shows the image, if requested and supported by this machine.
 bool Present(CommandCall& call, const std::filesystem::path& file) {
   const SettingStore& store = call.session.settings();
   const auto show = [&](const std::filesystem::path& shown) {
@@ -125,7 +125,7 @@ bool Present(CommandCall& call, const std::filesystem::path& file) {
   return true;
 }
 
-/// Puts a drawing into its file, and makes and shows an image of it if that is wanted.
+/// Writes a drawing to its file, and creates and shows an image of it if requested.
 bool Write(CommandCall& call, const std::string& text) {
   const SettingStore& store = call.session.settings();
   call.Out("Generating visualization...\n");
@@ -140,7 +140,7 @@ bool Write(CommandCall& call, const std::string& text) {
   return Present(call, file);
 }
 
-/// The rule that `explain chunk` chose, or the one that was recorded last.
+/// The rule chosen with `explain chunk`, or the one that was recorded last.
 bool LearnedRule(CommandCall& call, bool identities) {
   const std::vector<kernel::ExplainedRule>& rules = call.agent().explanations().rules();
   if (rules.empty()) {

@@ -21,7 +21,7 @@ namespace {
 
 using kernel::Symbol;
 
-/// Identifiers that `wm add` makes have smaller numbers, so that others can follow.
+/// Maximum number of identifiers that `wm add` creates, so that others can follow.
 constexpr std::uint64_t kMostOfName = 1'000'000'000'000;
 
 /// The attribute or value that a word of `wm add` stands for; the none symbol after saying what is wrong. Each `*` is a
@@ -103,7 +103,7 @@ bool Remove(CommandCall& call) {
   return true;
 }
 
-/// A field of a filter as it is shown; false if it names an identifier that does not exist.
+/// Formats a field of a filter; false if it names an identifier that does not exist.
 bool ReadFilterField(CommandCall& call, const std::string& word, std::string& field) {
   field = word;
   if (const auto name = ParseIdentifierName(word)) field = name->letter + std::to_string(name->number);
@@ -118,7 +118,7 @@ bool Watch(CommandCall& call) {
   constexpr std::string_view kSyntax = "Syntax: wm watch -[a|r]  -t <type>  <pattern>\nwm watch -[l|R] [-t <type>]";
   ParsedWords parsed;
   if (!call.Parse(kWmSubcommands[3].options, parsed)) return false;
-  // The last filter that was made is the first one.
+  // The newest filter is the first one.
   std::vector<WmeFilter>& filters = call.session.wme_filters();
   const std::optional<std::string> type = parsed.Argument('t');
   if (type && *type != "adds" && *type != "removes" && *type != "both") {
@@ -173,7 +173,7 @@ bool Watch(CommandCall& call) {
   return true;
 }
 
-/// The settings' texts, handed to the kernel.
+/// Applies the texts of the settings to the kernel.
 void ApplyActivation(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   kernel::WmActivation& module = kernel::WmActivation::Of(call.agent().long_term());
@@ -196,7 +196,7 @@ bool SetActivation(CommandCall& call, const std::string& name, const std::string
   if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
   std::string kept = value;
   if (name == "decay-rate" || name == "decay-thresh") {
-    // Both are kept with a minus, however they are written.
+    // Both are stored as negative numbers, with either sign in the input.
     const double size = std::abs(std::strtod(value.c_str(), nullptr));
     const bool fits = name == "decay-rate" ? size <= 1 : size > 0;
     if (!fits) return call.Fail("Invalid value for activation setting.");

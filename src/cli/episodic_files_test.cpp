@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// An agent that counts on its top state, with a command line, in a folder.
+/// An agent with a counter on its top state and a command line, in a folder.
 struct Counter {
   explicit Counter(const fs::path& folder, const std::string& settings = {}) {
     Do("cd " + folder.string());
@@ -75,7 +75,7 @@ TEST_F(EpisodicFiles, GoOnWhereTheyEnded) {
     EXPECT_GE(second.memory().store().last(), before + 2);
     EXPECT_EQ(second.Do("epmem --print 3"), third);
     EXPECT_STREQ(second.memory().store().CheckInvariants(), "");
-    // A query finds what only the earlier run saw.
+    // A query finds values that only the earlier run contained.
     second.Do("sp {ask (state <s> ^superstate nil ^epmem.command <c>) --> (<c> ^query.n 4 ^before " +
               std::to_string(before + 1) + ")}");
     second.Do("run 1");
@@ -89,7 +89,7 @@ TEST_F(EpisodicFiles, AreEmptiedUnlessTheyAreAppendedTo) {
   Counter second(folder_, std::string(kEpisodeFile) + "; epmem --set append off");
   second.Do("run 2");
   EXPECT_LE(second.memory().store().last(), 2u);
-  // init-soar begins anew, too, or goes on.
+  // init-soar also starts again, or continues.
   second.Do("init-soar; run 2");
   EXPECT_LE(second.memory().store().last(), 2u);
   second.Do("epmem --set append on");
@@ -109,7 +109,7 @@ TEST_F(EpisodicFiles, ThatCannotBeUsedAreNamedAndStay) {
     Counter counter(folder_, kEpisodeFile);
     EXPECT_THAT(counter.Do("epmem --init"), HasSubstr("episodes.db is not a database"));
     EXPECT_EQ(fs::file_size(folder_ / "episodes.db"), 300u);
-    // In a run it goes on without.
+    // A run continues without the memory.
     counter.Do("run 3");
     EXPECT_GT(counter.memory().store().last(), 1u);
     EXPECT_EQ(fs::file_size(folder_ / "episodes.db"), 300u);
@@ -118,7 +118,7 @@ TEST_F(EpisodicFiles, ThatCannotBeUsedAreNamedAndStay) {
   Counter first(folder_, kEpisodeFile), second(folder_, kEpisodeFile);
   first.Do("run 2");
   EXPECT_THAT(second.Do("epmem --print 1"), HasSubstr("in use by another process"));
-  // Facts are kept elsewhere.
+  // Semantic memory is stored elsewhere.
   first.Do("epmem --close");
   EXPECT_THAT(second.Do("smem --set path episodes.db; smem --set database file; smem --add {(@1 ^a b)}"),
               HasSubstr("another kind"));

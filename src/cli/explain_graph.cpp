@@ -19,7 +19,7 @@ std::string GraphHead(const ExplainedRule& rule, std::string_view line_style) {
       GraphQuoted(line_style), GraphQuoted(rule.name));
 }
 
-/// A text within a table of Graphviz.
+/// Escapes a text in a Graphviz table.
 std::string InTable(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -37,7 +37,7 @@ std::string InTable(std::string_view text) {
 }
 
 std::string Cell(const ExplainedRule::Field& field, std::string_view prefix) {
-  // Twelve colours that text can be read on.
+  // Twelve colours on which text is legible.
   const std::string color =
       field.number == 0 ? std::string("white") : fmt::format("/set312/{}", (field.number - 1) % 12 + 1);
   const std::string text = InTable(field.text);

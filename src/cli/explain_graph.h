@@ -6,13 +6,13 @@
 
 #include "kernel/learn/explained_rule.h"
 
-/// Drawings of how a rule was learned, in the language of Graphviz.
+/// Graphs of how a rule was learned, in the language of Graphviz.
 namespace soarbox::cli {
 
-/// Which identities were merged, and which became constants.
+/// Shows which identities were merged, and which became constants.
 std::string IdentityGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
-/// Tables of the conditions and actions of the firings behind the rule, with an edge from each condition to the firing
-/// that made the element it tested. Fields of one identity have one colour.
+/// Tables of the conditions and actions of the firings that led to the rule, with an edge from each condition to the
+/// firing that made the tested element. Fields with the same identity have the same colour.
 std::string AnalysisGraphText(const kernel::ExplainedRule& rule, std::string_view line_style);
 
 }  // namespace soarbox::cli

@@ -23,7 +23,7 @@ std::string Padded(std::string text, std::size_t width) {
   return text;
 }
 
-/// What reaches beyond the column has no blank behind it.
+/// Pads a text to a column; a longer text gets no blank after it.
 std::string AtColumn(std::string text, std::size_t column) {
   text.resize(std::max(column, text.size()), ' ');
   return text;
@@ -51,8 +51,8 @@ std::string ActionText(const ExplainedRule::Action& action, Column column, bool 
   return sign_inside ? text + rest + ")" : text + ")" + rest;
 }
 
-/// The rows of conditions, numbered; a conjunction that is negated stands in braces (`joins`: those that follow each
-/// other in one pair). `rest`: what a row says behind the condition, of a negated one with its part.
+/// Numbered rows of conditions. A negated conjunction is in braces (`joins`: consecutive ones share a pair). `rest`
+/// returns the text after a condition; for a negated one, it gets the part.
 template <typename Rest>
 std::string ConditionRows(const std::vector<ExplainedRule::Condition>& conditions, Column column, bool shows_state,
                           bool joins, Rest&& rest) {
@@ -109,7 +109,7 @@ std::string CreatorText(const ExplainedRule::Condition& condition) {
   return fmt::format("i {} ({})", condition.creator, condition.creator_rule);
 }
 
-/// What was merged or made literal in a firing, or that nothing was.
+/// The identities that a firing joined or literalized, or a note that there were none.
 std::string EventsIn(const ExplainedRule& rule, std::uint32_t firing) {
   std::string events;
   for (const bool literal : {false, true}) {
@@ -121,7 +121,7 @@ std::string EventsIn(const ExplainedRule& rule, std::uint32_t firing) {
                         : "Identity operations:\n\n" + events;
 }
 
-/// A firing whose rule was excised since: what it matched beside the identities.
+/// A firing whose rule was excised: its matched elements next to the identities.
 std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& firing) {
   const bool learned = firing.serial == rule.instance;
   const std::string title = fmt::format("Explanation trace of instantiation # {}", firing.serial);

@@ -9,21 +9,21 @@
 /// How a rule was learned, as `explain` prints it.
 namespace soarbox::cli {
 
-/// Whether a rule of this name is still loaded. Once its rule is excised, the tests of a firing are not shown.
+/// Whether a rule of this name is still loaded. If a rule was excised, the tests of its firings are not shown.
 using LoadedRules = std::function<bool(const std::string& name)>;
 
-/// The learned rule, with the identities behind its variables.
+/// The learned rule, with the identities of its variables.
 std::string ExplainedRuleText(const kernel::ExplainedRule& rule, bool elements, const LoadedRules& loaded);
-/// The match that the learned rule began with, as one of the firings.
+/// The match from which the rule was learned, in the form of a firing.
 kernel::ExplainedRule::Firing LearnedInstance(const kernel::ExplainedRule& rule);
-/// One of the firings behind it: its tests and identities, or (`elements`) the elements that it matched.
+/// One of the firings that led to the rule: its tests and identities, or (`elements`) the elements that it matched.
 std::string ExplainedFiringText(const kernel::ExplainedRule& rule, const kernel::ExplainedRule::Firing& firing,
                                 bool elements, const LoadedRules& loaded);
 std::string FormationText(const kernel::ExplainedRule& rule, bool elements, const LoadedRules& loaded);
 std::string IdentityText(const kernel::ExplainedRule& rule);
 std::string ConstraintsText(const kernel::ExplainedRule& rule);
 std::string ExplainedStatisticsText(const kernel::ExplainedRule& rule);
-/// What else you can ask.
+/// The list of further subcommands.
 std::string ExplainMenu(bool elements);
 
 }  // namespace soarbox::cli

@@ -14,19 +14,19 @@ namespace fs = std::filesystem;
 
 using Subcommand = std::pair<std::string_view, std::string_view>;
 
-/// Commands that open no file but by asking, start no program and change nothing outside of their agent.
+/// Commands that open files only through functions that can be refused, start no program and change only their agent.
 constexpr std::string_view kAllowed[] = {"cd",    "chunk",      "decide", "dirs",  "echo",   "epmem", "explain",
                                          "gp",    "help",       "learn",  "load",  "output", "popd",  "preferences",
                                          "print", "production", "pushd",  "pwd",   "rl",     "smem",  "soar",
                                          "sp",    "stats",      "svs",    "trace", "wm"};
-/// What was typed into a run that was recorded may do this, too: the run goes on as it did.
+/// Commands that are additionally allowed when a recorded run is repeated, so that the run is the same.
 constexpr std::string_view kAllowedInRecordings[] = {"alias", "debug", "run"};
-/// What counts in files that are looked over.
+/// Commands that matter when files are checked.
 constexpr std::string_view kRules[] = {"cd", "gp", "load", "popd", "production", "pushd", "sp"};
-/// Sub-commands of those that count: other ones are passed over.
+/// The sub-commands of these that matter; others are skipped.
 constexpr Subcommand kRuleWords[] = {{"load", "file"}, {"production", "excise"}, {"production", "optimize-attribute"}};
 
-/// Words of the long-term memories' commands that open no file. Whatever else follows the command is refused.
+/// Words of commands of long-term memories that open no file. All other words are refused.
 constexpr std::string_view kMemoryWords[] = {
     "-e",        "--enable", "--on",  "-d",      "--disable", "--off",    "-a",      "--add",   "-g",
     "--get",     "-s",       "--set", "-i",      "--init",    "-p",       "--print", "-q",      "--query",
@@ -42,7 +42,7 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// `--set path FILE` and `--set database file` lead to a file; `--set path :memory:` and other settings do not.
+/// `--set path FILE` and `--set database file` refer to a file; `--set path :memory:` and other settings do not.
 bool OpensFile(std::span<const Word> words) {
   const std::string& name = words.front().text;
   if (name == "svs") return words.size() > 1 && LowerCase(words[1].text).starts_with("connect_viewer");
@@ -82,7 +82,7 @@ bool Fence::MayRead(const fs::path& path) const {
   const fs::path canonical = fs::weakly_canonical(path, error);
   if (error) return false;
   const fs::file_status status = fs::status(canonical, error);
-  // What is not there is told by whoever opens it.
+  // If it does not exist, the function that opens it reports this.
   const bool is_plain = fs::is_regular_file(status) || fs::is_directory(status) || !fs::exists(status);
   return is_plain && std::any_of(folders_.begin(), folders_.end(),
                                  [&](const fs::path& folder) { return IsBelow(canonical, folder); });
@@ -92,7 +92,7 @@ Fence::Answer Fence::Ask(std::span<const Word> words) const {
   const std::string& name = words.front().text;
   if (source_ == Source::kRulesOnly) {
     if (!IsIn(kRules, name)) {
-      // A rule behind another command is a rule whose first word is misspelt.
+      // A rule after another command is a rule whose first word is misspelt.
       const auto holds_rule = [](const Word& word) { return word.text.find("-->") != std::string::npos; };
       return {false, std::ranges::any_of(words, holds_rule) ? "no such command for a rule: " + name : std::string()};
     }

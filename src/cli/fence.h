@@ -12,36 +12,35 @@
 
 namespace soarbox::cli {
 
-/// What the commands of strangers may do. They may read below some folders. They may not write or start anything, nor
-/// change anything that other agents or your own commands depend on.
+/// Restrictions for commands of strangers. Such commands may read below certain folders. They may not write or start
+/// anything, and not change anything that other agents or the user's own commands depend on.
 ///
-/// A command is refused unless a table allows it, and of the commands that handle files only the words that open none
-/// are allowed. So a new command is refused until it is allowed here. Code that opens a file also asks
+/// A command is refused unless a table allows it. Of commands that use files, only words that open no file are allowed.
+/// A new command is therefore refused until it is added here. Code that opens a file must also call
 /// Interpreter::ResolveForReading or Interpreter::ResolveForWriting.
 class Fence {
  public:
-  /// Whose commands they are.
+  /// Where the commands come from.
   enum class Source : std::uint8_t {
-    kFiles,      ///< Of a scenario's files, or carried out by its rules.
-    kRecording,  ///< Typed when a run was recorded; they may run agents, as they did then.
-    kRulesOnly,  ///< Of files that are only inspected: only rules, and the files that hold them, count.
+    kFiles,      ///< Files of a scenario, or commands that its rules execute.
+    kRecording,  ///< Commands that were typed when a run was recorded. They may run agents, as they did then.
+    kRulesOnly,  ///< Files that are only inspected. Only rules and commands that load files are executed.
   };
 
   explicit Fence(std::vector<std::filesystem::path> folders, Source source = Source::kFiles);
 
   Source source() const { return source_; }
-  /// The same folders for commands of another source.
+  /// A copy with the same folders for commands of another source.
   Fence For(Source source) const;
 
-  /// True if the file, after all links, is below one of the folders and is no device, pipe or socket.
+  /// Whether a file, after resolving links, is below one of the folders and is not a device, pipe or socket.
   bool MayRead(const std::filesystem::path& path) const;
 
   struct Answer {
     bool carry_out = true;
-    std::string refusal;  ///< Why not. Empty with carry_out off: the command is skipped as if it had succeeded.
+    std::string refusal;  ///< The reason. Empty if carry_out is false and the command is skipped without an error.
   };
-  /// Whether this command may be carried out. Aliases must be expanded, and the first word must be the command's full
-  /// name.
+  /// Whether a command may be executed. Aliases must be expanded, and the first word must be the command's full name.
   Answer Ask(std::span<const Word> words) const;
 
  private:

@@ -18,14 +18,14 @@ using kernel::Symbol;
 using kernel::Test;
 using kernel::TestKind;
 
-/// Which variable of a rule a variable of the pattern stands for; the newest binding last.
+/// Variables of a rule, each bound to a variable of the pattern; newest binding last.
 using Bindings = std::vector<std::pair<Symbol, Symbol>>;
 
 class Finder {
  public:
   explicit Finder(Symbol anything) : anything_(anything) {}
 
-  /// Finds a condition of the rule for each of the pattern's, from `next` on.
+  /// Finds a condition of the rule for each condition of the pattern, from `next` on.
   bool Match(std::span<const Condition> pattern, std::size_t next, std::span<const Condition> conditions) {
     if (next == pattern.size()) return true;
     if (++steps_ > kMaxSteps) return false;
@@ -40,7 +40,7 @@ class Finder {
   const Bindings& bindings() const { return bindings_; }
 
  private:
-  /// Patterns of many alike conditions could take very long; no real pattern needs so much.
+  /// Maximum number of steps, because a pattern with many similar conditions could take very long.
   static constexpr int kMaxSteps = 100000;
 
   bool Fits(const Condition& pattern, const Condition& condition) {
@@ -49,7 +49,7 @@ class Finder {
            FitsTest(pattern.attribute, condition.attribute) && FitsTest(pattern.value, condition.value);
   }
 
-  /// The word `state` may be missing in the pattern, not the other way round.
+  /// The word `state` may be missing in the pattern, but not in the rule.
   bool FitsId(const Test& pattern, const Test& test) {
     const Test* plain = EqualityIn(pattern);
     const Test* tested = EqualityIn(test);
@@ -95,7 +95,7 @@ class Finder {
   int steps_ = 0;
 };
 
-/// Reads the pattern as the conditions of a rule; prints what is wrong with it.
+/// Parses the pattern as the conditions of a rule; prints its errors.
 kernel::ProductionPtr ReadPattern(PrintStream& stream, kernel::Agent& agent, const std::string& pattern) {
   const std::string body = "pattern " + pattern + "\n --> (write a)";
   kernel::ParseOutcome outcome = kernel::ParseProduction(body, {}, agent.mutable_symbols());
@@ -119,7 +119,7 @@ void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pat
   const kernel::ProductionPtr parsed = ReadPattern(stream, agent, pattern);
   bool any = false;
   if (parsed && searches) {
-    // The newest first, those that users wrote before learned ones.
+    // Newest first; rules of users before learned ones.
     std::vector<kernel::ProductionId> rules = agent.Productions();
     std::ranges::reverse(rules);
     std::stable_partition(rules.begin(), rules.end(), [&](kernel::ProductionId id) {

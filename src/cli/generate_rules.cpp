@@ -13,14 +13,14 @@ bool IsBlank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// The index after the closing `quote` of the quoted text that begins at `start`; the end if there is none.
+/// The index after the closing `quote` of the quoted text that begins at `start`; the end if it is not closed.
 std::size_t SkipQuoted(std::string_view text, std::size_t start, char quote) {
   std::size_t i = start + 1;
   while (i < text.size() && text[i] != quote) i += text[i] == '\\' ? 2 : 1;
   return std::min(i + 1, text.size());
 }
 
-/// Reads the values from after a [ up to its ]; false if it is missing. `position` moves past the ].
+/// Reads the values between [ and ]; false if the ] is missing. `position` moves to the character after the ].
 bool ReadValues(std::string_view text, std::size_t& position, std::vector<std::string>& values) {
   std::string value;
   const auto finish = [&] {
@@ -38,10 +38,10 @@ bool ReadValues(std::string_view text, std::size_t& position, std::vector<std::s
       const std::size_t end = SkipQuoted(text, position, c);
       value += text.substr(position, end - position);
       position = end;
-      if (c == '|') finish();  // What follows at once is the next value.
+      if (c == '|') finish();  // The following text is the next value.
       continue;
     }
-    if (c == '\\' && position + 1 < text.size()) {  // The next character as it is, also a blank or a bracket.
+    if (c == '\\' && position + 1 < text.size()) {  // The next character literally, also a blank or a bracket.
       value += text[position + 1];
       position += 2;
       continue;
@@ -110,7 +110,7 @@ GeneratedRules GenerateRules(std::string_view text, std::uint64_t limit) {
       rules.error = "gp syntax error, a values bracket is empty.";
       return rules;
     }
-    // A product beyond any limit must not overflow.
+    // Prevents overflow of products beyond any limit.
     if (rules.count <= 1'000'000'000'000) rules.count *= values.size();
     rules.texts.push_back(std::exchange(part, {}));
     rules.values.push_back(std::move(values));

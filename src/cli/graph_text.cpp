@@ -72,7 +72,7 @@ class Drawing {
   void Object(Symbol object, int distance) {
     const std::string name = GraphQuoted(Text(object));
     std::string rows, links;
-    // What lies behind the last level is named and not opened.
+    // Objects beyond the last level are named but not expanded.
     if (distance < depth_) {
       for (const kernel::WmeId id : agent_.memory().WmesOf(object)) {
         const kernel::Wme& wme = agent_.memory().wme(id);

@@ -8,11 +8,11 @@
 
 namespace soarbox::cli {
 
-/// How a drawing of working memory looks (`visualize`).
+/// The format of a graph of working memory (`visualize`).
 struct GraphStyle {
   bool records = true;          ///< An object is a table of its values; otherwise each value is a node.
-  bool separate_states = true;  ///< Links between states are left out.
-  bool architecture = false;    ///< Elements that the architecture made are shown (superstate, type, impasse, ...).
+  bool separate_states = true;  ///< Links between states are omitted.
+  bool architecture = false;    ///< Elements of the architecture are shown (superstate, type, impasse, ...).
   std::string line_style = "polyline";
 };
 
@@ -20,9 +20,9 @@ struct GraphStyle {
 std::string WorkingMemoryGraph(const kernel::Agent& agent, std::span<const kernel::Symbol> roots, int depth,
                                const GraphStyle& style);
 
-/// A text between quotes, as Graphviz reads it.
+/// Quotes a text for Graphviz.
 std::string GraphQuoted(std::string_view text);
-/// A text within a record's label, with special characters escaped. Goes between quotes as it is.
+/// Escapes special characters of a text in a record's label, which is in quotes.
 std::string GraphRecordText(std::string_view text);
 
 }  // namespace soarbox::cli

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kWidth = 79;
 
-/// Breaks a paragraph into lines.
+/// Wraps a paragraph.
 std::string Wrap(std::string_view text, std::size_t indent) {
   std::string out, line(indent, ' ');
   std::size_t start = 0;

@@ -8,7 +8,7 @@
 
 namespace soarbox::cli {
 
-/// What `help NAME` prints: usage, options, sub-commands, aliases.
+/// The output of `help NAME`: usage, options, subcommands, aliases.
 std::string HelpText(const CommandInfo& command, const AliasTable& aliases);
 
 /// The reference of all commands as Markdown, for docs/.

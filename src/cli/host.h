@@ -9,32 +9,33 @@ namespace soarbox::cli {
 
 class Session;
 
-/// `run` with its options parsed.
+/// A parsed `run` command.
 struct RunRequest {
   kernel::RunUnit unit = kernel::RunUnit::kForever;
   std::uint64_t count = 1;
   kernel::RunUnit interleave = kernel::RunUnit::kPhase;
-  bool interleave_given = false;  ///< Otherwise the host chooses: the run's unit, or phases for a run without end.
-  bool self_only = false;         ///< Only the agent that the command is addressed to.
+  bool interleave_given = false;  ///< If not, the host chooses: the unit of the run, or phases for a run without a
+                                  ///< limit.
+  bool self_only = false;         ///< Run only the agent of the session.
   bool until_goal_removed = false;
-  bool update_world = true;  ///< Ask the environment to advance.
+  bool update_world = true;  ///< Also advance the environment.
 };
 
-/// Owns the agents and runs them: the command line asks, the host acts. The default host serves one agent without an
-/// environment; a kernel with many agents brings its own.
+/// Owns the agents and runs them for the command line. The default host has one agent and no environment; a kernel with
+/// several agents implements its own.
 class Host {
  public:
   virtual ~Host() = default;
 
-  /// Runs the agents and returns when they have stopped. `result` is that of the addressed agent.
+  /// Runs the agents and returns when they have stopped. The result is that of the session's agent.
   virtual kernel::RunResult Run(Session& session, const RunRequest& request);
-  /// Asks running agents to stop at the next step.
+  /// Requests running agents to stop at the next step.
   virtual void Stop(Session& session, bool self_only);
-  /// init-soar with everything that belongs to it (input is sent again).
+  /// Executes init-soar and sends input again.
   virtual void Reinitialize(Session& session);
-  /// True while Run is active: commands that change the agent are then refused.
+  /// Whether Run is active. Commands that change the agent are then refused.
   virtual bool IsRunning(Session& session) const;
-  /// The port that the kernel listens on, 0 for none.
+  /// The port that the kernel listens on; 0 if it does not listen.
   virtual int Port() const { return 0; }
 };
 

@@ -11,9 +11,9 @@
 namespace soarbox::cli {
 namespace {
 
-/// Commands within commands (sourced files, rules that run commands) end here rather than on the program's stack.
+/// Maximum nesting of commands (sourced files, rules that run commands), so that the program's stack does not overflow.
 constexpr int kMaxDepth = 50;
-/// Rules by the hundred thousand take less.
+/// Files with hundreds of thousands of rules are smaller.
 constexpr std::uintmax_t kMostFileBytes = 256u << 20;
 
 void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
@@ -34,8 +34,8 @@ void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
   }
 }
 
-/// Whether objects that are printed next are wrapped as if the answer of this command stood before them: Soar's printer
-/// sees the tables of these commands, though they are no output of the agent's.
+/// Whether the reply of this command moves the column at which the next objects are wrapped: Soar's printer counts the
+/// tables of these commands, although they are not output of the agent.
 bool MovesColumn(std::string_view command, std::span<const Word> words, bool ok) {
   const std::string_view second = words.size() > 1 ? std::string_view(words[1].text) : std::string_view();
   if (command == "chunk") return ok && !second.starts_with("max-");
@@ -115,7 +115,7 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
     const Fence::Answer may = fence_ ? fence_->Ask(words) : Fence::Answer{};
     ok = may.carry_out ? command->handler(call) : may.refusal.empty() || call.Fail(may.refusal);
   } catch (const std::bad_alloc&) {
-    // An answer that grew too large; agents see to themselves when they run.
+    // The reply was too large; runs of agents limit their output themselves.
     call.result.text = std::string();
     call.Fail("There is no memory for this command.");
   }
@@ -168,7 +168,7 @@ bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, 
   path = Resolve(file);
   if (fence_ && !fence_->MayRead(path))
     return call.Fail("The files of a scenario may read plain files in its folder only: " + file);
-  // A file that is hardly there may say that it is larger than any disk.
+  // A special file may report any size.
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   return error || size <= kMostFileBytes ||

@@ -20,16 +20,16 @@ namespace soarbox::cli {
 struct CommandCall;
 struct SourceRun;
 
-/// The Soar command language of one kernel. Its agents share aliases, directories and files; everything else belongs to
-/// the session that receives a command.
+/// The Soar command language of one kernel. Aliases, directories and files are shared by its agents; everything else
+/// belongs to the session in which a command is executed.
 ///
-/// Execute accepts any text and never throws. A line may hold several commands; it ends at the first that fails. A
-/// sourced file continues after a command that fails, and reports all failures.
+/// Execute accepts any text and never throws. A line can contain several commands; it ends at the first one that fails.
+/// A sourced file continues after a command that fails, and reports all failures.
 ///
-/// Commands may come from within a run (a rule's `cmd`, a callback of a client). Those that would break the running
+/// Commands can be executed within a run (`cmd` in a rule, a callback of a client). Those that would damage the running
 /// agent are refused.
 ///
-/// Not thread-safe: called by the thread that owns the kernel.
+/// Not thread-safe: used on the thread that owns the kernel.
 class Interpreter {
  public:
   /// `host` must outlive the interpreter; without one, agents run alone.
@@ -38,32 +38,32 @@ class Interpreter {
 
   CommandResult Execute(Session& session, std::string_view line);
 
-  /// How the last word of `line` may continue: command words, sub-commands, options, rule names, file names.
+  /// Completions of the last word of `line`: command words, subcommands, options, rule names, file names.
   std::vector<std::string> Complete(Session& session, std::string_view line) const;
 
   AliasTable& aliases() { return aliases_; }
   Host& host() { return *host_; }
 
-  /// The directory that relative file names start from; at first that of the process. `cd` changes only this.
+  /// The directory that file names are relative to; at first that of the process. `cd` changes only this.
   const std::filesystem::path& directory() const { return directory_; }
   bool ChangeDirectory(const std::string& path);
-  /// Returns to the directory from before a file was read; the fence does not apply.
+  /// Returns to the directory that was current before a file was read. The fence does not apply.
   void GoBackTo(std::filesystem::path directory);
   std::vector<std::filesystem::path>& directory_stack() { return directory_stack_; }
-  /// A file name as typed, relative to directory().
+  /// The path of a file name as typed, relative to directory().
   std::filesystem::path Resolve(const std::string& file) const;
-  /// A file's name as another system writes it, with slashes for its backslashes, if only this names a file.
+  /// Replaces backslashes by slashes, if the file exists only under that name. Otherwise returns the name unchanged.
   std::string WithSlashes(const std::string& file) const;
 
-  /// Hears of each file of commands that is read, with its content, before it is carried out. May be empty.
+  /// Called for each file of commands before it is executed, with its content. May be empty.
   std::function<void(const std::filesystem::path& file, std::string_view content)> on_file_read;
 
-  /// For commands that read a file: its path, or a failure of the call if it lies outside the fence.
+  /// For commands that read a file: sets its path. Fails the call if the fence does not allow to read it.
   bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
-  /// For commands that write a file: inside a fence nothing may be written.
+  /// For commands that write a file: sets its path. Fails the call if there is a fence.
   bool ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
 
-  /// While one exists, commands come from a stranger's files and the fence applies to them. Null: no fence.
+  /// During its lifetime, commands come from files of a stranger, and the fence restricts them. Null: no fence.
   class Fenced {
    public:
     Fenced(Interpreter& interpreter, const Fence* fence)
@@ -78,10 +78,10 @@ class Interpreter {
   };
   const Fence* fence() const { return fence_; }
 
-  /// For commands that run others (source, time, command-to-file). Appends to call.result.text and expands aliases in
+  /// For commands that execute others (source, time, command-to-file). Appends to call.result.text. Expands aliases in
   /// `words`.
   bool ExecuteWords(CommandCall& call, std::vector<Word>& words);
-  /// The source command that is running, if any.
+  /// The running source command; null if there is none.
   SourceRun*& source_run() { return source_run_; }
 
  private:
@@ -95,7 +95,7 @@ class Interpreter {
   int depth_ = 0;
 };
 
-/// The line as it is, unless it only loads a file: then it names the file by its absolute path.
+/// Returns the line unchanged, unless it only loads a file. Then the line contains the file's absolute path.
 std::string WithWholeFileName(const Interpreter& interpreter, std::string_view line);
 
 }  // namespace soarbox::cli

@@ -295,7 +295,7 @@ TEST_F(InterpreterTest, FilesThatSourceEachOtherTwiceEnd) {
 }
 
 TEST_F(InterpreterTest, FilesThatSourceEverMoreAreBounded) {
-  // Each sources the next one three times: a billion in all.
+  // Each file sources the next one three times: a billion in all.
   constexpr int kFiles = 20;
   for (int i = 0; i < kFiles; ++i) {
     const std::string line = "source f" + std::to_string(i + 1) + ".soar\n";
@@ -308,7 +308,7 @@ TEST_F(InterpreterTest, FilesThatSourceEverMoreAreBounded) {
   EXPECT_LT(result.text.size(), 100'000u);
 }
 
-/// Every command with every option, with a name of a file wherever a word may stand: new ones are tried, too.
+/// Every command with every option, with a file name in every place of a word, so that new commands are tested, too.
 TEST_F(InterpreterTest, AFenceLetsNoCommandWriteAFile) {
   std::vector<std::string> lines;
   const auto with_options = [&](const std::string& start, std::span<const OptionSpec> options) {
@@ -424,7 +424,7 @@ TEST_F(InterpreterTest, ARuleThatHoldsManyPartialMatchesForNoneIsToldOfWithTheOr
   const std::string advice =
       "test what distinguishes each ^holds directly after it, in this order: (state <s> ^holds <h6>) (<h6> ^disk <d6>) "
       "(<d6> ^name none), then the next ^holds; or declare `multi-attributes holds 6` in front of the rule";
-  Do("multi-attributes disk 6");  // And so ^disk is tested late.
+  Do("multi-attributes disk 6");  // Therefore ^disk is tested late.
   const CommandResult loaded = Do("source " + file);
   ASSERT_EQ(loaded.diagnostics.size(), 1u);
   EXPECT_EQ(loaded.diagnostics[0].line, 2);

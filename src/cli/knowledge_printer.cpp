@@ -22,7 +22,7 @@ using kernel::Edge;
 using kernel::Knowledge;
 using kernel::StoreTerm;
 
-/// How the objects of a memory are called in a text.
+/// The names of a memory's objects in a text.
 class Names {
  public:
   Names(const kernel::SemanticMemory& memory, kernel::SoarVersion like) : memory_(memory) {
@@ -50,8 +50,8 @@ std::string TermText(const Names& names, StoreTerm term, bool short_floats = fal
   return text;
 }
 
-/// Augmentations in the order in which they are shown; `by_name`: attributes by their texts, else in the order
-/// in which the store met them.
+/// Augmentations in the order in which they are shown. `by_name`: attributes in alphabetical order, else in the order
+/// of their first occurrence in the store.
 std::string Augmentations(const Names& names, std::uint32_t object, bool by_name, bool short_floats = false) {
   struct Group {
     std::string attribute;
@@ -146,7 +146,7 @@ std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::
   }
   std::string text = "smem --add {\n";
   for (const std::uint32_t object : objects) {
-    // An object without augmentations comes back by the links that lead to it.
+    // An object without augmentations is restored by the links that lead to it.
     if (knowledge.EdgesAt(object).empty()) continue;
     text += fmt::format("({}{})\n", names.Of(object), Augmentations(names, object, false));
   }
@@ -171,7 +171,7 @@ std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<s
     open.pop_front();
     const std::string name = GraphQuoted(names.Of(object));
     std::string rows, links;
-    // What lies behind the last level is named and not opened.
+    // Objects beyond the last level are named but not expanded.
     for (const Edge& edge : distance < depth ? knowledge.EdgesAt(object) : std::span<const Edge>()) {
       const std::string attribute = TermText(names, edge.attribute);
       const std::string value = TermText(names, edge.value);

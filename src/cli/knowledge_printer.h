@@ -22,17 +22,18 @@ namespace soarbox::cli {
 std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, kernel::SoarVersion like,
                        std::optional<double> activation = {});
 
-/// The object and what it links to, down to `depth` levels. Each object appears once, indented by its level.
+/// The object and the objects that it links to, down to `depth` levels. Each object is printed once, indented by its
+/// level.
 std::string ObjectTree(const kernel::SemanticMemory& memory, std::uint32_t object, int depth, kernel::SoarVersion like);
 
 /// All objects by number, one per line.
 std::string AllObjects(const kernel::SemanticMemory& memory, kernel::SoarVersion like);
 
-/// What `smem --export` writes: a command that adds all objects, or one object and everything that it leads to.
+/// The output of `smem --export`: a command that adds all objects, or one object and all objects reachable from it.
 std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root,
                        kernel::SoarVersion like);
 
-/// Objects in the language of Graphviz: all, or one and what it leads to within `depth` links.
+/// Objects in the language of Graphviz: all, or one and those reachable from it by at most `depth` links.
 std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth,
                            kernel::SoarVersion like);
 

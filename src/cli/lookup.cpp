@@ -53,7 +53,7 @@ Symbol FindIdentifier(const Agent& agent, std::string_view text) {
   const std::optional<IdentifierName> name = ParseIdentifierName(text);
   const Symbol id = name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
   if (!id || !agent.memory().identifier(id).live) return {};
-  // Firings may keep the identifiers of a state that has gone; they name nothing any more.
+  // Firings may contain identifiers of a removed state, which are no longer valid.
   const kernel::IdentifierRecord& record = agent.memory().identifier(id);
   const bool dropped = !record.is_goal && record.value_of == 0 && agent.memory().WmesOf(id).empty();
   return dropped && record.level > 1 ? Symbol() : id;

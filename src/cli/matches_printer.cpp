@@ -32,7 +32,7 @@ class PartialMatchPrinter {
     ResultNode& node = structured_.Add("production");
     bool failed = false;
     PrintConditions(production.conditions, {}, "", failed);
-    // A failure inside a conjunctive negation is no failure of the rule.
+    // A failure in a conjunctive negation is not a failure of the rule.
     const std::vector<std::uint16_t> last{static_cast<std::uint16_t>(production.conditions.size() - 1)};
     const std::size_t complete = failed ? 0 : agent_.rete().CountAfter(rule_, last);
     node.Set("matches", std::to_string(complete));
@@ -63,7 +63,7 @@ class PartialMatchPrinter {
     }
   }
 
-  /// The count or mark in front of a condition; true if this is where matching ends.
+  /// Prints the count or mark before a condition; true if matching ends here.
   bool PrintMark(const std::vector<std::uint16_t>& path, const std::string& indent, bool& failed) {
     if (failed) {
       stream_.Print(indent + std::string(kBeyond));
@@ -75,7 +75,7 @@ class PartialMatchPrinter {
     return failed;
   }
 
-  /// What comes from the conditions before, and what the condition itself finds.
+  /// Prints the partial matches of the previous conditions, and the elements of the condition itself.
   void PrintMeeting(const std::vector<std::uint16_t>& path, const std::string& indent) {
     stream_.Print(indent + "*** Matches For Left ***\n");
     const bool first = path.size() == 1 && path[0] == 0;
@@ -110,7 +110,7 @@ class PartialMatchPrinter {
   ResultNode& structured_;
 };
 
-/// One list of the match set. Without detail, matches of one rule in one state are counted together.
+/// Prints one list of the match set. Without detail, matches of one rule in one state are counted together.
 void PrintList(PrintStream& stream, const Agent& agent, MatchSet::List list, WmeDetail detail, ResultNode& node) {
   const MatchSet& matches = agent.rete().matches();
   const std::vector<kernel::PendingMatch> pending = matches.Pending(list);
@@ -139,7 +139,7 @@ void PrintList(PrintStream& stream, const Agent& agent, MatchSet::List list, Wme
       else
         ++found->second;
     }
-    // The newest is listed first one by one, and last where they are counted.
+    // Single matches are listed newest first, counted ones newest last.
     for (auto entry = counted.rbegin(); entry != counted.rend(); ++entry) {
       stream.Print(entry->first + (entry->second > 1 ? fmt::format("({})", entry->second) : std::string()) + "\n");
     }

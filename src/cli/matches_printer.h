@@ -8,13 +8,12 @@
 
 namespace soarbox::cli {
 
-/// Shows how far a rule matches: for each condition the number of partial matches that pass it, with a mark at the
-/// first condition that none passes. `detail` also shows the elements of complete matches and of those that reach the
-/// mark.
+/// Shows how many conditions of a rule match: the number of partial matches up to each condition, and a mark at the
+/// first condition without any. `detail` also shows the elements of complete matches, and of those that reach the mark.
 void PrintPartialMatches(PrintStream& stream, const kernel::Agent& agent, kernel::ProductionId rule, WmeDetail detail,
                          ResultNode& structured);
 
-/// Shows the rules that are about to fire and the matches that are about to retract.
+/// Shows the rules that are about to fire and the firings that are about to be retracted.
 void PrintMatchSet(PrintStream& stream, const kernel::Agent& agent, bool assertions, bool retractions, WmeDetail detail,
                    ResultNode& structured);
 

@@ -14,19 +14,19 @@
 #include "journal/sqlite_journal.h"
 #include "kernel/longterm/journal.h"
 
-/// What the commands of the two long-term memories share: settings, and the file that holds a memory.
+/// Functions that the commands of both long-term memories use: settings, and the file that stores a memory.
 namespace soarbox::cli {
 
-/// One of the two memories, and its names where they differ.
+/// One of the two memories, with the names that differ.
 struct LongTermMemory {
-  std::string_view group;      ///< Of its settings, and its command: "smem".
-  std::string_view title;      ///< In messages about settings: "SMem".
-  std::string_view prefix;     ///< Of what it prints: "SMem".
+  std::string_view group;      ///< Group of its settings, and name of its command: "smem".
+  std::string_view title;      ///< Name in messages about settings: "SMem".
+  std::string_view prefix;     ///< Prefix of its output: "SMem".
   std::string_view adjective;  ///< "semantic".
   journal::Memory kind = journal::Memory::kSemantic;
 };
 
-/// How to open the database, with the path that it has now: the current folder may change before it is opened.
+/// How to open the database. The path is absolute, because the current folder may change before it is opened.
 struct Database {
   bool is_file = false;
   std::string path;
@@ -34,21 +34,20 @@ struct Database {
 };
 Database DatabaseOf(CommandCall& call, const LongTermMemory& memory);
 
-/// Fails with the problem and, after a colon, its hint.
+/// Fails with the problem, a colon and its hint.
 bool FailWith(CommandCall& call, const Diagnostic& problem);
 
-/// Whether a setting may have the value: files may be written only where that is allowed. If not, the command has
-/// failed.
+/// Whether a setting may have this value; files may be written only where that is allowed. Fails the command if not.
 bool MayTake(CommandCall& call, std::string_view setting, const std::string& value);
 
-/// Stores a setting, unless it is one of `closed_only` and the memory is open: then the command has failed.
+/// Stores a setting. Fails the command if the setting is one of `closed_only` and the memory is open.
 bool Store(CommandCall& call, const LongTermMemory& memory, const std::string& setting, const std::string& value,
            bool is_open, std::span<const std::string_view> closed_only);
 
-/// Says what happens to an existing file when `append` is off.
+/// Warns about what happens to an existing file when `append` is off.
 void WarnOfAppend(CommandCall& call, const LongTermMemory& memory);
 
-/// Loads what the file holds, and writes there from now on.
+/// Loads the contents of the file, and stores changes there from now on.
 template <typename Memory>
 Result<void> LoadFrom(Memory& memory, const Database& database, journal::Memory kind) {
   Result<journal::OpenedJournal> opened = journal::Open(database.path, kind, database.options);

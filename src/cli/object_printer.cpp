@@ -16,7 +16,7 @@ using kernel::Symbol;
 using kernel::Wme;
 using kernel::WmeId;
 
-/// Text that would reach this column goes to the next line.
+/// Text that would reach this column is moved to the next line.
 constexpr int kLineWidth = 79;
 constexpr std::string_view kContinuation = "       ";
 
@@ -26,7 +26,7 @@ std::string Show(const Agent& agent, Symbol symbol, bool variables) {
   return text;
 }
 
-/// The same with the long-term identifier that an identifier is an instance of: L3 (@12).
+/// The same with the long-term identifier of which an identifier is an instance: L3 (@12).
 std::string ShowLinked(const Agent& agent, Symbol symbol, bool variables) {
   std::string text = Show(agent, symbol, variables);
   if (!symbol.IsIdentifier()) return text;
@@ -34,7 +34,7 @@ std::string ShowLinked(const Agent& agent, Symbol symbol, bool variables) {
   return number == 0 ? text : text + " (@" + std::to_string(number) + ")";
 }
 
-/// " [0.75]" for an element, while activation of working memory is on; else nothing.
+/// " [0.75]" for an element while activation of working memory is on; else empty.
 std::string ActivationText(const Agent& agent, WmeId wme, bool is_new = false) {
   const kernel::WmActivation* const module = kernel::WmActivation::Find(agent.long_term());
   if (module == nullptr || !module->settings().activation) return {};
@@ -71,7 +71,7 @@ class ObjectPrinter {
     }
   }
 
-  /// Objects nest as deep as the user asks, so this walks with a stack of its own.
+  /// Uses an explicit stack, because the user determines the depth of nesting.
   void PrintLevel(Symbol root, int root_depth) {
     struct Frame {
       std::vector<WmeId> wmes;
@@ -134,14 +134,14 @@ class ObjectPrinter {
     stream_.Print(")\n");
   }
 
-  /// The brackets that make a variable of an identifier do not count for the width of lines.
+  /// The brackets around variables do not count for the width of lines.
   int BracketsOf(Symbol symbol) const { return style_.variables && symbol.IsIdentifier() ? 2 : 0; }
 
   PrintStream& stream_;
   const Agent& agent_;
   const ObjectStyle& style_;
   ResultNode& structured_;
-  std::unordered_map<std::uint32_t, int> depth_;  ///< Objects still to print, by symbol; never iterated.
+  std::unordered_map<std::uint32_t, int> depth_;  ///< Objects still to be printed, by symbol; never iterated.
 };
 
 }  // namespace
@@ -185,7 +185,7 @@ std::string MatchedText(const Agent& agent, WmeId wme, kernel::GoalLevel level) 
 
 std::vector<WmeId> SortedWmes(const Agent& agent, Symbol id) {
   std::vector<WmeId> wmes = agent.memory().WmesOf(id);
-  // Of equal attributes, those of the architecture and input come first.
+  // Among equal attributes, those of the architecture and input come first.
   std::stable_partition(wmes.begin(), wmes.end(),
                         [&](WmeId wme) { return agent.memory().record(wme).slot() == kernel::SlotId::kNone; });
   std::vector<std::pair<std::string, WmeId>> named;

@@ -10,12 +10,12 @@
 
 namespace soarbox::cli {
 
-/// How objects of working memory are printed.
+/// The format in which objects of working memory are printed.
 struct ObjectStyle {
-  int depth = 1;           ///< How many levels of objects; less than 1 counts as 1.
+  int depth = 1;           ///< Number of levels of objects; at least 1.
   bool internal = false;   ///< One line per element, with its time tag.
-  bool tree = false;       ///< One line per element, objects below the element that leads to them.
-  bool variables = false;  ///< Identifiers in angle brackets.
+  bool tree = false;       ///< One line per element; objects are below the element that leads to them.
+  bool variables = false;  ///< Identifiers are printed as variables, in angle brackets.
 };
 
 /// Prints an object and those below it, each once, at its smallest depth. Attributes are sorted by their printed text.
@@ -25,9 +25,9 @@ void PrintObject(PrintStream& stream, const kernel::Agent& agent, kernel::Symbol
 
 /// "(12: S1 ^attribute value +)"; without the time tag if `timetag` is false.
 std::string WmeText(const kernel::Agent& agent, kernel::WmeId wme, bool timetag = true, bool variables = false);
-/// `is_new`: the element is just entering working memory.
+/// `is_new`: the element is being added to working memory.
 std::string WmeText(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool timetag = true, bool is_new = false);
-/// An element that a match of this level rests on, where the trace shows elements: in full in substates only.
+/// A matched element of a firing at this level, as the trace shows it: in full only in substates.
 std::string MatchedText(const kernel::Agent& agent, kernel::WmeId wme, kernel::GoalLevel level);
 
 /// "string", "int", "double" or "id", as documents name the type of a value.

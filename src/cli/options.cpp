@@ -34,7 +34,7 @@ const OptionSpec* FindShort(char letter, std::span<const OptionSpec> specs, std:
   return nullptr;
 }
 
-/// A negative number, as opposed to options: -5, -0.5, -1e3.
+/// Whether a word is a negative number and not an option: -5, -0.5, -1e3.
 bool IsNegativeNumber(std::string_view word, std::span<const OptionSpec> specs) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   if (word.size() < 2 || word[0] != '-') return false;
@@ -64,7 +64,7 @@ std::optional<std::string> ParsedWords::Argument(char letter) const {
 ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs, bool takes_negatives) {
   ParsedWords parsed;
   bool options_ended = false;
-  std::string rest_of_cluster;  // What a cluster leaves stands for the next word.
+  std::string rest_of_cluster;  // The rest of a cluster is treated like the next word.
   std::size_t next = 0;
   const auto is_number = [&](std::string_view word) { return takes_negatives && IsNegativeNumber(word, specs); };
   const auto has_word = [&] { return !rest_of_cluster.empty() || next < words.size(); };

@@ -15,7 +15,7 @@ extern char** environ;
 namespace soarbox::cli {
 namespace {
 
-/// The process's number, or 0.
+/// Returns the process id, or 0.
 pid_t Spawn(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -61,7 +61,7 @@ bool RunProgram(const std::vector<std::string>& words) {
 bool StartProgram(const std::vector<std::string>& words) {
   const pid_t child = Spawn(words);
   if (child == 0) return false;
-  // Somebody must take its exit status, whenever that comes.
+  // The exit status must be collected at some time.
   std::thread([child] { Await(child); }).detach();
   return true;
 }

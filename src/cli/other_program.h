@@ -7,16 +7,17 @@
 
 namespace soarbox::cli {
 
-/// True if a program of this name is in one of the folders of PATH.
+/// Whether a program of this name is in a folder of PATH.
 bool IsInstalled(std::string_view program);
 
-/// Runs a program (no shell) and waits for it, without input and with its output dropped. True if its exit status is 0.
+/// Runs a program without a shell and without input, drops its output, and waits for its end. Returns true if its exit
+/// status is 0.
 bool RunProgram(const std::vector<std::string>& words);
 
-/// Starts a program (no shell) that runs on its own, without input and with its output dropped.
+/// Starts a program without a shell and without input, drops its output, and does not wait for it.
 bool StartProgram(const std::vector<std::string>& words);
 
-/// True if windows can be shown.
+/// Whether windows can be opened.
 bool HasDisplay();
 
 }  // namespace soarbox::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where a program cannot start others (WebAssembly): none is installed.
+// For systems that cannot start other programs (WebAssembly): none is installed.
 #include "cli/other_program.h"
 
 namespace soarbox::cli {

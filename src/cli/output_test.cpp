@@ -46,7 +46,7 @@ TEST_F(OutputTest, TheConsoleShowsTraceAndAnswersOnce) {
   EXPECT_THAT(shown, HasSubstr("(S1 ^epmem E1 ^io I1"));
   EXPECT_EQ(shown.find("(S1 ^epmem E1 ^io I1"), shown.rfind("(S1 ^epmem E1 ^io I1"));
   EXPECT_EQ(Do("output console").text, "console is on\n");
-  // A program that prints to the standard output itself is not doubled.
+  // Output of a program that prints to the standard output itself is not duplicated.
   session_.stream().SetSinkIsConsole(true);
   testing::internal::CaptureStdout();
   Do("run 1; print s1");

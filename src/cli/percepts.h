@@ -16,10 +16,10 @@
 #include "kernel/agent.h"
 #include "kernel/io/input_tap.h"
 
-/// Input that is recorded and replayed (`save percepts`, `load percepts`).
+/// Recording and replay of an agent's input (`save percepts`, `load percepts`).
 ///
-/// The file is text, one change per line. Cycles count input phases since the recording began. Time tags show a replay
-/// which element a line refers to, and whether the run is still the same:
+/// The file is text, with one change per line. Cycles count input phases since the recording began. A replay uses time
+/// tags to find the element that a line refers to, and to check that the run is still the same:
 ///
 ///     soarbox percepts 1
 ///     seed 1234567
@@ -29,11 +29,11 @@
 ///     5 init
 ///     9 end
 ///
-/// Values: int N, float X, string |...| (with \| \\ \n \r), id NAME, new NAME (an identifier that enters with it).
-/// Changes by `wm add` and `wm remove` are not recorded: they are commands, not input from clients.
+/// Values: int N, float X, string |...| (with \| \\ \n \r), id NAME, new NAME (an identifier that is created). Changes
+/// by `wm add` and `wm remove` are not recorded, because they are commands and not input from clients.
 namespace soarbox::cli {
 
-/// One line of such a file.
+/// One line of a recording.
 struct PerceptAction {
   enum class Kind : std::uint8_t { kAdd, kRemove, kInit };
   struct Identifier {
@@ -52,13 +52,13 @@ struct PerceptFile {
   std::uint32_t seed = 0;
   std::uint64_t last_cycle = 0;
   std::vector<PerceptAction> actions;
-  std::size_t changes = 0;  ///< Actions other than inits.
+  std::size_t changes = 0;  ///< Number of actions except inits.
 };
 
-/// Reads a recording; an error names the line. `name` is the file's, for messages.
+/// Parses a recording; an error names the line. `name` is the name of the file, for messages.
 Result<PerceptFile> ReadPercepts(std::string_view text, const std::string& name);
 
-/// Writes the agent's input to a file as long as it lives. Restarts the agent's random numbers with a seed drawn from
+/// Writes the agent's input to a file during its lifetime. Seeds the agent's random numbers with a number drawn from
 /// them; the replay uses the same seed.
 class PerceptRecorder : public kernel::InputTap {
  public:
@@ -70,7 +70,7 @@ class PerceptRecorder : public kernel::InputTap {
   std::uint32_t seed() const { return seed_; }
   std::uint64_t changes() const { return changes_; }
   void Flush() { out_.flush(); }
-  /// Ends the recording; false if something could not be written.
+  /// Ends the recording. Returns false if writing failed.
   bool Close();
 
   void OnInputPhase(kernel::InputLink&) override { ++cycle_; }
@@ -84,15 +84,15 @@ class PerceptRecorder : public kernel::InputTap {
   std::uint64_t cycle_ = 0, changes_ = 0;
 };
 
-/// Gives the agent recorded input instead of its clients' input, which is dropped until the recording ends. Notices
-/// when the run differs from the recorded one.
+/// Replaces the agent's input by recorded input. The input of clients is dropped until the recording ends. Detects when
+/// the run differs from the recorded one.
 class PerceptPlayer : public kernel::InputTap {
  public:
   /// `tell` prints a line for the user.
   PerceptPlayer(kernel::Agent& agent, PerceptFile file, std::function<void(const std::string&)> tell);
   ~PerceptPlayer() override;
 
-  /// False once the recording has ended or no longer fits the run.
+  /// False after the recording has ended, or if it no longer matches the run.
   bool playing() const { return playing_; }
 
   void OnInputPhase(kernel::InputLink& link) override;
@@ -102,7 +102,7 @@ class PerceptPlayer : public kernel::InputTap {
  private:
   bool Play(kernel::InputLink& link, const PerceptAction& action);
   kernel::InputObject Object(kernel::InputLink& link, const std::string& name);
-  /// Ends the replay and asks the agent to stop: from here on its input would differ from the recording.
+  /// Ends the replay and stops the agent, because its input would now differ from the recording.
   void GiveUp(const PerceptAction* action, const std::string& why);
 
   kernel::Agent& agent_;
@@ -112,7 +112,7 @@ class PerceptPlayer : public kernel::InputTap {
   bool differs_ = false;
   std::uint64_t cycle_ = 0;
   std::size_t next_ = 0;
-  std::deque<const PerceptAction*> awaited_;                ///< Changes still to be made in this phase.
+  std::deque<const PerceptAction*> awaited_;                ///< Changes that are still to be made in this phase.
   std::map<std::uint64_t, kernel::InputElement> elements_;  ///< By recorded time tag.
   std::map<std::string, kernel::InputObject> objects_;      ///< By recorded name.
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "soarbox percepts 1";
 
-/// Takes a line apart word by word.
+/// Splits a line into words.
 class LineReader {
  public:
   explicit LineReader(std::string_view line) : rest_(line) {}
@@ -23,7 +23,7 @@ class LineReader {
     return word;
   }
 
-  /// |text between bars|
+  /// Reads |text between bars|.
   bool Quoted(std::string& text) {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
     if (!rest_.starts_with('|')) return false;
@@ -52,7 +52,7 @@ class LineReader {
   std::string_view rest_;
 };
 
-/// Reads what follows the cycle of a line; else says what was expected.
+/// Reads the part of a line after its cycle; else returns what was expected.
 const char* ReadAction(LineReader& line, PerceptAction& action) {
   const std::string_view verb = line.Word();
   if (verb == "init") {

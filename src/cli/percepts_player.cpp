@@ -53,7 +53,7 @@ void PerceptPlayer::OnInputPhase(InputLink& link) {
 InputObject PerceptPlayer::Object(InputLink& link, const std::string& name) {
   if (const auto made = objects_.find(name); made != objects_.end()) {
     if (link.Identifier(made->second)) return made->second;
-    // Its identifier may enter in this very phase.
+    // Its identifier may be created in this phase.
     for (const PerceptAction* action : awaited_) {
       const auto* value = std::get_if<PerceptAction::Identifier>(&action->value);
       if (value && value->is_new && value->name == name) return made->second;
@@ -109,7 +109,7 @@ bool PerceptPlayer::Play(InputLink& link, const PerceptAction& action) {
 
 void PerceptPlayer::OnInputChange(const kernel::InputChange& change) {
   if (!playing_ || awaited_.empty()) return;
-  // Changes that could not be made are not told.
+  // Changes that could not be made are not reported.
   const PerceptAction* expected = awaited_.front();
   awaited_.pop_front();
   if (differs_ ||

@@ -18,7 +18,7 @@ using kernel::InputLink;
 using kernel::InputObject;
 using testing::HasSubstr;
 
-/// Chooses by chance, and answers what it sees.
+/// Chooses at random and reacts to its percepts.
 constexpr const char* kPerceptRules = R"(
 sp {propose (state <s> ^superstate nil ^io.input-link.thing <t>) (<t> ^x <x>)
     --> (<s> ^operator <o> + =) (<o> ^name look ^at <t> ^x <x>)}
@@ -56,7 +56,7 @@ class PerceptsTest : public testing::Test {
   }
   void Write(const std::string& text) const { std::ofstream(file_, std::ios::binary) << text; }
 
-  /// A world that changes from cycle to cycle; with `init`, halfway through again from the beginning.
+  /// A world that changes in each cycle; with `init`, it restarts halfway.
   static void Live(Shell& shell, bool init) {
     InputLink& input = shell.agent.input();
     std::vector<InputElement> things;
@@ -109,7 +109,7 @@ TEST_F(PerceptsTest, AReplayedRunIsTheRecordedOne) {
     EXPECT_THAT(replayed.Do("replay-input --open " + file_).text, HasSubstr("Loaded "));
     for (int cycle = 0; cycle < 24; ++cycle) {
       if (init && cycle == 13) replayed.Do("init-soar");
-      // A client that goes on as if nothing were is not heard.
+      // Input of another client is ignored.
       replayed.agent.input().Add(InputObject::kInputLink, "thing", std::int64_t{99});
       replayed.Do("run 1");
     }

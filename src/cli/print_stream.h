@@ -8,46 +8,45 @@
 
 namespace soarbox::cli {
 
-/// Where the texts of one agent go, and the column in which the next one begins.
+/// The output of one agent, and the column at which the next text begins.
 ///
-/// The column survives from command to command, because objects are wrapped by it. While a Capture lives, texts go to
-/// its string instead of the sink; captures nest, and Uncaptured lets texts through to the sink again. Copies, such as
-/// a log file, receive every text.
+/// The column is kept between commands, because the line breaks of objects depend on it. While a Capture exists, texts
+/// go to its string instead of the sink. Captures can be nested; Uncaptured sends texts to the sink again. Copies, such
+/// as a log file, receive all texts.
 class PrintStream {
  public:
   using Sink = std::function<void(std::string_view)>;
 
-  /// Texts go to this function if nothing captures them. None: they are dropped.
+  /// Sets the function that receives texts that are not captured. If empty, they are dropped.
   void SetSink(Sink sink) { sink_ = std::move(sink); }
-  /// Receives every text, captured or not. None: nobody does.
+  /// Sets a function that receives all texts, captured or not. May be empty.
   void SetCopy(Sink copy) { copy_ = std::move(copy); }
-  /// Off: nothing is printed at all (`output enabled off`).
+  /// Off: nothing is printed (`output enabled off`).
   void SetEnabled(bool enabled) { enabled_ = enabled; }
   bool enabled() const { return enabled_; }
   /// Off: the sink is not called (`output callbacks off`).
   void SetSinkEnabled(bool enabled) { sink_enabled_ = enabled; }
   bool sink_enabled() const { return sink_enabled_; }
 
-  /// Texts that nothing captures also go to the standard output (`output console`), unless the sink writes there
-  /// itself.
+  /// Also prints texts that are not captured to standard output (`output console`), unless the sink does so itself.
   void SetConsole(bool on) { console_ = on; }
   bool console() const { return console_; }
   void SetSinkIsConsole(bool is_console) { sink_is_console_ = is_console; }
-  /// Writes to the standard output if `output console` is on: for texts that are answers and are not printed.
+  /// Prints to standard output if `output console` is on. For texts that are results and are not printed otherwise.
   void ToConsole(std::string_view text) const;
 
   void Print(std::string_view text);
-  /// Prints without counting columns: for texts that Soar's printer ignores.
+  /// Prints without changing the column, for texts that Soar's printer does not count.
   void PrintUncounted(std::string_view text);
-  /// Sets where the next text begins, if the last one was printed elsewhere.
+  /// Sets the column of the next text, if the last one was printed elsewhere.
   void SetColumn(int column) { column_ = column; }
-  /// A newline, unless the column is 0.
+  /// Prints a newline, unless the column is 0.
   void FreshLine();
   int column() const { return column_; }
-  /// True if texts go to a capture now.
+  /// Whether texts are captured now.
   bool captured() const { return !targets_.empty() && targets_.back() != nullptr; }
 
-  /// Diverts texts into a string for as long as it lives.
+  /// Redirects texts to a string during its lifetime.
   class Capture {
    public:
     Capture(PrintStream& stream, std::string* target) : stream_(stream) { stream_.targets_.push_back(target); }
@@ -59,7 +58,7 @@ class PrintStream {
     PrintStream& stream_;
   };
 
-  /// Lets texts through to the sink for as long as it lives: a Capture into nothing.
+  /// Sends texts to the sink during its lifetime: a Capture without a target.
   class Uncaptured : public Capture {
    public:
     explicit Uncaptured(PrintStream& stream) : Capture(stream, nullptr) {}

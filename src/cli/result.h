@@ -33,13 +33,14 @@ struct ResultNode {
   }
 };
 
-/// The answer to a command line.
+/// The result of a command line.
 struct CommandResult {
   bool ok = true;
-  std::string text;                             ///< As Soar prints it: output, then the message of a failure.
-  ResultNode structured{"result", {}, {}, {}};  ///< The same for programs; empty if the command only printed text.
+  std::string text;                             ///< As Soar prints it: the output, followed by the message of a
+                                                ///< failure.
+  ResultNode structured{"result", {}, {}, {}};  ///< The result for programs; empty if the command only printed text.
   std::vector<Diagnostic> diagnostics;          ///< Errors with file, line, column and hint; warnings too.
-  std::vector<Diagnostic> traps;                ///< Those warnings that only appear once all rules are known.
+  std::vector<Diagnostic> traps;                ///< Warnings that require all rules to be known.
 };
 
 }  // namespace soarbox::cli

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Results of substates, as the commands show them.
+/// Results of substates in the output of commands.
 class ResultsTest : public testing::Test {
  protected:
   ResultsTest() {
@@ -130,7 +130,7 @@ TEST_F(ResultsTest, AResultGoesWithTheNextElaborationAfterItsState) {
   Do("sp {choose (state <ss> ^superstate <s> ^item <i>) (<i> ^name foo) --> (<s> ^operator <i> >)}");
   Do("sp {plain (state <ss> ^superstate <s> ^impasse tie) --> (<s> ^two yes)}");
   Do("trace 4; run 2");
-  // Nothing above supports it: the state goes first.
+  // No superstate element supports it: the state is removed first.
   const std::size_t gone = printed_.find("^impasse tie)", printed_.find("<=WM: "));
   const std::size_t result = printed_.find("<=WM: ", printed_.find("active level 0"));
   EXPECT_NE(gone, std::string::npos);

@@ -11,14 +11,14 @@ namespace soarbox::cli {
 /// "RL update RULE current future number -> current future number".
 std::string RlUpdateText(const kernel::Agent& agent, const kernel::RlUpdate& update);
 
-/// Writes the updates of an agent's learned numbers to a file, one per line (`rl --set update-log-path`).
+/// Writes the updates of an agent's learned values to a file, one per line (`rl --set update-log-path`).
 class RlUpdateLog : public kernel::Observer {
  public:
   explicit RlUpdateLog(kernel::Agent& agent) : agent_(agent) {}
   ~RlUpdateLog() override;
 
-  /// Appends to this file from now on; an empty path stops the log. If the file cannot be written: false, and no
-  /// change.
+  /// Appends to this file from now on; an empty path stops the log. Returns false, without a change, if the file cannot
+  /// be written.
   bool SetPath(const std::string& path);
 
   void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override;

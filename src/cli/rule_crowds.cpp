@@ -25,14 +25,14 @@ using kernel::TestKind;
 namespace {
 
 constexpr std::size_t kFewestConditions = 6;
-/// Of more conditions on one attribute only so many are looked at: the advice would be the same.
+/// Maximum number of conditions on one attribute that are examined; more would give the same advice.
 constexpr std::size_t kMostMembers = 40;
 
 bool IsPlain(const Condition& condition) {
   return condition.kind == ConditionKind::kPositive;
 }
 
-/// Whether a test lets few values through: a constant, one of a list, or what is bound already.
+/// Whether a test passes few values: a constant, a disjunction, or a bound variable.
 bool TellsApart(const Test& test, const std::set<std::uint32_t>& bound) {
   const auto tells = [&](const Test& part) {
     return part.kind == TestKind::kDisjunction ||
@@ -41,15 +41,15 @@ bool TellsApart(const Test& test, const std::set<std::uint32_t>& bound) {
   return tells(test) || std::ranges::any_of(test.parts(), tells);
 }
 
-/// A condition (<x> ^attribute <v>) whose value is new, and where its value is told apart.
+/// A condition (<x> ^attribute <v>) with a new value, and the condition that distinguishes its value.
 struct Member {
   std::size_t at = 0;
   std::size_t settled = 0;
   std::vector<std::size_t> way;
 };
 
-/// Whether a condition asks for the very value of a variable that many others ask for in the same way: all things that
-/// stand on one peg. That tells none of them apart from the others.
+/// Whether many other conditions test for the same value of the same variable, as for all things on one peg. Such a
+/// test does not distinguish them.
 bool IsShared(const Production& rule, const Condition& condition) {
   const Symbol attribute = EqualitySymbol(condition.attribute), value = EqualitySymbol(condition.value);
   return value && value.IsVariable() && std::ranges::count_if(rule.conditions, [&](const Condition& other) {
@@ -58,7 +58,7 @@ bool IsShared(const Production& rule, const Condition& condition) {
                                         }) >= static_cast<std::ptrdiff_t>(kFewestConditions);
 }
 
-/// The conditions below the value of a condition, as far as the first that tells it apart; empty if none does.
+/// The conditions below the value of a condition, up to the first one that distinguishes it; empty if there is none.
 std::vector<std::size_t> WayToSettle(const Production& rule, std::size_t at) {
   std::map<std::uint32_t, std::size_t> made_by;  // Variables below the value: the condition that binds each.
   made_by[EqualitySymbol(rule.conditions[at].value).bits()] = at;
@@ -120,7 +120,7 @@ std::optional<RuleCrowd> FindCrowd(const Production& rule) {
       member.way = WayToSettle(rule, member.at);
       member.settled = member.way.empty() ? 0 : member.way.back();
     }
-    // What is never told apart multiplies in any order: that is meant.
+    // Values that are never distinguished multiply in any order, which is intended.
     std::erase_if(members, [](const Member& member) { return member.way.empty(); });
     std::size_t most = 0;
     for (const Member& last : members) {

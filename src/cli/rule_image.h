@@ -17,9 +17,8 @@ class Agent;
 
 /// Images of an agent's rules (`save rete-network`, `load rete-network`, files named .soarx).
 ///
-/// An image holds the rules as the reader left them: parsed, checked and put in match order, in the order in which they
-/// were loaded. So loading an image skips the work on the text. The match network is built again, which gives the same
-/// nodes in the same order.
+/// An image contains the rules after parsing, checking and ordering, in the order of loading. Loading an image
+/// therefore skips the work on the text. The match network is built again, with the same nodes in the same order.
 ///
 /// Layout (numbers without a size are varints: seven bits per byte, lowest first):
 ///
@@ -30,8 +29,8 @@ class Agent;
 ///     payload     symbols: count, then kind and contents of each, in the order in which they came up;
 ///                 files: count, then their names; rules: count, then each (see rule_image_write.cpp)
 ///
-/// Derived facts, such as where variables are bound and which functions the names stand for, are not stored but
-/// computed again.
+/// Derived data, such as where variables are bound and which functions the names refer to, are not stored but
+/// recomputed.
 namespace soarbox::cli {
 
 namespace rule_image {
@@ -48,12 +47,12 @@ std::uint64_t Checksum(std::string_view bytes);
 
 }  // namespace rule_image
 
-/// The image of all rules but justifications, which belong to one moment of a run.
+/// The image of all rules except justifications, which exist only at one moment of a run.
 std::string WriteRuleImage(const kernel::Agent& agent);
 
-/// The rules of an image, with symbols of this table. The content is not trusted: whatever the bytes are, either every
-/// rule is one that the rule reader could have made, or the error says what is wrong and at which byte. `name` is the
-/// file's, for messages. Only a good image changes the table.
+/// Reads the rules of an image, with symbols of this table. The content is not trusted: either every rule is one that
+/// the rule parser could have produced, or the error says what is wrong and at which byte. `name` is the name of the
+/// file, for messages. The table changes only if the image is valid.
 Result<std::vector<kernel::ProductionPtr>> ReadRuleImage(std::string_view bytes, const std::string& name,
                                                          kernel::SymbolTable& symbols);
 

@@ -32,19 +32,19 @@ using kernel::ValueDraft;
 
 namespace {
 
-/// Deeper than the reader of rules goes.
+/// More than the parser of rules permits.
 constexpr int kMaxNesting = 200;
-/// The match counts conditions in 16 bits.
+/// The match counts conditions with 16 bits.
 constexpr std::size_t kMaxConditions = 60000;
 
-/// Reads the payload of an image. The first error ends the reading: from then on everything is zero and empty.
+/// Reads the payload of an image. After the first error all values are zero and empty.
 class Reader {
  public:
-  /// `make`: else what is read is only checked.
+  /// `make`: false only validates the payload.
   Reader(std::string_view bytes, kernel::SymbolTable& table, bool make) : bytes_(bytes), table_(table), make_(make) {}
 
   bool failed() const { return !error_.empty(); }
-  /// What is wrong, and at which byte of the payload.
+  /// The error, and the byte of the payload at which it occurred.
   const std::string& error() const { return error_; }
   std::size_t error_place() const { return error_place_; }
 
@@ -103,7 +103,7 @@ class Reader {
     return 0;
   }
 
-  /// How many of something follow; each takes a byte at least, so that a lie cannot ask for much memory.
+  /// Reads a number of things; each takes at least a byte, so that a false number cannot cause a large allocation.
   std::size_t Count(std::string_view what) {
     const std::uint64_t count = Number();
     if (count <= bytes_.size() - place_) return static_cast<std::size_t>(count);
@@ -166,7 +166,7 @@ class Reader {
     return {};
   }
 
-  /// Reads the code of an enumeration, whose last value is `last`.
+  /// Reads an enumeration whose last value is `last`.
   template <typename Enum>
   Enum Code(std::uint8_t code, Enum last, std::string_view what) {
     if (code <= static_cast<std::uint8_t>(last)) return static_cast<Enum>(code);
@@ -300,7 +300,7 @@ class Reader {
 
   // Actions -----------------------------------------------------------------------------------------------------------
 
-  /// Notes where each variable is bound first.
+  /// Notes the first binding of each variable.
   void Bind(const RuleDraft& rule) {
     sites_.clear();
     known_.clear();
@@ -357,7 +357,7 @@ class Reader {
     return value.kind != RhsValueKind::kNew || known_.contains(value.symbol.bits());
   }
 
-  /// The arguments of a function must be known before it is called.
+  /// The arguments of a function must be bound before it is called.
   void Ready(const ValueDraft& value) {
     for (const ValueDraft& argument : value.arguments) {
       if (!Known(argument)) Fail("a function's argument is bound by no condition and made by no earlier action");
@@ -414,17 +414,17 @@ class Reader {
   kernel::SymbolTable& table_;
   bool make_;
   std::size_t place_ = 0;
-  // What is being read, for messages.
+  // The part that is being read, for messages.
   const char* part_ = nullptr;
   std::size_t number_ = 0;
   std::string_view rule_name_;
   std::string error_;
   std::size_t error_place_ = 0;
   std::vector<Symbol> symbols_;
-  kernel::Arena arena_;                                   ///< Of the rule at hand.
-  std::size_t conditions_ = 0;                            ///< Of the rule, nested ones included.
+  kernel::Arena arena_;                                   ///< Of the current rule.
+  std::size_t conditions_ = 0;                            ///< Of the current rule, including nested ones.
   std::unordered_map<std::uint32_t, BindingSite> sites_;  ///< By variable.
-  std::unordered_set<std::uint32_t> known_;               ///< Variables that stand for identifiers made so far.
+  std::unordered_set<std::uint32_t> known_;               ///< Variables of identifiers that were created so far.
 };
 
 Diagnostic ImageProblem(const std::string& file, std::string message, std::string hint) {
@@ -441,9 +441,9 @@ std::uint64_t Fixed(std::string_view bytes, std::size_t place, std::size_t size)
 
 constexpr const char* kWriteAgain = "write it again with 'save rete-network --save FILE', or source the rules";
 
-/// Checks all that stands before the payload; nothing: the payload is what its header says.
+/// Checks the header; nothing: the payload is as its header says.
 std::optional<Diagnostic> CheckHeader(std::string_view bytes, const std::string& file) {
-  // Images of other Soars name themselves in their first line.
+  // The first line of an image of another Soar contains its name.
   if (bytes.substr(0, 32).find("CompactReteNet") != std::string_view::npos) {
     return ImageProblem(
         file, "this is an image that another Soar wrote: it holds that program's own match network",
@@ -487,7 +487,7 @@ Result<std::vector<kernel::ProductionPtr>> ReadRuleImage(std::string_view bytes,
   if (std::optional<Diagnostic> problem = CheckHeader(bytes, name)) return *std::move(problem);
   const std::string_view payload = bytes.substr(kHeaderSize);
   {
-    // First with a table of its own: a bad image must leave nothing behind.
+    // First with a separate table, because a bad image must have no effect.
     kernel::SymbolTable scratch;
     Reader trial(payload, scratch, false);
     trial.Rules();

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Every kind of test, action and flag that a rule may hold.
+/// Every kind of test, action and flag that a rule can have.
 constexpr const char* kImageRules = R"(
 sp {propose*count "counts up" (state <s> ^superstate nil -^done yes) --> (<s> ^operator <o> + = 0.25) (<o> ^name count)}
 sp {propose*wait :i-support (state <s> ^superstate nil ^io.input-link <i>) --> (<s> ^operator <o> +, =) (<o> ^name wait)}
@@ -41,7 +41,7 @@ class RuleImageTest : public testing::Test {
       session.stream().SetSink([this](std::string_view text) { printed += text; });
     }
     CommandResult Do(const std::string& line) { return interpreter.Execute(session, line); }
-    /// All that a run of the rules shows.
+    /// All output of a run of the rules.
     std::string Life() {
       std::string text = Do("print --internal --all").text;
       printed.clear();
@@ -71,7 +71,7 @@ class RuleImageTest : public testing::Test {
     return Path(name);
   }
 
-  /// An image with this payload whose header is right.
+  /// An image with this payload and a valid header.
   static std::string Wrap(const std::string& payload) {
     std::string image(rule_image::kMagic);
     const auto fixed = [&](std::uint64_t number, int size) {

@@ -39,7 +39,7 @@ class Writer : public ByteWriter {
       } else if (symbol.IsInteger()) {
         Byte(static_cast<std::uint8_t>(SymbolCode::kInteger));
         const std::int64_t value = table_.IntegerValue(symbol);
-        // The sign goes into the lowest bit, so that small negative numbers stay short.
+        // The sign is stored in the lowest bit, so that small negative numbers are short.
         Number(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
       } else {
         Byte(static_cast<std::uint8_t>(SymbolCode::kFloat));
@@ -104,7 +104,7 @@ class Writer : public ByteWriter {
     }
   }
 
-  /// 0x80 for a function on its own, else the preference; then the values.
+  /// 0x80 for a separate function, else the preference; then the values.
   void ActionOf(const Action& action) {
     if (action.is_function_call) {
       Byte(0x80);
@@ -135,7 +135,7 @@ class Writer : public ByteWriter {
   std::string bytes_;
 };
 
-/// The symbols that rules mention: constants by age, since the reader of rules breaks ties by it, then variables.
+/// Collects the symbols of rules: constants by age, because the parser of rules breaks ties by it, then variables.
 class Collector {
  public:
   explicit Collector(const kernel::SymbolTable& table) : table_(table) {}
@@ -186,7 +186,7 @@ std::uint64_t rule_image::Checksum(std::string_view bytes) {
 }
 
 std::string WriteRuleImage(const kernel::Agent& agent) {
-  // With the numbers that reinforcement learning gave them.
+  // With their values from reinforcement learning.
   std::vector<kernel::ProductionPtr> rules;
   for (const kernel::ProductionId id : agent.Productions()) rules.push_back(agent.ProductionAsLearned(id));
   Collector collector(agent.symbols());

@@ -17,7 +17,7 @@ using kernel::ProductionId;
 
 namespace {
 
-/// The agent's own rule, if this is one, with the number that it learned for it.
+/// If it is the agent's own rule, returns it with its learned value.
 std::shared_ptr<const Production> AsLearned(const Agent& agent, const Production& rule) {
   const std::shared_ptr<const Production> itself(std::shared_ptr<const Production>(), &rule);
   if (!rule.is_rl) return itself;

@@ -10,7 +10,7 @@ RunCounts RunCounts::Of(const kernel::Agent& agent) {
 }
 
 std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& before, const kernel::RunResult& run) {
-  // Soar's counter is one ahead of the output phases that were completed, and begins at 0 for its first run only.
+  // Soar's counter is one more than the number of completed output phases, and starts at 0 only for its first run.
   const std::uint64_t cycles = agent.counters().decision_cycles + 1 - (before.cycles == 0 ? 0 : before.cycles + 1);
   const std::uint64_t firings = agent.counters().firings - before.firings;
   std::vector<std::string> lines;

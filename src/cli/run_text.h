@@ -9,7 +9,7 @@
 
 namespace soarbox::cli {
 
-/// An agent's counts before a run, which the report on the run needs.
+/// An agent's counters before a run, which the report on the run needs.
 struct RunCounts {
   std::uint64_t cycles = 0;
   std::uint64_t firings = 0;
@@ -18,8 +18,8 @@ struct RunCounts {
   static RunCounts Of(const kernel::Agent& agent);
 };
 
-/// The report of a run as `run` prints it, in pieces: "\n\n--> 1 decision cycle executed. 2 rules fired. ", and what
-/// stopped it early.
+/// The report of a run as `run` prints it, in parts: "\n\n--> 1 decision cycle executed. 2 rules fired. ", and the
+/// reason if it was stopped early.
 std::vector<std::string> RunLines(const kernel::Agent& agent, const RunCounts& before, const kernel::RunResult& run);
 
 /// The pieces joined.

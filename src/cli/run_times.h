@@ -9,11 +9,11 @@
 
 namespace soarbox::cli {
 
-/// How long an agent's runs took since init-soar, for `stats`.
+/// The duration of an agent's runs since init-soar, for `stats`.
 ///
-/// A clock in each phase would cost more than many phases, so at first only whole runs are measured, with two looks at
-/// the clock per run. After `soar timers on`, phases and decision cycles are measured too. With timers off, nothing is
-/// measured. The times are those of the wall clock, and nothing that an agent does depends on them.
+/// Reading a clock in each phase would cost more than many phases. Therefore, only entire runs are measured by default,
+/// with two clock reads per run. `soar timers on` also measures phases and decision cycles. With timers off, nothing is
+/// measured. Times are wall-clock times; nothing that an agent does depends on them.
 class RunTimes : public kernel::Observer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,20 +25,20 @@ class RunTimes : public kernel::Observer {
 
   bool on() const { return on_; }
   bool measures_phases() const { return measures_phases_; }
-  /// On also measures phases.
+  /// Turns timers on, including those of phases, or off.
   void Switch(bool on);
 
-  /// A run of this agent has ended. All agents of a run share its time.
+  /// Adds the duration of a run. All agents of a run share it.
   void AddRun(Clock::duration time);
 
   double run_seconds() const { return Seconds(runs_); }
   double phase_seconds(kernel::Phase phase) const { return Seconds(phases_[static_cast<std::size_t>(phase)]); }
   double all_phases_seconds() const;
-  /// The time within the agent: its phases if they are measured, else its runs.
+  /// The time in the agent: that of its phases if they are measured, else that of its runs.
   double kernel_seconds() const { return measures_phases_ ? all_phases_seconds() : run_seconds(); }
   double longest_cycle_seconds() const { return Seconds(longest_cycle_); }
   std::uint64_t longest_cycle() const { return longest_cycle_number_; }
-  /// Forgets what was measured before the last init-soar.
+  /// Drops measurements from before the last init-soar.
   void Refresh();
 
   void OnPhaseBegin(const kernel::Agent&, kernel::Phase) override { phase_began_ = Clock::now(); }

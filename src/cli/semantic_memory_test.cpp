@@ -54,7 +54,7 @@ class SemanticMemoryTest : public testing::Test {
   ~SemanticMemoryTest() override { fs::remove_all(folder_); }
 
   static constexpr const char* kFile = "smem --set path facts.db; smem --set database file; smem --enable";
-  /// Counts up, and stores each number in an object of its own.
+  /// Counts up, and stores each number in a separate object.
   static constexpr const char* kCounting =
       "sp {start (state <s> ^superstate nil -^n) --> (<s> ^operator <o> +) (<o> ^name start)}\n"
       "sp {start*apply (state <s> ^operator.name start) --> (<s> ^n 1)}\n"
@@ -90,11 +90,11 @@ TEST_F(SemanticMemoryTest, WhatMakesNoSenseIsRefused) {
   EXPECT_THAT(desk.Do("smem --query {(<q> ^name @0)}"), HasSubstr("LTI was not found."));
   EXPECT_THAT(desk.Do("smem --remove {(@0)}"), HasSubstr("No LTI found for that id."));
   EXPECT_THAT(desk.Do("smem --history @0"), HasSubstr("LTI not found."));
-  // Without bars it is an identifier, and an identifier is no attribute.
+  // Without bars it is an identifier, which cannot be an attribute.
   EXPECT_THAT(desk.Do("smem --add {(@1 ^k4 2)}"), HasSubstr("Error parsing clause #0"));
   EXPECT_THAT(desk.Do("smem --query {(<q> ^k4 2)}"), HasSubstr("Error parsing clause #1."));
   EXPECT_EQ(desk.Do("smem --stats edges"), " 1\n");
-  // As in Soar, what spreads rests on base-level activation.
+  // As in Soar, spreading requires base-level activation.
   EXPECT_THAT(desk.Do("smem --set spreading on"), HasSubstr("cannot be turned on"));
   desk.Do("smem --set activation-mode base-level; smem --set spreading on");
   EXPECT_THAT(desk.Do("smem --set activation-mode word"), HasSubstr("Invalid setting"));
@@ -132,7 +132,7 @@ TEST_F(SemanticMemoryTest, AFileHoldsFactsAndHowActiveTheyAre) {
 
 TEST_F(SemanticMemoryTest, AFileHoldsTheWeightsOfLinks) {
   constexpr const char* kMode = "smem --set activation-mode base-level; smem --set spreading on";
-  // Both objects get what @1 passes on; of equal ones the younger would be first.
+  // Both objects get the activation from @1; of equal ones the younger would be first.
   constexpr const char* kAsk =
       "sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.name hub)}\n"
       "sp {keep (state <s> ^smem.result.retrieved <r>) --> (<s> ^kept <r>)}\n"
@@ -178,7 +178,7 @@ TEST_F(SemanticMemoryTest, FilesThatCannotBeUsedAreNamedAndStay) {
   for (Desk* desk : {&first, &second}) desk->Do("smem --set path other.db; smem --set database file");
   EXPECT_THAT(first.Do("smem --add {(@1 ^a b)}"), HasSubstr("Knowledge added"));
   EXPECT_THAT(second.Do("smem --add {(@2 ^a b)}"), HasSubstr("in use by another process"));
-  // In a run the memory goes on without.
+  // A run continues without the memory.
   second.Do("smem --enable");
   second.Do("smem --set path nowhere/at/all.db");
   EXPECT_THAT(second.Do("smem --init"), HasSubstr("cannot be opened"));
@@ -196,7 +196,7 @@ TEST_F(SemanticMemoryTest, AKilledAgentLosesTheDecisionUnderWayAtMost) {
       desk.Do(kFile);
       desk.Do(kCounting);
       desk.Do("smem --init");
-      // The number of stores whose output phase is over, after each decision.
+      // Number of stores whose output phase has ended, after each decision.
       for (;;) {
         desk.agent.Step(kernel::RunUnit::kDecision);
         const std::uint64_t done = kernel::SemanticMemory::Of(desk.agent.long_term()).counters().stores;
@@ -237,7 +237,7 @@ TEST_F(SemanticMemoryTest, WhatItAnswersKeepsTheKernelsInvariants) {
   desk.Do(
       "sp {keep*apply (state <s> ^operator <o>) (<o> ^name keep ^r <r>) -->"
       " (<s> ^kept <r>)}");
-  // Not beside the query, which goes as this comes: two kinds of command at once are none.
+  // Not together with the query, which is removed when this is added: two kinds of commands at once are invalid.
   desk.Do("sp {put (state <s> ^kept <r> ^smem.command <c>) --> (<c> ^store <r>)}");
   for (int n = 0; n < 40; ++n) {
     desk.agent.Step(kernel::RunUnit::kPhase);
@@ -259,7 +259,7 @@ TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
     desk->Do("sp {ask (state <s> ^superstate nil ^smem.command <c>) --> (<c> ^query.kind k)}");
   }
   third.Do("smem --add {(@7 ^more x)}");
-  // One value differs, or only what was met and forgotten again, in whose order values are shown.
+  // One value differs, or only a removed value, which affects the order in which values are shown.
   Desk fourth(folder_), fifth(folder_);
   std::string others = facts;
   others.replace(others.find("^n 100)"), 7, "^n 999)");
@@ -276,7 +276,7 @@ TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
   EXPECT_NE(&memory(first).knowledge(), &memory(third).knowledge());
   EXPECT_NE(&memory(first).knowledge(), &memory(fourth).knowledge());
   EXPECT_NE(&memory(first).knowledge(), &memory(fifth).knowledge());
-  // Activation is each agent's own; who learns something new has a layer of its own from then on.
+  // Each agent has its own activation; an agent that stores something new gets its own layer.
   second.Do("smem --add {(@201 ^kind k)}");
   EXPECT_NE(&memory(first).knowledge(), &memory(second).knowledge());
   EXPECT_EQ(first.Do("smem --stats nodes"), " 200\n");
@@ -284,7 +284,8 @@ TEST_F(SemanticMemoryTest, AgentsThatKnowTheSameShareIt) {
   EXPECT_EQ(second.Do("print @200"), "(@200 ^kind k ^n 200 [+1.000])\n");
 }
 
-/// What an agent over shared knowledge does beside one that has everything for itself, because its memory is a file.
+/// Agents with shared knowledge must behave like agents with their own copy, which they have because their memory is a
+/// file.
 TEST_F(SemanticMemoryTest, AgentsOverSharedKnowledgeAreEqualToAgentsAlone) {
   std::string facts;
   for (int n = 1; n <= 6000; ++n) {
@@ -356,7 +357,7 @@ TEST_F(SemanticMemoryTest, AgentsOverSharedKnowledgeAreEqualToAgentsAlone) {
     EXPECT_EQ(Text(pair->shared.interpreter.Resolve("shared.soar")),
               Text(pair->alone.interpreter.Resolve("alone.soar")));
     EXPECT_EQ(pair->shared.Do("print @"), pair->alone.Do("print @"));
-    // What is saved and read again is the same, too.
+    // Saved and loaded contents are the same, too.
     pair->shared.Do("smem --backup copy.db");
     Desk again(folder_);
     again.Do("cd " + pair->shared.interpreter.Resolve(".").string());

@@ -24,7 +24,7 @@ Session::Session(kernel::Agent& agent, std::string name)
       trace_printer_(std::make_unique<TracePrinter>(*this)),
       rl_update_log_(std::make_unique<RlUpdateLog>(agent)) {
   UpdateTrace();
-  // The agent has announced its first state already; objects are wrapped as if that line had been printed here.
+  // The agent has already announced its first state; objects are wrapped as if that line had been printed here.
   if (!agent.goals().empty()) {
     stream_.SetColumn(static_cast<int>(StateLine(agent, agent.Describe(agent.goals().top()), "0").size()));
   }

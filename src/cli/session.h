@@ -23,7 +23,7 @@ class RlUpdateLog;
 class TracePrinter;
 class SettingStore;
 
-/// `output agent-logs`, `output print-depth` and the like, of one agent.
+/// Settings such as `output agent-logs` and `output print-depth` for one agent.
 struct OutputSettings {
   static constexpr int kLogChannels = 18;
 
@@ -36,21 +36,20 @@ struct OutputSettings {
 
 /// The current subject of `explain`.
 struct ExplainState {
-  std::uint32_t rule = 0;    ///< Number of the learned rule; 0 for none.
-  std::uint32_t firing = 0;  ///< Number of the firing explained last; 0 for the learned rule itself.
+  std::uint32_t rule = 0;    ///< Number of the learned rule; 0 if there is none.
+  std::uint32_t firing = 0;  ///< Number of the firing that was explained last; 0 for the learned rule itself.
   bool elements = false;     ///< `explain wm-trace`: elements instead of tests.
 };
 
-/// A filter of `wm watch`: names as typed, `*` for anything.
+/// A filter of `wm watch`: names as typed; `*` matches anything.
 struct WmeFilter {
   std::string id, attribute, value;
   bool adds = true;
   bool removes = true;
 };
 
-/// The command line's data of one agent: where its texts go, what is traced and watched, and the settings that the
-/// kernel does not use. Lives as long as the agent accepts commands, and no longer than the agent. Belongs to the
-/// agent's thread.
+/// The command line's data of one agent: its output, trace and watches, and the settings that the kernel does not use.
+/// Must not outlive the agent. Belongs to the agent's thread.
 class Session {
  public:
   explicit Session(kernel::Agent& agent, std::string name = "soar");
@@ -61,7 +60,7 @@ class Session {
   kernel::Agent& agent() { return agent_; }
   const std::string& name() const { return name_; }
 
-  /// Texts that are printed while the agent runs, but not by a command: set its sink to receive them.
+  /// Output during runs that does not belong to a command. Set its sink to receive it.
   PrintStream& stream() { return stream_; }
 
   TraceSettings& trace() { return trace_; }
@@ -72,21 +71,21 @@ class Session {
   RunTimes& times() { return times_; }
   std::vector<WmeFilter>& wme_filters() { return wme_filters_; }
 
-  /// Tells the agent which events the trace needs now. Call after changing trace() or the filters.
+  /// Subscribes to the events that the trace needs. Call it after changing trace() or the filters.
   void UpdateTrace();
 
-  /// Where updates of learned numbers are written (`rl --set update-log-path`); an empty path stops this. False if the
-  /// file cannot be written.
+  /// Sets the file for updates of learned values (`rl --set update-log-path`); an empty path stops the log. Returns
+  /// false if the file cannot be written.
   bool SetReinforcementLog(const std::string& path);
 
-  /// Names of rules whose firings are shown at any trace level (`production watch`).
+  /// Names of rules whose firings are shown at all trace levels (`production watch`).
   std::vector<std::string>& watched_rules() { return watched_rules_; }
 
-  /// `save percepts` and `load percepts`: at most one of them exists.
+  /// `save percepts` and `load percepts`. At most one of them exists.
   std::unique_ptr<PerceptRecorder>& percept_recorder() { return percept_recorder_; }
   std::unique_ptr<PerceptPlayer>& percept_player() { return percept_player_; }
 
-  /// `output log`: every text and every command line also goes into a file.
+  /// `output log`: all texts and command lines are also written to a file.
   bool OpenLog(const std::string& path, bool append);
   void CloseLog();
   bool log_open() const;

@@ -13,7 +13,7 @@ namespace {
 
 using enum SettingKind;
 
-/// Zero is too little.
+/// The smallest allowed value above zero.
 constexpr double kAboveZero = 1e-300;
 
 constexpr SettingInfo kSettings[] = {
@@ -53,7 +53,7 @@ constexpr SettingInfo kSettings[] = {
     {"rl", "meta", kSwitch, "off"},
     {"rl", "meta-learning-rate", kReal, "0.1", {}, 0, 1},
     {"rl", "update-log-path", kText, ""},
-    // (Before apoptosis itself: while that is on, they cannot be set.)
+    // (Before apoptosis itself: while it is on, they cannot be set.)
     {"rl", "apoptosis-decay", kReal, "0.5", {}, 0, 1},
     {"rl", "apoptosis-thresh", kReal, "-2"},
     {"rl", "apoptosis", kChoice, "none", "none chunks rl-chunks"},
@@ -143,9 +143,9 @@ bool IsChoice(std::string_view choices, std::string_view value) {
   return padded.find(" " + std::string(value) + " ") != std::string::npos;
 }
 
-/// Long-term memories take of a number what stands at its beginning, as Soar 9.6.3 does: 8k is 8, and a word is 0.
+/// Long-term memories use the numeric prefix of a word, like Soar 9.6.3: 8k is 8, and a word without one is 0.
 std::string AsNumber(const SettingInfo& info, const std::string& value) {
-  // The limits of learning are what stands before a decimal point.
+  // Limits of learning use the part before the decimal point.
   if (info.group == "chunk" && info.kind == kInteger && ParseDouble(value)) return value.substr(0, value.find('.'));
   if (info.group != "smem" && info.group != "epmem" && info.group != "wma") return value;
   if (info.kind == kInteger) return std::to_string(ParseLeadingInteger(value).value_or(0));

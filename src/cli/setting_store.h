@@ -11,18 +11,18 @@ namespace soarbox::cli {
 
 enum class SettingKind { kSwitch, kInteger, kReal, kChoice, kText };
 
-/// A setting that the kernel reads only through its name: learning and the long-term memories.
+/// A setting of learning or a long-term memory, which the kernel reads by name.
 struct SettingInfo {
   std::string_view group;  ///< The command it belongs to: "chunk", "rl", "smem", ...
   std::string_view name;
   SettingKind kind;
   std::string_view initial;
-  std::string_view choices = {};  ///< kChoice: words between blanks.
-  double minimum = -1e300;        ///< kInteger, kReal.
+  std::string_view choices = {};  ///< For kChoice: the words, separated by blanks.
+  double minimum = -1e300;        ///< For kInteger and kReal.
   double maximum = 1e300;
 };
 
-/// The values of these settings for one agent, as text. An invalid value is refused and changes nothing.
+/// The values of the settings of one agent, as text. Invalid values are refused and change nothing.
 class SettingStore {
  public:
   enum class SetResult { kOk, kUnknown, kInvalid };
@@ -32,7 +32,7 @@ class SettingStore {
   bool IsOn(std::string_view group, std::string_view name) const { return Get(group, name) == "on"; }
   SetResult Set(std::string_view group, std::string_view name, const std::string& value);
 
-  /// The setting with this name or unique beginning; null if there is none.
+  /// The setting with this name, or with `prefix` the one with this unique prefix; null if there is none.
   static const SettingInfo* Find(std::string_view group, std::string_view name, bool prefix = false);
   static std::span<const SettingInfo> All();
 
@@ -43,7 +43,7 @@ class SettingStore {
   std::vector<Changed> Differences() const;
 
  private:
-  std::map<std::string, std::string> values_;  ///< "group name" -> value, only those that were set.
+  std::map<std::string, std::string> values_;  ///< "group name" -> value; only settings that were set.
 };
 
 }  // namespace soarbox::cli

@@ -7,8 +7,8 @@
 
 namespace soarbox::cli {
 
-/// Carries out `GROUP NAME [VALUE]`: shows or sets a setting of the store ("NAME is VALUE"). A unique beginning of the
-/// name suffices. The messages are for an unknown name and for an invalid value.
+/// Executes `GROUP NAME [VALUE]`: shows or sets a setting ("NAME is VALUE"). A unique prefix of the name is sufficient.
+/// `unknown` and `invalid` are the messages for an unknown name and an invalid value.
 bool NamedSetting(CommandCall& call, std::string_view group, std::string_view unknown, std::string_view invalid);
 
 }  // namespace soarbox::cli

@@ -13,7 +13,7 @@
 namespace soarbox::cli {
 namespace {
 
-/// A line of `smem ?`: as it stands, or a setting with its value.
+/// A line of `smem ?`: a text, or a setting with its value.
 struct HelpLine {
   std::string_view text;     ///< The line, or the words before the value.
   std::string_view setting;  ///< Its name; none for a line of text.

@@ -7,11 +7,11 @@
 
 namespace soarbox::cli {
 
-/// What `smem ?`, `smem` and `smem --stats` show.
+/// The output of `smem ?`, `smem` and `smem --stats`.
 std::string SmemHelpTable(const SettingStore& settings);
 std::string SmemSummary(Session& session);
 std::string SmemStatistics(Session& session);
-/// One figure of the statistics, as text; empty for an unknown name.
+/// One value of the statistics, as text; empty for an unknown name.
 std::string SmemStatistic(Session& session, const std::string& name);
 
 }  // namespace soarbox::cli

@@ -10,9 +10,9 @@
 
 namespace soarbox::cli {
 
-/// What a source command has loaded so far, nested files included.
+/// The files and rules that a source command has loaded so far, including nested files.
 struct SourceRun {
-  /// Rules that were read, and rules that were removed by a command or replaced by one of the same name.
+  /// Number of rules that were read, and rules that were excised by a command or replaced by one of the same name.
   struct Counts {
     int sourced = 0;
     int ignored = 0;
@@ -20,16 +20,18 @@ struct SourceRun {
 
     bool empty() const { return sourced + ignored == 0 && excised.empty(); }
   };
-  Counts counts;  ///< Since the last file ended, which is how Soar counts for the innermost file.
+  Counts counts;  ///< Since the last file ended; Soar counts in this way for the innermost file.
   Counts total;   ///< Of the files that have ended.
   bool verbose = false, per_file = false, silent = false;  ///< The options of the outermost command.
-  std::vector<kernel::FileName> files;                     ///< Files that are now open, as typed; the innermost last.
-  /// One command reads at most so many files, nested or one after the other.
+  std::vector<kernel::FileName> files;                     ///< Files that are open, as typed; the innermost is the
+                                                           ///< last.
+  /// Maximum number of files that one command reads, nested or one after another.
   static constexpr int kMostFiles = 5'000;
   int opened = 0;
-  bool stars_pending = false;  ///< Stars are in the line in which the next output would continue.
-  int line = 0;                ///< Of the current command, in the innermost file.
-  /// Where a warning is in the answer's diagnostics, by a hash of its message: large sources repeat theirs.
+  bool stars_pending = false;  ///< The last printed line ends with stars, so the next output must begin on a new line.
+  int line = 0;                ///< Line of the current command in the innermost file.
+  /// Index of each warning in the answer's diagnostics, by a hash of its message, because large sources repeat
+  /// warnings.
   std::unordered_map<std::size_t, std::size_t> warnings;
 };
 

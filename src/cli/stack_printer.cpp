@@ -20,7 +20,7 @@ std::string LineStart(const GoalInfo& goal, const std::string& cycle) {
   return line;
 }
 
-/// The values of an attribute, youngest element first.
+/// The values of an attribute, newest element first.
 std::vector<Symbol> ValuesOf(const Agent& agent, Symbol id, const char* attribute) {
   const Symbol wanted = agent.symbols().FindString(attribute);
   std::vector<Symbol> values;
@@ -42,11 +42,11 @@ bool IsProposed(const Agent& agent, Symbol id) {
   return false;
 }
 
-/// An object as it is told of in a line about an operator: "P1 (pump)", "S2 (state no-change)", "red".
+/// An object in a line about an operator: "P1 (pump)", "S2 (state no-change)", "red".
 std::string ObjectText(const Agent& agent, Symbol symbol, int depth);
 
-/// What stands behind an operator or another object: "(name)", with all its names, or nothing without any. An operator
-/// named evaluate-object tells of its objects instead.
+/// The text after an operator or another object: "(name)" with all of its names, or nothing if it has none. For an
+/// operator named evaluate-object, its objects.
 std::string Label(const Agent& agent, Symbol id, bool is_operator, int depth) {
   const std::vector<Symbol> names = ValuesOf(agent, id, "name");
   if (names.empty()) return {};

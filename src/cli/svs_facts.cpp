@@ -26,7 +26,8 @@ using kernel::imagery::TrackedList;
 using ImageryValue = kernel::imagery::Value;
 using kernel::imagery::Vec3;
 
-/// So many values of an extract are told, so many lines of each, and so deep goes why.
+/// Maximum numbers of values of an extract, of lines of each value, and of points of a node; maximum depth of an
+/// explanation.
 constexpr std::size_t kMostValues = 40, kMostLines = 60, kMostPoints = 200;
 constexpr int kDeepest = 6;
 
@@ -45,7 +46,7 @@ std::string Quoted(std::string_view text) {
   return quoted + "\"";
 }
 
-/// JSON, element by element.
+/// Writes JSON, element by element.
 class JsonWriter {
  public:
   explicit JsonWriter(std::string& out) : out_(out) {}
@@ -134,7 +135,7 @@ void WriteNode(const Node& node, JsonWriter& out) {
   out.End('}');
 }
 
-/// What a filter was given for one of its values: the arguments by name.
+/// The arguments of a filter for one of its values, by name.
 struct Given {
   const Node* a = nullptr;
   const Node* b = nullptr;
@@ -216,7 +217,7 @@ class ExtractWriter {
     out_.End(']');
   }
 
-  /// The value and what it was made from.
+  /// Writes the value and its arguments.
   void WriteValue(const ImageryValue& value, const Filter& filter, int depth) {
     out_.Text("value", FactText(value.content));
     if (depth >= kDeepest) return;
@@ -226,7 +227,7 @@ class ExtractWriter {
     for (std::size_t n = 0; n < parameters.size(); ++n) {
       const Filter& source = *parameters[n].source;
       const ImageryValue* const argument = value.from == nullptr ? nullptr : filter.inputs().ArgumentOf(*value.from, n);
-      // A filter without combinations of its own (occlusion) has one value for all that it was given.
+      // A filter without combinations (occlusion) has one value for all arguments.
       if (argument == nullptr && (value.from != nullptr || source.output().size() == 0)) continue;
       out_.Begin('{');
       out_.Text("name", parameters[n].name);
@@ -258,7 +259,7 @@ class ExtractWriter {
     out_.Raw(hidden ? "1" : "0");
   }
 
-  /// What shows in the scene why the value is what it is.
+  /// Writes the lines in the scene that explain the value.
   void WriteMarks(const ImageryValue& value, const Filter& filter) {
     const std::string_view kind = filter.kind() == nullptr ? std::string_view() : filter.kind()->name;
     const auto& combinations = filter.inputs().combinations();
@@ -330,7 +331,7 @@ class ExtractWriter {
 std::string SceneFactsText(const kernel::Agent& agent, std::string_view known) {
   const kernel::Imagery* const imagery = agent.find_imagery();
   if (imagery == nullptr || !imagery->enabled()) return "version 0\n";
-  // 0 is for whoever knows nothing yet.
+  // 0 means that the client has no version yet.
   const std::string version = std::to_string(imagery->version() + 1);
   std::string text = "version " + version + "\n";
   if (known == version) return text;

@@ -11,7 +11,7 @@ class Agent;
 namespace soarbox::cli {
 
 /// Everything that an agent imagines, for code that draws or explains it: `version N`, then a line for each node and
-/// each command that looks, `STATE node NAME OBJECT` and `STATE extract NAME OBJECT`. The object is JSON:
+/// each extract command, `STATE node NAME OBJECT` and `STATE extract NAME OBJECT`. The object is JSON:
 ///
 ///   node     parent, shape ("group", "hull", "ball"), at [x y z], turn [x y z w], scale [x y z], points [x y z ...]
 ///            (of a hull, in its frame), radius (of a ball), tags {}
@@ -19,7 +19,7 @@ namespace soarbox::cli {
 ///            them record, value, from [{name, value, filter, from}], nodes [names], lines [x y z x y z hidden ...]
 ///            (metres of the world; hidden is 1 for a sight line that something crosses)
 ///
-/// Only the version line if the version is `known` or if nobody imagines.
+/// Contains only the version line if the version is `known`, or if the agent imagines nothing.
 std::string SceneFactsText(const kernel::Agent& agent, std::string_view known);
 
 }  // namespace soarbox::cli

@@ -25,7 +25,7 @@ using kernel::imagery::Vec3;
 
 constexpr std::string_view kNotFound = "path not found\n";
 
-/// Lines of cells, each as wide as the widest of its column and one blank more.
+/// Lines of cells; each column has the width of its widest cell plus one blank.
 class Columns {
  public:
   void Row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
@@ -50,7 +50,7 @@ class Columns {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The first name of a path, and what follows its dot.
+/// The first name of a path, and the part after its dot.
 std::pair<std::string_view, std::string_view> SplitPath(std::string_view path) {
   const std::size_t dot = path.find('.');
   if (dot == std::string_view::npos) return {path, {}};
@@ -245,7 +245,7 @@ std::string SvsPaths::Use(std::string_view path, Arguments arguments) {
 
 std::string SvsPaths::UseRoot(Arguments arguments) {
   if (!arguments.empty() && arguments[0] == "help") return {};
-  // In the order of the names: the states' are in upper case.
+  // In the order of the names; the names of states are in upper case.
   std::vector<StateScene*> states;
   for (const auto& state : imagery_.states()) states.push_back(state.get());
   std::sort(states.begin(), states.end(),

@@ -14,15 +14,15 @@ namespace soarbox::cli {
 /// [^PARAMETER]. The form is nodes, number, object, word, or the allowed words with | between them.
 std::string AllSceneKinds();
 
-/// `svs PATH [ARGUMENTS]`: shows or does what is at a path of the spatial visual system. Paths name the lists of
-/// filters and commands, the viewer's connection, and the scene of each state with its nodes, with dots between.
+/// `svs PATH [ARGUMENTS]`: shows or executes what is at a path of the spatial visual system. Paths have dots. They name
+/// the lists of filters and commands, the viewer's connection, and the scene of each state with its nodes.
 class SvsPaths {
  public:
   explicit SvsPaths(kernel::Imagery& imagery) : imagery_(imagery) {}
 
-  /// The text, with a newline after each line.
+  /// Returns the output, with a newline after each line.
   std::string Use(std::string_view path, std::span<const std::string> arguments);
-  /// The path was refused or failed: the text says why.
+  /// Whether the path was refused or failed; the output then says why.
   bool failed() const { return failed_; }
 
  private:

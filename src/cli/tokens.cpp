@@ -18,15 +18,15 @@ bool EndsCommand(char c) {
   return c == '\n' || c == ';';
 }
 
-/// The characters that mean something between braces.
+/// The characters with a special meaning between braces.
 constexpr std::array<bool, 256> kBraceCharacters = [] {
   std::array<bool, 256> table{};
   for (const char c : {'\\', '|', '#', '{', '}', '\n'}) table[static_cast<unsigned char>(c)] = true;
   return table;
 }();
 
-/// Where the next of them stands, or the end. Eight characters are looked at together; the test also takes other
-/// control characters, ~ and what is not ASCII for one of them, so what it finds is looked at again.
+/// The index of the next of them, or the end. Tests eight characters at once. The test also matches other control
+/// characters, ~ and non-ASCII characters, so its results are tested again.
 std::size_t SkipOrdinary(std::string_view text, std::size_t at) {
   constexpr std::uint64_t kEach = 0x0101010101010101ull, kTop = kEach * 0x80;
   const auto has_zero = [](std::uint64_t bytes) { return (bytes - kEach) & ~bytes; };
@@ -42,7 +42,7 @@ std::size_t SkipOrdinary(std::string_view text, std::size_t at) {
       continue;
     }
     if constexpr (std::endian::native == std::endian::little) {
-      at += static_cast<std::size_t>(std::countr_zero(found)) / 8;  // What stands before is certain.
+      at += static_cast<std::size_t>(std::countr_zero(found)) / 8;  // The characters before are certainly ordinary.
     }
     if (kBraceCharacters[static_cast<unsigned char>(text[at])]) return at;
     ++at;
@@ -71,7 +71,7 @@ void CommandReader::SkipComment() {
   while (!AtEnd() && Peek() != '\n') Advance();
 }
 
-/// Blanks, comments and joined lines between words; stops at the end of the command.
+/// Skips blanks, comments and joined lines between words; stops at the end of the command.
 void CommandReader::SkipBlanksAndComments() {
   while (!AtEnd()) {
     const char c = Peek();
@@ -203,15 +203,15 @@ bool CommandReader::ReadQuoted(Word& word) {
   return Fail("unexpected eof", word, start);
 }
 
-// Rules are long and stand between braces: what needs no attention is passed over quickly and taken in one piece.
+// Rules are long texts between braces: ordinary characters are skipped quickly and copied in one piece.
 bool CommandReader::ReadBraced(Word& word) {
   const std::size_t start = position_;
   Advance();
   word.line = line_;
   word.column = column_;
   std::size_t at = position_;
-  std::size_t taken = at;                                               // What stands before is in the word.
-  std::size_t line_start = at + 1 - static_cast<std::size_t>(column_);  // May be "negative": only differences count.
+  std::size_t taken = at;                                               // Characters before it are already in the word.
+  std::size_t line_start = at + 1 - static_cast<std::size_t>(column_);  // May be "negative": only differences are used.
   const auto take = [&](std::size_t end) { word.text.append(text_, taken, end - taken); };
   const auto begin_line = [&](std::size_t first) {
     ++line_;

@@ -7,40 +7,41 @@
 
 namespace soarbox::cli {
 
-/// One word of a command without its quotes or braces, and where it begins in the text.
+/// One word of a command without its quotes or braces, and its position in the text.
 struct Word {
   std::string text;
   int line = 1;    ///< From 1, of the first character of `text` (after an opening quote or brace).
   int column = 1;  ///< From 1.
 };
 
-/// Splits text into commands of Tcl-like words, without any substitution.
+/// Splits text into commands that consist of Tcl-like words, without any substitution.
 ///
-/// A command ends at a newline or a semicolon. A word is bare (one that begins with a bar is literal up to the next
-/// one), "quoted" (may span lines, backslash escapes apply), or {braced} (braces nest; text between |bars| is literal;
-/// kept as written but for comments). A `#` begins a comment up to the end of the line everywhere but in a quoted word
-/// and between bars inside braces. Outside braces a backslash escapes; before a newline it joins two lines.
+/// A command ends at a newline or a semicolon. A word is bare, "quoted" or {braced}. A bare word that begins with a bar
+/// is literal up to the next bar. A quoted word can span lines and has backslash escapes. Braces can be nested; text
+/// between |bars| in them is literal; the content is kept as written, without comments. A `#` begins a comment to the
+/// end of the line, except in quoted words and between bars inside braces. Outside braces, a backslash escapes the next
+/// character; before a newline it joins two lines.
 ///
-/// Any text gives an answer: words, the end, or an error with its place. After an error you can move the reader to the
-/// next line that begins a command, to read the rest of a file.
+/// Accepts any text: the result is words, the end, or an error with its position. After an error, Recover() skips to
+/// the next line that begins a command, so that the rest of a file can be read.
 class CommandReader {
  public:
   enum class Status { kCommand, kEnd, kError };
 
   explicit CommandReader(std::string_view text, int first_line = 1) : text_(text), line_(first_line) {}
 
-  /// Reads the next command that has words into `words`. Discards what `words` held, but uses its memory again.
+  /// Reads the next command that has words. Replaces the contents of `words` and reuses their memory.
   Status Next(std::vector<Word>& words);
 
-  /// After kError: what is wrong, and the line and column of the quote, brace or word that has no end.
+  /// After kError: the message, and the line and column of the quote, brace or word without an end.
   const std::string& error() const { return error_; }
   int error_line() const { return error_line_; }
   int error_column() const { return error_column_; }
 
-  /// After kError: continues at the first line after the error's that begins with a letter in its first column.
+  /// After kError: continues at the first line after the error that begins with a letter in the first column.
   void Recover();
 
-  /// Offset of the first character that is not read yet.
+  /// Offset of the first character that was not read.
   std::size_t offset() const { return position_; }
 
  private:

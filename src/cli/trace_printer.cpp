@@ -295,7 +295,7 @@ void TracePrinter::OnPrint(const Agent&, std::string_view text) {
 }
 
 void TracePrinter::OnError(const Agent&, std::string_view text) {
-  // The messages of log, trace, dont-learn and force-learn begin a line; all others go on where the output stands.
+  // The messages of log, trace, dont-learn and force-learn start on a new line; all others continue the current line.
   for (const std::string_view beginning :
        {"Error: First argument of agent's (", "Error: non-identifier (", "Error: identifier passed to "}) {
     if (text.starts_with(beginning)) session_.stream().FreshLine();
@@ -362,7 +362,7 @@ void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
     return;
   }
   if (reason.starts_with("(interrupt)")) {
-    // An action's; Soar is silent about it unless it runs by phases.
+    // By an action; Soar prints nothing about it unless it runs by phases.
     if (reason.size() > std::string_view("(interrupt)").size()) Print("\n\n");
   } else {
     Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));
@@ -393,7 +393,7 @@ void TracePrinter::OnLearned(const Agent& agent, const FiringInfo& info) {
   const kernel::ProductionPtr literal = agent.JustificationOf(info.instantiation);
   if (literal == nullptr && info.rule == nullptr) return;
   std::string rule = RuleText(agent, literal != nullptr ? *literal : *info.rule, false);
-  rule.pop_back();  // No empty line after it.
+  rule.pop_back();  // Without the empty line after it.
   Print("\n" + rule);
 }
 
@@ -407,7 +407,7 @@ void TracePrinter::OnFollowed(const Agent& agent, kernel::WmeId wme) {
     return symbol.IsFloat() ? fmt::format("{:g}", agent.symbols().FloatValue(symbol))
                             : kernel::ToString(agent.symbols(), symbol, false);
   };
-  // Soar 9.6.3 shows the attribute in the place of an object.
+  // Soar 9.6.3 prints the attribute instead of an object.
   Print(fmt::format("WMA @{}: add {} {} {} {}\n", agent.counters().decision_phases, element.timetag,
                     SymbolText(agent, element.id), text(element.attribute),
                     text(element.value.IsIdentifier() ? element.attribute : element.value)));

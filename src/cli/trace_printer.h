@@ -11,11 +11,11 @@ namespace soarbox::cli {
 
 class Session;
 
-/// The flag that shows the firings of a rule. Justifications, which are no rules of the agent, have their own.
+/// The flag that shows the firings of a rule. Justifications have a separate flag.
 TraceFlag FlagOf(const kernel::FiringInfo& info);
 
-/// Turns what an agent does into the lines of Soar's trace, as the session's settings say. Listens only to the events
-/// that the settings need. Owned by the session.
+/// Prints what an agent does as Soar's trace, according to the session's settings. Subscribes only to the events that
+/// the settings need. Owned by the session.
 class TracePrinter : public kernel::Observer {
  public:
   explicit TracePrinter(Session& session) : session_(session), backtrace_(session) {}
@@ -83,7 +83,7 @@ class TracePrinter : public kernel::Observer {
   bool retracting_ = false;  ///< The preferences that leave now belong to a firing that is shown in detail.
 };
 
-/// "(S1 ^operator O1 > O2)"; `support`: with "  :O " for o-support, as in traces.
+/// "(S1 ^operator O1 > O2)"; with `support`, "  :O " is added for o-support, as in traces.
 std::string PreferenceText(const kernel::Agent& agent, const kernel::Preference& preference, bool support = true);
 
 }  // namespace soarbox::cli

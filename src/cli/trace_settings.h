@@ -34,10 +34,10 @@ enum class TraceFlag {
 };
 inline constexpr int kTraceFlagCount = static_cast<int>(TraceFlag::kWma) + 1;
 
-/// How the trace shows the elements that a firing rule matched.
+/// How the trace shows the elements that a rule matched when it fired.
 enum class WmeDetail { kNone, kTimetags, kFull };
 
-/// A part of the trace: the option that switches it and the words that describe it.
+/// A part of the trace: the option that switches it, and its descriptions.
 struct TraceFlagInfo {
   TraceFlag flag;
   char letter;
@@ -55,10 +55,10 @@ class TraceSettings {
   /// Level 1.
   TraceSettings();
 
-  /// Switches on what the levels 1 to `level` show, and off what higher levels show; level 0 switches everything off.
+  /// Turns on what the levels 1 to `level` show, and turns off what higher levels show; level 0 turns everything off.
   void SetLevel(int level);
 
-  /// The level set last.
+  /// The level that was set last.
   int level() const { return level_; }
   bool On(TraceFlag flag) const { return flags_[static_cast<std::size_t>(flag)]; }
   void Set(TraceFlag flag, bool on) { flags_[static_cast<std::size_t>(flag)] = on; }

@@ -15,7 +15,7 @@ using kernel::Symbol;
 using kernel::Wme;
 using kernel::WmeId;
 
-/// Words of a pattern: parentheses and ^ stand alone, |bars| and "quotes" hold blanks.
+/// Splits a pattern into words: parentheses and ^ are separate words, |bars| and "quotes" may contain blanks.
 class PatternLexer {
  public:
   explicit PatternLexer(std::string_view text) : text_(text) {}
@@ -50,14 +50,14 @@ class PatternLexer {
   std::size_t position_ = 0;
 };
 
-/// Reads a field; false if the word cannot stand there or names nothing that exists.
+/// Parses a field; false if the word is not allowed there or names nothing that exists.
 bool ReadField(Agent& agent, const std::string& word, Symbol& field) {
   if (word == "*") return true;
   if (word.empty() || word == ")" || word == "(" || word == "^" || word.front() == '@') return false;
   if (word.front() != '|' && word.front() != '"') {
     if (IsContextVariable(word) || ParseIdentifierName(word)) {
       field = FindIdentifier(agent, word);
-      // An identifier that does not exist may still be the name of a constant.
+      // An identifier that does not exist may be the name of a constant.
       if (!field && !IsContextVariable(word)) field = MakeConstant(agent, word);
       return static_cast<bool>(field);
     }
