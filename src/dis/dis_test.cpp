@@ -127,7 +127,7 @@ TEST(Pdu, WhatIsDamagedIsRefusedWithAReason) {
   other[9] = std::byte{100};
   EXPECT_EQ(refusal(other), "wrong length");
   other = bytes;
-  for (std::size_t i = 48; i < 56; ++i) other[i] = std::byte{0xFF};  // The place is not a number.
+  for (std::size_t i = 48; i < 56; ++i) other[i] = std::byte{0xFF};  // The position is NaN.
   EXPECT_EQ(refusal(other), "impossible contents");
 }
 
@@ -137,12 +137,12 @@ TEST(Pdu, ACommentThatPromisesMoreThanItHasIsRefused) {
   EXPECT_TRUE(std::holds_alternative<Refusal>(Decode(bytes)));
 }
 
-// The expected values are those of the definition: the equator, a pole, and an arc whose length is known.
+// Expected values from the definition: the equator, a pole, and an arc of known length.
 TEST(Earth, KnownPlaces) {
   EXPECT_NEAR(ToGeocentric({0, 0, 0}).x, 6378137.0, 1e-6);
   EXPECT_NEAR(ToGeocentric({0, 90, 10}).y, 6378147.0, 1e-6);
   EXPECT_NEAR(ToGeocentric({90, 0, 0}).z, 6356752.314245, 1e-5);
-  // Of a published worked example: 34.0 N, 117.333569 W, 251.702 m.
+  // From a published worked example: 34.0 N, 117.333569 W, 251.702 m.
   const Vector place = ToGeocentric({34.0, -117.3335693, 251.702});
   EXPECT_NEAR(std::hypot(place.x, place.y, place.z), 6371645.8, 200);
 }
@@ -159,8 +159,8 @@ TEST(Earth, APlaceComesBackToATenthOfAMillimetre) {
   }
 }
 
-/// The local axes of a place by differences along the meridian, the parallel and the normal: no formula of ours for
-/// them.
+/// The local axes at a place, computed from differences along the meridian, the parallel and the normal, without our
+/// formulas.
 struct Axes {
   Vector east, north, up;
 };
@@ -201,10 +201,10 @@ TEST(LocalFrame, TheOrientationOfTheStandardLeadsBackToTheDirection) {
     const Euler euler = frame.ToEuler(forward, {0, 1, 0});
     const Vector back = frame.ForwardOf(euler);
     ASSERT_LT(std::sqrt(Dot(back - forward, back - forward)), 1e-9);
-    // Down is down: the body stands upright.
+    // Down is down: the body is upright.
     const Vector down = frame.FromBodyAxes(euler, {0, 0, 1});
     ASSERT_NEAR(down.y, -1, 1e-9);
-    // Right of somebody who looks along z is -x.
+    // The right of a body that faces z is -x.
     const Vector right = frame.FromBodyAxes(euler, {0, 1, 0});
     ASSERT_NEAR(right.x, -std::cos(heading), 1e-9);
     ASSERT_NEAR(right.z, std::sin(heading), 1e-9);
@@ -218,7 +218,7 @@ TEST(LocalFrame, OnTheEquatorNorthIsTheAxisOfTheEarth) {
   EXPECT_NEAR(north.z, 1, 1e-12);
   EXPECT_NEAR(frame.TurnToEarth({1, 0, 0}).y, 1, 1e-12);
   EXPECT_NEAR(frame.TurnToEarth({0, 1, 0}).x, 1, 1e-12);
-  // Whoever looks east there has psi = 90 degrees; level, with the right side to the south.
+  // A body facing east there has psi = 90 degrees; level, with the right side to the south.
   const Euler east = frame.ToEuler({1, 0, 0}, {0, 1, 0});
   EXPECT_NEAR(east.psi, std::numbers::pi / 2, 1e-12);
   EXPECT_NEAR(east.theta, 0, 1e-12);

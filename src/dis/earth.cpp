@@ -13,7 +13,7 @@ constexpr double kEquator_m = 6378137.0, kFlattening = 1 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
 constexpr double kRadians = std::numbers::pi / 180;
 
-/// From the surface along the normal down to the axis of the earth.
+/// Distance from the surface along the normal to the axis of the earth.
 double NormalLength(double sine_of_latitude) {
   return kEquator_m / std::sqrt(1 - kEccentricity2 * sine_of_latitude * sine_of_latitude);
 }
@@ -29,7 +29,7 @@ Axes AxesOf(const Euler& euler) {
   const double cos_phi = std::cos(euler.phi), sin_phi = std::sin(euler.phi);
   Axes axes;
   axes.forward = {cos_theta * cos_psi, cos_theta * sin_psi, -sin_theta};
-  // Before it rolls, a body's right is level; rolling by phi moves right towards down.
+  // Before the roll, a body's right is level; rolling by phi moves right towards down.
   const Vector level_right = {-sin_psi, cos_psi, 0};
   const Vector level_down = Cross(axes.forward, level_right);
   axes.right = level_right * cos_phi + level_down * sin_phi;
@@ -55,7 +55,7 @@ Geodetic ToGeodetic(const Vector& place) {
     latitude = std::atan2(place.z + kEccentricity2 * NormalLength(sine) * sine, from_axis_m);
   }
   const double sine = std::sin(latitude), cosine = std::cos(latitude);
-  // The height along the normal, by whichever axis is not near zero: the sum serves everywhere.
+  // The height along the normal; the sum is valid for every latitude.
   const double surface_m = kEquator_m * std::sqrt(1 - kEccentricity2 * sine * sine);
   const double height_m = from_axis_m * cosine + place.z * sine - surface_m;
   return {latitude / kRadians, std::atan2(place.y, place.x) / kRadians, height_m};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostHits = 2000, kMostComments = 500;
 constexpr double kDegrees = 180 / std::numbers::pi;
-/// What is farther away is not in the world.
+/// Entities that are further away are not in the world.
 constexpr double kFarthest_m = 1e5;
 constexpr double kFastest_mps = 2000;
 
@@ -27,13 +27,13 @@ Vector Limited(Vector v, double most) {
   return length > most ? v * (most / length) : v;
 }
 
-/// What a damaged entity still has of its health.
+/// The remaining health of a damaged entity.
 float HealthOf(std::uint32_t looks) {
   constexpr float kLeft[] = {100, 70, 35, 0};
   return kLeft[looks >> appearance::kDamageShift & appearance::kDamageMask];
 }
 
-/// One word, as rules read it.
+/// Converts a text to one word for rules.
 std::string Word(std::string text) {
   for (char& c : text)
     if (c == ' ' || c == '|') c = '-';
@@ -117,7 +117,7 @@ sim::ForeignBodyInput ExerciseView::ToInput(const EntityState& state) const {
   const bool accelerates = state.algorithm == DeadReckoning::kRvw || state.algorithm == DeadReckoning::kFvw;
   if (accelerates) input.acceleration = ToVec3(Limited(frame_.TurnToLocal(state.acceleration), 100));
   const bool turns = state.algorithm == DeadReckoning::kRpw || state.algorithm == DeadReckoning::kRvw;
-  // About the body's down axis it turns to the right: towards smaller headings, as x lies to the left of z.
+  // It rotates about the body's down axis to the right, towards smaller headings, because x is to the left of z.
   if (turns) input.turn_dps = static_cast<float>(std::clamp(-state.turn.z * kDegrees, -720.0, 720.0));
   return input;
 }
@@ -151,7 +151,7 @@ std::vector<sim::InputValue> ExerciseView::TakeInputs(const StateSender& ours) {
     if (comment.texts.empty()) continue;
     sim::ForeignMessageInput input;
     input.id = ToText(comment.from);
-    // What Soarbox sends is what it is about, names with values, and a team; what others send is a text.
+    // Comments of Soarbox contain a subject, names with values, and a team; those of others are a text.
     const bool is_ours = comment.texts.size() == 3;
     input.about = is_ours ? Word(comment.texts[0]) : "comment";
     input.text = is_ours ? comment.texts[1] : "text " + Word(comment.texts[0]);

@@ -13,30 +13,30 @@ namespace soarbox::dis {
 
 class StateSender;
 
-/// A foreign entity as lists show it.
+/// A foreign entity as it is listed.
 struct ForeignEntity {
   std::string id;       ///< "7:8:9"
-  std::string marking;  ///< As its owner calls it; may be empty.
+  std::string marking;  ///< The owner's name for it; may be empty.
   std::string team, body;
   std::string type;     ///< "3.1.225.1.1.0.0"
   double silent_s = 0;  ///< Real time since the last PDU from it.
 };
 
-/// As a site or an application: all of them.
+/// Used as a site or an application: all.
 inline constexpr std::uint16_t kAllSites = 0xFFFF;
 
-/// What others report in the exercise, as inputs for our run: only the newest state of each entity.
+/// Converts PDUs of other simulations to inputs for our run. Keeps only the newest state of each entity.
 class ExerciseView {
  public:
   enum class Taken : std::uint8_t { kYes, kOurs, kTooMany };
 
   explicit ExerciseView(const Settings& settings) : settings_(settings), frame_(settings.anchor) {}
 
-  /// `now_s`: real time, from any beginning on.
+  /// `now_s`: real time from any starting point.
   Taken Take(const Body& body, double now_s);
   /// Removes entities that were silent for too long.
   void ForgetSilent(double now_s);
-  /// What has arrived since the last call. `ours` knows the names of our entities.
+  /// The inputs since the last call. `ours` provides the names of our entities.
   std::vector<sim::InputValue> TakeInputs(const StateSender& ours);
   std::size_t entities() const { return heard_.size(); }
   /// The first `most` entities, by id.

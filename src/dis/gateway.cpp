@@ -15,8 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// More datagrams wait for the next tick, and what the system has no room for is lost: a flood does not hold up the
-/// world.
+/// Maximum number of datagrams per tick. Others wait for the next tick, and the system drops those for which it has no
+/// space, so that a flood does not delay the world.
 constexpr int kMostPerTick = 5000;
 
 double SecondsBetween(Clock::time_point from, Clock::time_point to) {
@@ -39,7 +39,7 @@ struct Gateway::Impl {
       : settings(given), socket(std::move(opened)), view(settings), sender(settings) {}
 
   void SendAll(std::vector<Pdu> pdus);
-  /// Reads what has arrived; orders of the exercise's manager take effect.
+  /// Reads the received PDUs, and executes orders of the exercise's manager.
   void Read();
   void Obey(const Management& order);
   void Measure();
@@ -79,7 +79,7 @@ void Gateway::Impl::Obey(const Management& order) {
     frozen = false;
     answer.flag = 3;
   } else if (order.type == PduType::kCreateEntity || order.type == PduType::kRemoveEntity) {
-    // Who is in the world the scenario alone says.
+    // Only the scenario determines which entities are in the world.
     answer.flag = order.type == PduType::kCreateEntity ? 1 : 2;
     answer.is_able = false;
   } else {
@@ -93,7 +93,7 @@ void Gateway::Impl::Read() {
   for (int i = 0; i < kMostPerTick; ++i) {
     std::span<const std::byte> datagram = socket->Receive();
     if (datagram.empty()) break;
-    // A datagram may hold several PDUs, one behind the other.
+    // A datagram may contain several PDUs.
     do {
       const std::size_t length = LengthOf(datagram);
       std::variant<Pdu, Refusal> read = Decode(datagram);

@@ -20,49 +20,49 @@ class Simulation;
 
 namespace soarbox::dis {
 
-/// What has passed through a gateway so far.
+/// Statistics of a gateway.
 struct Traffic {
   std::uint64_t sent = 0, unsent = 0;      ///< PDUs sent; PDUs that the system did not accept.
   std::uint64_t received = 0;              ///< PDUs of this exercise from others.
   std::uint64_t foreign_exercise = 0;      ///< PDUs dropped because they belong to another exercise.
   std::uint64_t too_many = 0;              ///< PDUs of entities beyond `most_entities`.
   std::array<std::uint64_t, 5> refused{};  ///< By Refusal.
-  std::size_t entities = 0;                ///< Foreign entities that are there.
+  std::size_t entities = 0;                ///< Number of foreign entities at present.
   double received_per_s = 0, sent_per_s = 0;
 
-  /// How many PDUs were dropped, by reason; reasons that never occurred are left out.
+  /// Number of dropped PDUs by reason; reasons that never occurred are omitted.
   std::vector<std::pair<std::string, std::uint64_t>> Dropped() const;
 };
 
-/// Joins a run to an exercise of other simulations (IEEE 1278.1, Distributed Interactive Simulation).
+/// Connects a run to an exercise of other simulations (IEEE 1278.1, Distributed Interactive Simulation).
 ///
-/// Before each tick it turns what has arrived into inputs, at most one per entity and tick, so that a recording of the
-/// run includes them. After each tick it sends what our agents did. The run itself does not know of any network. Memory
-/// grows with the accepted entities, never with what arrives. Used by the run's thread.
+/// Before each tick, it converts received PDUs to inputs, at most one per entity and tick, so that a recording contains
+/// them. After each tick, it sends what our agents did. The run itself does not use the network. Memory grows with the
+/// number of accepted entities only. Used on the run's thread.
 class Gateway {
  public:
   static Result<std::unique_ptr<Gateway>> Open(const Settings& settings);
-  /// Reports to the others that our entities leave.
+  /// Reports to others that our entities leave.
   ~Gateway();
   Gateway(const Gateway&) = delete;
   Gateway& operator=(const Gateway&) = delete;
 
-  /// Submits what has arrived as inputs.
+  /// Submits received PDUs as inputs.
   void Receive(sim::Simulation& simulation);
   /// Sends what changed in the last tick.
   void Send(const sim::Simulation& simulation);
-  /// While the run is paused: accepts orders, and reports that our entities are still there.
+  /// Call it while the run is paused. Accepts orders, and reports that our entities still exist.
   void Idle(sim::Simulation& simulation);
-  /// The manager of the exercise wants the run to pause.
+  /// Whether the manager of the exercise has requested a pause.
   bool IsFrozen() const;
 
   const Settings& settings() const;
   const Traffic& traffic() const;
-  /// No other machine can receive from us or send to us.
+  /// Whether no other machine can receive from us or send to us.
   bool IsOfThisMachine() const;
   /// The first `most` foreign entities.
   std::vector<ForeignEntity> Entities(std::size_t most) const;
-  /// One line: address, identity and traffic.
+  /// A description on one line: address, identity and traffic.
   std::string Describe() const;
 
  private:

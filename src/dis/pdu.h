@@ -19,7 +19,7 @@ struct Vector {
   friend bool operator==(const Vector&, const Vector&) = default;
 };
 
-/// Who or what a PDU refers to, unique in the whole exercise. All zero: nobody.
+/// Identifies an entity in the entire exercise. All zero: none.
 struct EntityId {
   std::uint16_t site = 0, application = 0, entity = 0;
   friend auto operator<=>(const EntityId&, const EntityId&) = default;
@@ -62,14 +62,14 @@ inline constexpr std::uint32_t kWeaponShift = 24, kWeaponMask = 3;  ///< Of a li
 enum Posture : std::uint32_t { kStanding = 1, kWalking = 2, kRunning = 3, kKneeling = 4, kProne = 5, kCrouching = 12 };
 }  // namespace appearance
 
-/// How receivers move an entity between two of its states.
+/// How receivers extrapolate the motion of an entity between two states.
 enum class DeadReckoning : std::uint8_t {
   kOther = 0,
   kStatic = 1,
   kFpw = 2,  ///< Fixed orientation, constant velocity.
-  kRpw = 3,  ///< It turns.
-  kRvw = 4,  ///< It turns and accelerates.
-  kFvw = 5,  ///< It accelerates.
+  kRpw = 3,  ///< With rotation.
+  kRvw = 4,  ///< With rotation and acceleration.
+  kFvw = 5,  ///< With acceleration.
 };
 
 struct EntityState {
@@ -86,7 +86,7 @@ struct EntityState {
   std::uint32_t capabilities = 0;
 };
 
-/// Each event has its own number, which links a shot to its hit.
+/// The number of an event, which links a shot to its hit.
 struct EventId {
   std::uint16_t site = 0, application = 0, number = 0;
 };

@@ -12,7 +12,7 @@ namespace soarbox::dis {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 12, kMarkingBytes = 11, kMostTexts = 16, kMostTextBytes = 1024;
-/// No place of an exercise on or near the earth is farther from its centre, and nothing in it is faster.
+/// Maximum distance from the centre of the earth, and maximum of other values such as speeds.
 constexpr double kMostCoordinate = 1e8, kMostOther = 1e6;
 
 class Writer {
@@ -59,9 +59,9 @@ class Writer {
   std::vector<std::byte> bytes_;
 };
 
-/// Protocol families of the kinds of PDUs.
-/// Whether who acknowledges an order can comply with it.
+/// Whether the receiver of an order can comply with it.
 constexpr std::uint16_t kAble = 1, kUnable = 2;
+/// Protocol families of the kinds of PDUs.
 constexpr std::uint8_t kEntityFamily = 1, kWarfareFamily = 2, kManagementFamily = 5;
 
 std::pair<PduType, std::uint8_t> KindOf(const Body& body) {
@@ -133,7 +133,7 @@ struct BodyWriter {
     out.Unsigned(static_cast<std::uint32_t>(count));
     for (std::size_t i = 0; i < count; ++i) {
       const std::string_view text = std::string_view(comment.texts[i]).substr(0, kMostTextBytes);
-      out.Unsigned(std::uint32_t{0});  // Of no kind of the standard's.
+      out.Unsigned(std::uint32_t{0});  // Not one of the standard's kinds.
       out.Unsigned(static_cast<std::uint32_t>(text.size() * 8));
       for (const char c : text) out.Byte(static_cast<std::uint8_t>(c));
       out.Zeros((8 - text.size() % 8) % 8);
@@ -162,7 +162,7 @@ struct BodyWriter {
   }
 };
 
-/// Reads what is there; the first thing that is wrong stays.
+/// Reads fields; keeps the first error.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -232,7 +232,7 @@ class Reader {
       *part = Unsigned<std::uint16_t>();
     return burst;
   }
-  /// What is printable of so many bytes, up to the first zero.
+  /// The printable part of this number of bytes, up to the first zero.
   std::string Text(std::size_t size) {
     std::string text;
     bool ended = false;
@@ -260,7 +260,7 @@ EntityState ReadEntityState(Reader& in) {
   EntityState state;
   state.id = in.Id();
   state.force = in.Byte();
-  in.Byte();  // Articulated parts stand behind all that is read.
+  in.Byte();  // Articulated parts follow everything that is read.
   state.type = in.Type();
   state.alternative = in.Type();
   state.velocity = in.Floats();
@@ -271,7 +271,7 @@ EntityState ReadEntityState(Reader& in) {
   in.Skip(15);
   state.acceleration = in.Floats();
   state.turn = in.Floats();
-  in.Byte();  // The set of characters.
+  in.Byte();  // The character set.
   state.marking = in.Text(kMarkingBytes);
   state.capabilities = in.Unsigned<std::uint32_t>();
   return state;
@@ -323,7 +323,7 @@ Comment ReadComment(Reader& in) {
   if (fixed > in.left() / 8 || variable > kMostTexts) in.Fail();
   if (in.ok()) in.Skip(std::size_t{fixed} * 8);
   for (std::uint32_t i = 0; in.ok() && i < variable; ++i) {
-    in.Unsigned<std::uint32_t>();  // What kind of text it is.
+    in.Unsigned<std::uint32_t>();  // The kind of text.
     const std::size_t size = (std::size_t{in.Unsigned<std::uint32_t>()} + 7) / 8;
     if (size > kMostTextBytes || size > in.left()) in.Fail();
     if (!in.ok()) break;
@@ -379,7 +379,7 @@ std::vector<std::byte> Encode(const Pdu& pdu) {
   out.Byte(static_cast<std::uint8_t>(type));
   out.Byte(family);
   out.Unsigned(pdu.timestamp);
-  out.Zeros(4);  // The length, which Take() knows, and the status or padding.
+  out.Zeros(4);  // The length, which Take() sets, and the status or padding.
   std::visit(BodyWriter{out}, pdu.body);
   return out.Take();
 }

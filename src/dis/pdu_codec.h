@@ -12,22 +12,23 @@
 
 namespace soarbox::dis {
 
-/// Why a datagram is not a PDU that we use.
+/// Why a datagram is not a PDU that Soarbox uses.
 enum class Refusal : std::uint8_t {
-  kTooShort,     ///< Shorter than its header says.
+  kTooShort,     ///< Shorter than its header specifies.
   kVersion,      ///< Neither version 6 nor 7.
   kOtherKind,    ///< A kind of PDU that Soarbox does not use.
   kBadLength,    ///< Shorter than its kind requires.
-  kBadContents,  ///< Numbers that are not finite, counts that do not fit.
+  kBadContents,  ///< Numbers that are not finite, or counts that do not match.
 };
 /// "too short", "another version", ...
 std::string_view Name(Refusal refusal);
 
-/// The bytes of a PDU, in network order, as IEEE 1278.1 lays them out.
+/// Encodes a PDU in network byte order, with the layout of IEEE 1278.1.
 std::vector<std::byte> Encode(const Pdu& pdu);
-/// Reads one PDU from the front of a datagram. Ignores what follows: `LengthOf` says where the next one begins.
+/// Decodes one PDU at the beginning of a datagram. Ignores the bytes after it: `LengthOf` returns where the next one
+/// begins.
 std::variant<Pdu, Refusal> Decode(std::span<const std::byte> bytes);
-/// The length in the header at the front; 0 if the header or the PDU is incomplete.
+/// The length in the header at the beginning; 0 if the header or the PDU is incomplete.
 std::size_t LengthOf(std::span<const std::byte> bytes);
 
 }  // namespace soarbox::dis

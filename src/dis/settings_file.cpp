@@ -129,7 +129,7 @@ class SettingsReader : public sim::TableReader {
     return pattern.value_or(TypePattern{});
   }
 
-  /// A scenario's own rows come before those that are there.
+  /// A scenario's own rows precede the existing ones.
   void Rows(const toml::table& table) {
     std::vector<EntityRow> entities;
     for (const toml::table* row : Tables(table, "entity", kMostRows, "dis.")) {

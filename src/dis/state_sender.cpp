@@ -15,7 +15,7 @@
 namespace soarbox::dis {
 namespace {
 
-/// A bullet of a rifle, where the table names none: anti-personnel, ballistic, small arms.
+/// A rifle bullet, used if the table has no type: anti-personnel, ballistic, small arms.
 constexpr EntityType kBullet{2, 8, 0, 2, 1, 0, 0};
 constexpr double kMuzzle_mps = 900;
 constexpr float kStandsStill_mps = 0.2f, kRuns_mps = 3.5f;
@@ -27,7 +27,7 @@ std::uint32_t PostureOf(const sim::Actor* actor, float speed_mps) {
   return speed_mps < kRuns_mps ? appearance::kWalking : appearance::kRunning;
 }
 
-/// 0 unhurt, 1 a little, 2 badly, 3 dead.
+/// 0 unhurt, 1 slightly, 2 badly, 3 dead.
 std::uint32_t DamageOf(float health, float full) {
   if (health <= 0) return 3;
   const float left = full > 0 ? health / full : 1;

@@ -21,20 +21,20 @@ class Agent;
 
 namespace soarbox::dis {
 
-/// Seconds of an exercise as the timestamp of a PDU, counted from an arbitrary start (relative time).
+/// Converts seconds of an exercise to the timestamp of a PDU, relative to an arbitrary start.
 std::uint32_t RelativeTimestamp(double seconds);
 
-/// What others must know of our agents, as PDUs. A state is sent when an entity leaves the path on which others suppose
-/// it to be, when it looks different, and at intervals. Shots, collisions and messages are sent as they happen.
+/// Creates the PDUs about our agents. A state is sent when an entity leaves its extrapolated path, when its appearance
+/// changes, and at intervals. Shots, collisions and messages are sent when they occur.
 class StateSender {
  public:
   explicit StateSender(const Settings& settings) : settings_(settings), frame_(settings.anchor) {}
 
-  /// After each tick. `now_s`: real time from any starting point.
+  /// Call it after each tick. `now_s`: real time from any starting point.
   std::vector<Pdu> AfterTick(const sim::Simulation& simulation, double now_s);
-  /// While the run is paused: all entities stand still, and are still there.
+  /// Call it while the run is paused. Reports that all entities stand still and still exist.
   std::vector<Pdu> WhileStill(const sim::Simulation& simulation, double now_s);
-  /// All entities leave.
+  /// Reports that all entities leave.
   std::vector<Pdu> Leave();
   /// The name of the agent with this number; empty if there is none.
   std::string NameOf(std::uint16_t entity) const;
@@ -45,8 +45,8 @@ class StateSender {
     std::string name;
     EntityState sent;
     double sent_at_s = -1e9;   ///< Real time.
-    double sent_at_sim_s = 0;  ///< The run's.
-    Vector sent_position;      ///< Local.
+    double sent_at_sim_s = 0;  ///< Simulated time.
+    Vector sent_position;      ///< In local coordinates.
     Vector sent_velocity;
     float sent_heading_deg = 0;
   };

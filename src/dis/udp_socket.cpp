@@ -34,7 +34,7 @@ sockaddr_in Address(std::uint32_t host, std::uint16_t port) {
   return address;
 }
 
-/// In the machine's own order; nothing for what is no IPv4 address in numbers.
+/// In host byte order; nothing if it is not a numeric IPv4 address.
 std::optional<std::uint32_t> ParseHost(const std::string& text) {
   in_addr parsed{};
   if (inet_pton(AF_INET, text.c_str(), &parsed) != 1) return std::nullopt;
@@ -53,7 +53,7 @@ struct UdpSocket::Impl {
     for (const int socket : sockets) close(socket);
   }
 
-  /// Opens a socket that hears what is sent to this address; the first one also sends.
+  /// Opens a socket that receives datagrams for this address; the first one also sends.
   bool Listen(std::uint32_t host, std::uint16_t port) {
     const int made = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (made < 0) return false;
@@ -70,7 +70,7 @@ struct UdpSocket::Impl {
   std::vector<int> sockets;
   sockaddr_in to{};
   bool is_of_this_machine = false;
-  std::size_t next = 0;  ///< The socket that is asked first.
+  std::size_t next = 0;  ///< The socket that is read first.
   std::array<std::byte, 65536> room;
 };
 
@@ -89,7 +89,7 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::Open(const std::string& address, s
   auto impl = std::make_unique<Impl>();
   bool good = false;
   if (IsLoopback(*host)) {
-    // Broadcast reaches all listeners of this machine; what is sent to 127.0.0.1 itself reaches one.
+    // A broadcast reaches all listeners of this machine; a datagram to 127.0.0.1 reaches only one.
     impl->is_of_this_machine = true;
     impl->to = Address(kLoopbackBroadcast, port);
     good = impl->Listen(kLoopbackBroadcast, port);

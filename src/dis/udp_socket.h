@@ -13,9 +13,9 @@ namespace soarbox::dis {
 
 /// Sends and receives the datagrams of an exercise.
 ///
-/// 127.0.0.1 reaches every program on this machine that listens on the port, but no other machine. A multicast group
-/// (224.0.0.0 to 239.255.255.255) leaves through the interface; with the interface 127.0.0.1 it stays on this machine,
-/// too. Other addresses are a host or a broadcast address. Never blocks. Used by one thread.
+/// 127.0.0.1 reaches all programs on this machine that listen on the port, but no other machine. A multicast group
+/// (224.0.0.0 to 239.255.255.255) is sent through `interface`; with 127.0.0.1 it stays on this machine, too. Other
+/// addresses are a host or a broadcast address. Never blocks. Not thread-safe.
 class UdpSocket {
  public:
   static Result<std::unique_ptr<UdpSocket>> Open(const std::string& address, std::uint16_t port,
@@ -24,9 +24,9 @@ class UdpSocket {
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
 
-  /// False if the system did not accept it: no room, or no route.
+  /// Returns false if the operating system did not accept the datagram: no buffer space, or no route.
   bool Send(std::span<const std::byte> datagram);
-  /// The next datagram that has arrived, valid until the next call; empty if there is none.
+  /// The next received datagram, valid until the next call; empty if there is none.
   std::span<const std::byte> Receive();
   /// Whether no other machine can receive from us or send to us.
   bool IsOfThisMachine() const;

@@ -25,21 +25,23 @@ enum class PreferenceKind : std::uint8_t {
 /// The steps of the decision procedure that drop candidates, in their order.
 enum class Stage : std::uint8_t { kForced, kRequire, kProhibit, kReject, kDominated, kBest, kWorst };
 
-/// What kNone means with nothing selected: no candidate is left, a no-change of the state.
+/// The impasse of a decision. kNone without a selected operator means that no candidate is left: a no-change of the
+/// state.
 enum class Impasse : std::uint8_t { kNone, kTie, kConflict, kConstraintFailure };
 
 /// How one of several indifferent operators is selected (`decide indifferent-selection`).
 enum class Policy : std::uint8_t { kBoltzmann, kEpsilonGreedy, kSoftmax, kFirst, kLast };
 
-/// Whether a drop decided something.
+/// Whether a drop changed the outcome of the decision.
 enum class Decisive : std::uint8_t {
-  kUnknown,  ///< Too many preferences to try.
-  kYes,      ///< Without the preferences that it rests on, the outcome would differ.
-  kNo,       ///< Without them the candidate would have lost all the same.
+  kUnknown,  ///< There were too many preferences to test it.
+  kYes,      ///< Without the preferences that caused it, the outcome would be different.
+  kNo,       ///< Without them the candidate would still have lost.
 };
 
-/// What the decision procedure said of the operators of a state: facts of the kernel that decided, as values. Nobody
-/// computes them again, and whoever has none says so. Operators and preferences are named by their places.
+/// The decision procedure's record of a decision about the operators of a state, as reported by the kernel that made
+/// it. It is never recomputed: without a record, there is no explanation. Operators and preferences are identified by
+/// their indices.
 template <typename Text>
 struct DecisionOf {
   static constexpr std::uint32_t kNoOperator = 0xFFFFFFFFu;
@@ -50,19 +52,20 @@ struct DecisionOf {
   struct Preference {
     PreferenceKind kind = PreferenceKind::kAcceptable;
     std::uint32_t op = kNoOperator;
-    std::uint32_t referent = kNoOperator;  ///< Of better, worse and equal.
-    double number = 0;                     ///< Of numeric ones.
-    Text rule;                             ///< That made it; empty: the architecture.
+    std::uint32_t referent = kNoOperator;  ///< Only for better, worse and equal.
+    double number = 0;                     ///< Only for numeric preferences.
+    Text rule;                             ///< The rule that made it; empty: the architecture.
   };
-  /// A candidate that was dropped, by any of by[first .. first + count - 1]: places of preferences, each of which
-  /// suffices; without all of them it is not dropped at that stage. None where another operator was forced.
+  /// A candidate that was dropped. by[first .. first + count - 1] are indices of the preferences that caused it. Each
+  /// of them is sufficient; without all of them, the candidate is not dropped at that stage. There are none if another
+  /// operator was forced.
   struct Drop {
     std::uint32_t op = kNoOperator;
     Stage stage = Stage::kForced;
     Decisive decisive = Decisive::kUnknown;
     std::uint32_t first = 0, count = 0;
   };
-  /// A candidate that was left. One of several that are indifferent is selected by value.
+  /// A candidate that was not dropped. If several are left and are indifferent, one is selected by its value.
   struct Chance {
     std::uint32_t op = kNoOperator;
     double value = 0;
@@ -71,16 +74,16 @@ struct DecisionOf {
 
   Impasse impasse = Impasse::kNone;
   std::uint32_t selected = kNoOperator;
-  bool is_forced = false;    ///< By `decide select`.
-  bool has_changed = false;  ///< Preferences have changed since: these are the present ones.
+  bool is_forced = false;    ///< Selected by the command `decide select`.
+  bool has_changed = false;  ///< Preferences have changed since the decision; these are the present ones.
   Policy policy = Policy::kSoftmax;
   std::vector<Operator> operators;
   std::vector<Preference> preferences;
-  std::vector<Drop> drops;        ///< By stage. In a conflict all candidates are dropped and left.
-  std::vector<std::uint32_t> by;  ///< Places in `preferences`, of the drops.
-  std::vector<Chance> left;       ///< Newest proposal first.
+  std::vector<Drop> drops;        ///< Sorted by stage. In a conflict, the candidates are both dropped and left.
+  std::vector<std::uint32_t> by;  ///< Indices in `preferences` for the drops.
+  std::vector<Chance> left;       ///< The newest proposal first.
 
-  /// Nothing was reported of a decision.
+  /// Whether no decision was recorded.
   bool empty() const { return preferences.empty(); }
   void Clear() {
     impasse = Impasse::kNone;
@@ -94,7 +97,7 @@ struct DecisionOf {
       if (drop.op == op) return &drop;
     return nullptr;
   }
-  /// The place of an operator by its identifier, or kNoOperator.
+  /// The index of an operator by its identifier, or kNoOperator.
   std::uint32_t Find(std::string_view id) const {
     for (std::uint32_t i = 0; i < operators.size(); ++i)
       if (operators[i].id == id) return i;
@@ -103,7 +106,7 @@ struct DecisionOf {
 };
 
 using Decision = DecisionOf<std::string>;
-/// Texts belong to somebody else. For whoever reports a decision while it is made.
+/// The texts belong to the reporter of the decision, and are valid only while it reports.
 using DecisionView = DecisionOf<std::string_view>;
 
 }  // namespace soarbox::mind

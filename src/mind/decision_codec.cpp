@@ -13,7 +13,7 @@ class In : public ByteReader {
  public:
   using ByteReader::ByteReader;
 
-  /// A place below `end`, or none.
+  /// An index below `end`, or none.
   std::uint32_t Place(std::size_t end) {
     const std::uint64_t value = Number();
     if (value > end) Fail();
@@ -21,16 +21,16 @@ class In : public ByteReader {
   }
 };
 
-// Of a file or a wire anything may come. What a decision procedure says stays far below these.
+// The input may be anything. Real decisions are far below these limits.
 constexpr std::size_t kMostBytes = 4u << 20;
-constexpr std::size_t kMostNamed = 16u << 20;  ///< Bytes of names, each counted as often as it is referred to.
-constexpr std::size_t kMostCauses = 1u << 16;  ///< Drops times preferences that suffice.
+constexpr std::size_t kMostNamed = 16u << 20;  ///< Total bytes of names, counted for each reference.
+constexpr std::size_t kMostCauses = 1u << 16;  ///< Number of drops times their sufficient preferences.
 
 bool HasReferent(PreferenceKind kind) {
   return kind == PreferenceKind::kBetter || kind == PreferenceKind::kWorse || kind == PreferenceKind::kEqual;
 }
 
-/// Whether to go through all that is referred to, and to name it, takes no more time and memory than it should.
+/// Whether processing and describing the decision takes a limited amount of time and memory.
 bool IsModest(const Decision& decision) {
   std::size_t named = 0, causes = 0, dominated = 0;
   const auto name = [&](std::uint32_t op) {
@@ -46,7 +46,7 @@ bool IsModest(const Decision& decision) {
     causes += drop.count;
     if (drop.stage == Stage::kDominated) dominated += drop.count;
   }
-  // Each that is dominated has preferences of its own.
+  // Each dominated operator has separate preferences.
   return named <= kMostNamed && causes <= decision.by.size() + kMostCauses && dominated <= decision.by.size();
 }
 
@@ -64,7 +64,7 @@ PackedOperators Pack(const DecisionOf<Text>& decision, std::string& bytes) {
 
   FieldWriter out(bytes.data() + before);
   const auto put = [&out](auto value) { out("", value); };
-  const auto put_place = [&out](std::uint32_t value) {  // Or none, as 0.
+  const auto put_place = [&out](std::uint32_t value) {  // Or none, stored as 0.
     out.Number(value == Decision::kNoOperator ? 0 : std::uint64_t{value} + 1);
   };
   put(decision.impasse);

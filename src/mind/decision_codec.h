@@ -10,19 +10,19 @@
 
 namespace soarbox::mind {
 
-/// Where the operators' texts stand in the bytes of a decision. Before and after them nothing depends on these texts.
+/// The position of the operators' texts in the bytes of a decision. No other bytes depend on these texts.
 struct PackedOperators {
   std::size_t begin = 0, end = 0;
 };
 
-/// Appends a decision as bytes, quick to make while a mind runs. Of a Decision or a DecisionView.
+/// Appends a Decision or a DecisionView as bytes. It is fast, because it runs while a mind decides.
 template <typename Text>
 PackedOperators Pack(const DecisionOf<Text>& decision, std::string& bytes);
 
-/// Reads what Pack wrote. Nothing if the bytes are anything else: every place that they name is within bounds.
+/// Reads the output of Pack. Returns nothing if the bytes are invalid. All indices in the result are within bounds.
 std::optional<Decision> Unpack(std::string_view bytes);
 
-/// The same with texts of its own.
+/// A copy that owns its texts.
 Decision Owned(const DecisionView& decision);
 
 }  // namespace soarbox::mind

@@ -11,35 +11,35 @@
 
 namespace soarbox::mind {
 
-// What minds do, as facts: each kind of event is a type. Texts are names and values, never sentences, and belong to the
-// log that the event comes from (mind/event_log.h). Levels of the goal stack count from 1, the top state.
+// What minds do, as typed events. Texts are names and values, never sentences. They belong to the log that the event
+// comes from (mind/event_log.h). Levels of the goal stack count from 1, the top state.
 //
-// `Fields` shows the fields of an event to `see(name, field)` in the order in which files hold them.
+// `Fields` calls `see(name, field)` for each field of an event, in the order in which files store them.
 
-/// A constant as links have it: a word, an integer or a float.
+/// A constant of the input or output link: a word, an integer or a float.
 using Value = std::variant<std::string_view, std::int64_t, double>;
 
-/// Levels of the goal stack below this one count as this one.
+/// Deeper levels of the goal stack are reported as this level.
 inline constexpr std::uint64_t kDeepestLevel = 1000;
-/// At most this much of a command is reported.
+/// Maximum number of parameters of a command that are reported.
 inline constexpr std::size_t kMostParameters = 10'000;
 
-/// An element below a command. Those of an object come right after it, one step deeper.
+/// An element below a command. The elements of an object come directly after it, with a depth that is greater by 1.
 struct Parameter {
   std::uint32_t depth = 0;
-  bool is_object = false;  ///< Then it has no value.
+  bool is_object = false;  ///< It has no value then.
   std::string_view attribute;
   Value value;
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// Why a state is there.
+/// Why a state was created.
 enum class StateReason : std::uint8_t { kTop, kTie, kConflict, kConstraintFailure, kNoChange };
 
 enum class CommandStatus : std::uint8_t { kComplete, kInterrupted, kError };
 
-/// A constant of the input link has come or changed. The path is that of its object, with a dot at its end, or empty; a
-/// key tells siblings of one attribute apart, 0: there is one.
+/// A constant of the input link was added or changed. `path` is the path of its object, with a dot at the end, or
+/// empty. `key` distinguishes elements with the same attribute; 0 if there is only one.
 struct PerceptChanged {
   std::string_view path, attribute;
   std::uint32_t key = 0;
@@ -50,7 +50,7 @@ struct PerceptChanged {
   }
 };
 
-/// A percept has gone, with all below it.
+/// A percept was removed, with everything below it.
 struct PerceptGone {
   std::string_view path, attribute;
   std::uint32_t key = 0;
@@ -60,11 +60,11 @@ struct PerceptGone {
   }
 };
 
-/// A command came to the output link.
+/// A command was added to the output link.
 struct CommandSaid {
   std::uint64_t timetag = 0;
   std::string_view name;
-  std::string_view rule;  ///< That made it; empty: not known.
+  std::string_view rule;  ///< The rule that made it; empty if it is not known.
   std::vector<Parameter> parameters;
   template <typename Self, typename See>
   static void Fields(Self& self, See&& see) {
@@ -72,11 +72,11 @@ struct CommandSaid {
   }
 };
 
-/// How a command went.
+/// The result of a command.
 struct CommandEnded {
   std::string_view name;
   CommandStatus status = CommandStatus::kComplete;
-  std::string_view fault;  ///< Of an error: "no-target".
+  std::string_view fault;  ///< For an error: "no-target".
   template <typename Self, typename See>
   static void Fields(Self& self, See&& see) {
     see("name", self.name), see("status", self.status), see("fault", self.fault);
@@ -86,7 +86,7 @@ struct CommandEnded {
 struct OperatorSelected {
   int level = 1;
   std::string_view id, name;  ///< The name may be empty.
-  std::string_view decision;  ///< What the decision procedure said, packed (mind/decision_codec.h); may be empty.
+  std::string_view decision;  ///< The recorded decision, packed (mind/decision_codec.h); may be empty.
   template <typename Self, typename See>
   static void Fields(Self& self, See&& see) {
     see("level", self.level), see("id", self.id), see("name", self.name), see("decision", self.decision);
@@ -98,7 +98,7 @@ struct StateMade {
   std::string_view id;
   StateReason reason = StateReason::kTop;
   bool on_operator = false;   ///< The impasse is about operators, not about the state.
-  std::string_view decision;  ///< As above.
+  std::string_view decision;  ///< As in OperatorSelected.
   template <typename Self, typename See>
   static void Fields(Self& self, See&& see) {
     see("level", self.level), see("id", self.id), see("reason", self.reason), see("on_operator", self.on_operator),
@@ -106,7 +106,7 @@ struct StateMade {
   }
 };
 
-/// A state went, with all below it.
+/// A state was removed, with all states below it.
 struct StateGone {
   int level = 1;
   std::string_view id;
@@ -121,11 +121,11 @@ struct Halted {
   static void Fields(Self&, See&&) {}
 };
 
-/// Long-term memory answered. The question, the answer and the reason are as the kernel gives them.
+/// Long-term memory answered a query. The texts are as the kernel reports them.
 struct Recalled {
   int level = 1;
   bool is_episode = false;
-  std::uint64_t number = 0;  ///< Of the object or the episode; 0: nothing came.
+  std::uint64_t number = 0;  ///< Number of the object or the episode; 0 if nothing was found.
   std::string_view question, answer, reason;
   template <typename Self, typename See>
   static void Fields(Self& self, See&& see) {
@@ -134,12 +134,12 @@ struct Recalled {
   }
 };
 
-/// A rule was learned from what went on in a state.
+/// A rule was learned from a result of a substate.
 struct RuleLearned {
   int level = 1;
   std::string_view rule;
-  std::string_view from;   ///< The rule whose firing gave the result; empty: not known.
-  std::string_view state;  ///< The substate; empty: not known.
+  std::string_view from;   ///< The rule whose firing created the result; empty if it is not known.
+  std::string_view state;  ///< The substate; empty if it is not known.
   StateReason reason = StateReason::kNoChange;
   bool on_operator = false;
   template <typename Self, typename See>
@@ -149,7 +149,7 @@ struct RuleLearned {
   }
 };
 
-/// Learning by reward gave a rule another number.
+/// Reinforcement learning changed the value of a rule.
 struct ValueUpdated {
   std::string_view rule;
   double value = 0;
@@ -167,13 +167,13 @@ struct RewardReceived {
   }
 };
 
-/// What was learned by reward up to here belongs together.
+/// An episode of reinforcement learning ended.
 struct EpisodeEnded {
   template <typename Self, typename See>
   static void Fields(Self&, See&&) {}
 };
 
-/// A rule fired, or what it made goes because the rule no longer matches.
+/// A rule fired, or was retracted because it no longer matches.
 struct RuleFired {
   std::string_view rule;
   bool retracts = false;
@@ -183,7 +183,7 @@ struct RuleFired {
   }
 };
 
-/// A working memory element came or went; its symbols as Soar prints them.
+/// An element of working memory was added or removed. Symbols are written as Soar prints them.
 struct ElementChanged {
   bool added = true;
   std::uint64_t timetag = 0;
@@ -197,7 +197,7 @@ struct ElementChanged {
   }
 };
 
-/// What an old recording says, in words, of the event before this one.
+/// A reason in words for the event before this one. Nothing writes it any more; readers still accept it.
 struct Remark {
   std::string_view text;
   template <typename Self, typename See>
@@ -206,17 +206,17 @@ struct Remark {
   }
 };
 
-/// The place of a type in this list is its number in files: new ones come at the end.
+/// Files store the index of a type in this list. Add new types at the end.
 using Event =
     std::variant<PerceptChanged, PerceptGone, CommandSaid, CommandEnded, OperatorSelected, StateMade, StateGone, Halted,
                  Recalled, RuleLearned, ValueUpdated, RewardReceived, EpisodeEnded, RuleFired, ElementChanged, Remark>;
 
-/// What is noted in detail only (firings, elements).
+/// Whether an event is recorded only at MindDetail::kAll (firings, elements).
 inline bool IsDetail(const Event& event) {
   return std::holds_alternative<RuleFired>(event) || std::holds_alternative<ElementChanged>(event);
 }
 
-/// Functions for the kinds of events that somebody wants: `std::visit(Cases{...}, event)`.
+/// Combines functions for several kinds of events: `std::visit(Cases{...}, event)`.
 template <typename... Functions>
 struct Cases : Functions... {
   using Functions::operator()...;

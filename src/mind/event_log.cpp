@@ -9,7 +9,7 @@
 namespace soarbox::mind {
 namespace {
 
-/// Reads what EventLog's writer wrote.
+/// Reads the output of EventLog::Add.
 class FieldReader : public ByteReader {
  public:
   using ByteReader::ByteReader;
@@ -38,7 +38,7 @@ class FieldReader : public ByteReader {
   void operator()(const char*, std::vector<Parameter>& parameters) {
     parameters.clear();
     const std::size_t count = Count(2);
-    if (count > kMostParameters) return Fail();  // Each takes much more memory than bytes.
+    if (count > kMostParameters) return Fail();  // Each uses much more memory than bytes.
     std::uint32_t most_depth = 0;
     for (std::size_t i = 0; i < count && !failed(); ++i) {
       Parameter& parameter = parameters.emplace_back();
@@ -56,7 +56,7 @@ class FieldReader : public ByteReader {
     if (value > 1) Fail();
     flag = value == 1;
   }
-  /// A level of the goal stack.
+  /// Reads a level of the goal stack.
   void operator()(const char*, int& number) {
     number = static_cast<int>(std::clamp<std::uint64_t>(Number(), 1, kDeepestLevel));
   }
@@ -75,10 +75,10 @@ template <std::size_t number>
 bool ReadKind(std::string_view bytes, Event& event) {
   using Kind = std::variant_alternative_t<number, Event>;
   FieldReader in(bytes);
-  // The memory of an event before it serves again.
+  // Reuses the memory of the previous event.
   Kind& read = std::holds_alternative<Kind>(event) ? std::get<Kind>(event) : event.emplace<Kind>();
   Kind::Fields(read, in);
-  return !in.failed();  // What a later version adds at the end is passed over.
+  return !in.failed();  // Ignores fields that a later version adds at the end.
 }
 
 constexpr std::size_t kKinds = std::variant_size_v<Event>;

@@ -19,26 +19,26 @@ namespace soarbox::mind {
 struct EventFrame {
   std::uint8_t kind = 0;
   std::string_view fields;
-  std::string_view whole;  ///< With kind and size.
+  std::string_view whole;  ///< Includes kind and size.
 };
 
-/// Takes the first event off the bytes of a log; false if they begin with none.
+/// Removes the first event from the bytes of a log. Returns false if they do not begin with an event.
 bool TakeFrame(std::string_view& log, EventFrame& frame);
 
-/// What one mind did, in order, as bytes: quick to add to while the mind runs, quick to copy, and as files hold them.
+/// What one mind did, in order, as bytes. Adding an event and copying the log are fast. Files store the same bytes.
 ///
-/// An event is its kind (a byte), the number of bytes that follow (a number in seven-bit groups, lowest first, at least
-/// two of them), and its fields. Texts are their size and their bytes. Readers pass over kinds that they do not know.
+/// An event consists of its kind (a byte), the number of bytes that follow (in groups of seven bits, the lowest first,
+/// at least two groups), and its fields. A text is its size and its bytes. Readers skip kinds that they do not support.
 class EventLog {
  public:
   EventLog() = default;
-  /// From the bytes of another log or of a file; takes anything (see IsSound).
+  /// Copies the bytes of another log or of a file. Accepts any bytes (see IsSound).
   explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()), may_have_details_(!bytes.empty()) {}
   EventLog(const EventLog& other)
       : bytes_(other.bytes()), used_(other.used_), may_have_details_(other.may_have_details_) {}
   EventLog& operator=(const EventLog& other) {
-    if (bytes_.size() < other.used_) bytes_.resize(other.bytes_.size());  // It may soon be longer.
-    // (Also of itself.)
+    if (bytes_.size() < other.used_) bytes_.resize(other.bytes_.size());  // Reserve more: the log often grows.
+    // Allows self-assignment.
     if (other.used_ > 0) std::memmove(bytes_.data(), other.bytes_.data(), other.used_);
     used_ = other.used_;
     may_have_details_ = other.may_have_details_;
@@ -58,7 +58,7 @@ class EventLog {
   }
   ~EventLog() = default;
 
-  /// Keeps the memory.
+  /// Removes all events; keeps the allocated memory.
   void Clear() {
     used_ = 0;
     may_have_details_ = false;
@@ -70,8 +70,8 @@ class EventLog {
   template <typename Kind>
   void Add(const Kind& event);
 
-  /// Reads the event at this place, 0 for the first, and moves on; false after the last. Texts of the event are this
-  /// log's and valid until the next Add. Skips events that make no sense.
+  /// Reads the event at offset `at` (0 for the first) and advances `at`. Returns false after the last event. Texts of
+  /// the event belong to this log and are valid until the next Add. Skips invalid events.
   bool Next(std::size_t& at, Event& event) const;
   /// Calls `see` with each event, as its own type.
   template <typename See>
@@ -79,7 +79,7 @@ class EventLog {
     Event event;
     for (std::size_t at = 0; Next(at, event);) std::visit(see, event);
   }
-  /// The same for one kind.
+  /// Calls `see` with each event of one kind.
   template <typename Kind, typename See>
   void ForEachOf(See&& see) const {
     Event event;
@@ -93,13 +93,13 @@ class EventLog {
     return any;
   }
 
-  /// Whether all bytes are events, and those of known kinds make sense.
+  /// Whether all bytes are events, and all events of known kinds are valid.
   bool IsSound() const;
-  /// Leaves out firings and elements.
+  /// Removes firings and elements.
   void DropDetails();
 
  private:
-  /// The number of a type in Event.
+  /// The index of a type in Event.
   template <typename Kind, std::size_t at = 0>
   static constexpr std::size_t NumberOf() {
     if constexpr (std::is_same_v<std::variant_alternative_t<at, Event>, Kind>) {
@@ -111,12 +111,12 @@ class EventLog {
 
   struct Sizer;
 
-  std::string bytes_;  ///< The first used_ of them.
+  std::string bytes_;  ///< Only the first used_ bytes are events.
   std::size_t used_ = 0;
-  bool may_have_details_ = false;  ///< Firings or elements.
+  bool may_have_details_ = false;  ///< May contain firings or elements.
 };
 
-/// How many bytes fields take at most.
+/// Computes the maximum number of bytes that fields use.
 struct EventLog::Sizer {
   static constexpr std::size_t kNumber = FieldWriter::kMostOfNumber;
   std::size_t size = 0;

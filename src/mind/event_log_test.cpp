@@ -12,7 +12,7 @@
 namespace soarbox::mind {
 namespace {
 
-/// Fills the fields of an event with anything.
+/// Fills the fields of an event with random values.
 class Filler {
  public:
   explicit Filler(std::uint64_t seed) : random_(seed) {}
@@ -56,7 +56,7 @@ class Filler {
  private:
   std::uint64_t Number() { return random_() >> (random_() % 64); }
   std::string_view Text() {
-    // Now and then one that is long, so that an event takes three bytes for its size.
+    // Occasionally a long text, so that the size of the event needs three bytes.
     const std::size_t size = random_() % 50 == 0 ? 20'000 : random_() % 12;
     return std::string_view(texts_).substr(random_() % 100, size);
   }
@@ -69,7 +69,7 @@ class Filler {
   }();
 };
 
-/// The fields of an event, to compare.
+/// The fields of an event, for comparison.
 struct Listed {
   std::vector<std::string> fields;
   void operator()(const char*, std::string_view text) { fields.emplace_back(text); }
@@ -163,8 +163,8 @@ TEST(EventLog, KindsThatAreNotKnownAndFieldsThatWereAddedArePassedOver) {
   bytes += std::string(
       "\xF0\x83\x00"
       "abc",
-      6);                                                              // A later kind.
-  bytes += std::string("\x06\x88\x00\x02\x02S2\x05later", 3 + 8 + 2);  // A state that went, with more behind it.
+      6);                                                              // A kind of a later version.
+  bytes += std::string("\x06\x88\x00\x02\x02S2\x05later", 3 + 8 + 2);  // A removed state with additional fields.
   const EventLog read{std::string_view(bytes).substr(0, bytes.size() - 2)};
   EXPECT_TRUE(read.IsSound());
   std::vector<std::size_t> kinds;

@@ -14,10 +14,10 @@
 
 namespace soarbox::mind {
 
-/// Writes fields of events and decisions, one after the other, into memory that is already there.
+/// Writes fields of events and decisions one after the other. The caller provides sufficient memory.
 class FieldWriter {
  public:
-  static constexpr std::size_t kMostOfNumber = 10;  ///< Bytes, of a number or a double.
+  static constexpr std::size_t kMostOfNumber = 10;  ///< Maximum size of a number or a double, in bytes.
 
   explicit FieldWriter(char* at) : at_(at) {}
   char* at() const { return at_; }
@@ -33,7 +33,7 @@ class FieldWriter {
       (*this)("", *word);
     } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
       Byte(1);
-      // Small negative numbers are small, too.
+      // Zigzag encoding, so that small negative numbers are short.
       const auto bits = static_cast<std::uint64_t>(*integer);
       Number((bits << 1) ^ (*integer < 0 ? ~std::uint64_t{0} : 0));
     } else {

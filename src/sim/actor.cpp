@@ -239,7 +239,7 @@ void Actor::Step() {
   ShowBearing();
 }
 
-/// Legs and neck: the velocity that the commands want, as far as the body's force goes, and a turn towards it.
+/// Legs and neck: applies the velocity that the commands request, limited by the body's force, and turns towards it.
 void Actor::MoveBody() {
   const float step_s = world_.settings().step_s;
   world::Vec3 wanted = Flat(wanted_.value_or(world::Vec3{}));
@@ -252,7 +252,7 @@ void Actor::MoveBody() {
       force = force * (body_->MaxForce() / newtons);
     body_->ApplyForce(force);
   }
-  // A body that nobody tells where to look looks where it goes.
+  // Without a direction to look in, the body faces its direction of movement.
   world::Vec3 ahead = look_.value_or(world::Length(wanted) > 0.3f ? wanted : world::Vec3{});
   ahead.y = 0;
   if (ahead == world::Vec3{}) return;
@@ -268,7 +268,7 @@ void Actor::Die() {
   way_ = Way{};
   bearing_.End(world_);
   body_->SetLastCommand("dead");
-  // Nobody stumbles over the dead, and no shot stops in them.
+  // Dead bodies are no obstacle, and shots pass through them.
   body_->RemovePhysics();
   body_->SetSpeed(0);
 }
@@ -291,7 +291,7 @@ std::optional<Actor::Sighting> Actor::Find(world::EntityId agent, std::string_vi
     return std::nullopt;
   }
   const auto known = contacts_.find(agent);
-  // Friends carry a radio: each knows where the others are.
+  // Friends have radio contact, so that each knows where the others are.
   const bool is_friend = other->Team() == body_->Team();
   if (is_friend || (known != contacts_.end() && known->second.visible)) {
     return Sighting{other->Position(), other->Velocity(), other->Forward(), true, other->Health() > 0};

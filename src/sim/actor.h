@@ -21,7 +21,7 @@ namespace soarbox::sim {
 
 class Arena;
 
-/// Something that happened to an actor.
+/// An event that an agent perceived.
 struct Happening {
   std::uint32_t number = 0;
   std::uint64_t tick = 0;
@@ -34,7 +34,7 @@ struct Happening {
 /// A thing that an actor carries.
 struct CarriedThing {
   std::string name;
-  Item item;  ///< Its object is gone from the world.
+  Item item;  ///< Its object is not in the world while it is carried.
 };
 
 /// A thing that an actor has seen, as it was when it was last in view.
@@ -45,40 +45,40 @@ struct SeenThing {
   bool moves = false;
   bool visible = false;
   std::uint64_t seen_tick = 0;
-  // For agents that sense a scene: how it is turned, and the box around it in its own frame.
+  // For agents whose mind imagines the scene: the thing's orientation, and its bounding box in its own coordinates.
   world::Quat orientation;
   world::Vec3 low, high;
 };
 
-/// How far hands reach, from skin to skin.
+/// Maximum distance at which hands reach a thing, between the two surfaces.
 inline constexpr float kArmsReach_m = 1.5f;
 
-/// How a command went, for the mind that gave it.
+/// The result or progress of a command, for the mind that gave it.
 struct Outcome {
   enum class Status : std::uint8_t { kProgress, kComplete, kError, kInterrupted } status = Status::kComplete;
   std::uint64_t tag = 0;
   std::string command;
   std::string reason, parameter;
-  std::string text;  ///< What is wrong, for people; empty if nothing is.
+  std::string text;  ///< The problem in words for users; empty if there is none.
   float progress = 0;
 };
 
-/// A command that a body is carrying out.
+/// A command that a body is executing.
 struct Running {
   vocabulary::SaidCommand said;
   const vocabulary::CommandRow* row = nullptr;
-  std::uint64_t ticks = 0;  ///< Steps done so far; 0 in the first.
-  // What the conducts keep between steps.
+  std::uint64_t ticks = 0;  ///< Number of completed steps; 0 in the first step.
+  // Data that the command's implementation keeps between steps (conduct.h).
   float start_m = 0, best_m = 0;
   std::uint64_t best_tick = 0, mark_tick = 0;
   int index = 0, count = 0;
   float turn_deg = 0;
   std::optional<world::Vec3> goal = std::nullopt;
-  std::vector<world::Vec3> path = {};  ///< Corners still to pass, with the goal that they lead to.
+  std::vector<world::Vec3> path = {};  ///< Remaining corners of the path to path_goal.
   world::Vec3 path_goal;
   std::uint64_t path_tick = 0;
-  int told_tenths = -1;  ///< Progress reported last.
-  /// The way that its next step will look for, found in advance (Arena::Foresee).
+  int told_tenths = -1;  ///< The last reported progress, in tenths.
+  /// The direction for the next step, computed in advance (Arena::Foresee).
   struct FreeWay {
     world::Vec3 wanted;
     float turn_before_deg = 0;
@@ -92,7 +92,7 @@ struct Running {
   std::string Word(std::string_view name) const;
 };
 
-/// What one step of a command came to.
+/// The result of one step of a command.
 struct StepResult {
   enum class State : std::uint8_t { kGoing, kDone, kFailed } state = State::kDone;
   std::string_view reason = {};
@@ -103,10 +103,10 @@ struct StepResult {
   static StepResult Failed(std::string_view reason) { return {State::kFailed, reason, 0}; }
 };
 
-/// The body of an agent that needs no script: it carries out the commands of the vocabulary.
+/// The body of an agent without a body script. It executes the commands of the vocabulary.
 ///
-/// Made by the Arena, which owns it; the physical agent is the world's. Deterministic: draws from the agent's own
-/// random stream only.
+/// Created and owned by the Arena; the physical agent belongs to the world. Deterministic: it draws random numbers only
+/// from the agent's own stream.
 class Actor {
  public:
   Actor(Arena& arena, world::World& world, world::EntityId id, BodyKind kind, bool is_scripted);
@@ -123,30 +123,30 @@ class Actor {
   bool IsAlive() const { return body_->Health() > 0; }
 
   // Commands.
-  /// Takes a command that a mind has given; a mistake in it becomes an outcome. Interrupts others that hold the same
-  /// part.
+  /// Starts a command of a mind. An error in the command becomes an outcome. Interrupts running commands that use the
+  /// same part of the body.
   void Begin(const vocabulary::SaidCommand& command);
-  /// The rules have withdrawn the command: the body gives it up without an outcome.
+  /// Ends a command that the rules have withdrawn, without an outcome.
   void Cancel(std::uint64_t tag);
-  /// One tick: weapons, commands, legs.
+  /// One tick: weapons, then commands, then legs.
   void Step();
-  /// Whether others meet the same bodies at the same places during the next Step: it walks and turns at most.
+  /// Whether the actor only walks and turns in the next Step. Other actors then find all bodies at the same places.
   bool OnlyWalks() const;
-  /// Finds what takes the next Step longest to look for. Reads the world and changes only this.
+  /// Computes in advance the most expensive search of the next Step. Reads the world and changes only this actor.
   void Foresee();
   std::vector<Outcome> TakeOutcomes();
   const std::vector<Running>& running() const { return running_; }
 
-  // For the conducts.
-  /// The ground velocity wanted in this step; the legs see to it. The body stands if nobody wants any.
+  // For the implementations of commands (conduct.h).
+  /// Sets the velocity on the ground for this step. Without a call, the body stands still.
   void Walk(world::Vec3 velocity) { wanted_ = velocity; }
   void Look(world::Vec3 direction) { look_ = direction; }
-  float speed_mps() const;  ///< Of walking, with the stance taken into account.
+  float speed_mps() const;  ///< Walking speed in the present stance.
   float TopSpeed() const;
   void SetWalkSpeed(float mps) { walk_mps_ = mps; }
   const std::string& stance() const { return stance_; }
   void SetStance(std::string_view stance);
-  /// The node of its mesh, which shows how it holds itself.
+  /// Sets the node of its mesh, which shows its stance.
   void SetLooks(world::NodeId looks);
   float Steadiness() const;
   std::optional<world::Weapon>& weapon() { return weapon_; }
@@ -154,33 +154,34 @@ class Actor {
   world::EntityId target() const { return target_; }
   void SetTarget(world::EntityId target) { target_ = target; }
   const std::vector<CarriedThing>& carried() const { return carried_; }
-  /// A load that is wider than the body rests on its shoulders and makes the body as wide.
+  /// Adds a load. If it is wider than the body, the body carries it on its shoulders and becomes as wide.
   void Carry(CarriedThing thing);
-  /// Takes the thing of this name out of its hands. Nothing if it carries no such thing.
+  /// Removes the thing of this name from its hands and returns it. Returns nothing if it does not carry the thing.
   std::optional<CarriedThing> LetGo(std::string_view name);
   /// The radius that its body would have without the thing of this name.
   float RadiusWithout(std::string_view name) const;
-  /// Where it supposes an agent to be: friends and agents in view where they are, others where it last noticed them.
-  /// Nothing, with a reason, for agents that it never noticed or has forgotten.
+  /// The believed position of an agent. For friends and agents in view, this is the true position; for others, the
+  /// position where they were last perceived. Returns nothing, with a reason, for agents that were never perceived or
+  /// are forgotten.
   struct Sighting {
     world::Vec3 position, velocity;
     world::Vec3 forward{0, 0, 1};
-    bool certain = false;  ///< In view, or a friend.
+    bool certain = false;  ///< It is in view, or a friend.
     bool alive = true;
   };
   std::optional<Sighting> Find(world::EntityId agent, std::string_view& reason) const;
-  /// The place that the command's parameters name.
+  /// The place that the parameters of the command name.
   struct Place {
     world::Vec3 position;
     world::EntityId entity = world::kNoEntity;
-    float radius_m = 0;  ///< Of the thing that is there.
+    float radius_m = 0;  ///< Radius of the thing at the place.
   };
   std::optional<Place> FindPlace(const Running& command, std::string_view& reason) const;
 
-  // Knowledge; the senses keep it.
+  // Knowledge of the surroundings, which the senses update.
   Contacts& contacts() { return contacts_; }
   const Contacts& contacts() const { return contacts_; }
-  /// Things in view or remembered, by their number in the world.
+  /// Things that are in view or remembered, by id.
   std::map<world::EntityId, SeenThing>& things() { return things_; }
   const std::map<world::EntityId, SeenThing>& things() const { return things_; }
   std::deque<Happening>& happenings() { return happenings_; }
@@ -188,10 +189,10 @@ class Actor {
   void Notice(Happening happening);
   std::optional<world::Message>& order() { return order_; }
   const std::optional<world::Message>& order() const { return order_; }
-  /// The number of the last message that was checked for an order.
+  /// The number of the last message that was checked for orders.
   std::uint32_t& orders_heard() { return orders_heard_; }
 
-  // How its movement goes.
+  // Status of its movement.
   struct Way {
     std::string status = "none";
     std::string command;
@@ -204,7 +205,7 @@ class Actor {
 
  private:
   void End(const Running& command, Outcome::Status status, std::string_view reason, std::string text = {});
-  /// For a command to a place that does not exist: which place was most likely meant, and which places there are.
+  /// For a command to a place that does not exist: the most similar name, and a list of the places.
   std::string WhichPlaces(const Running& command, std::string_view reason) const;
   void Die();
   void HoldLoad();
@@ -231,10 +232,10 @@ class Actor {
   std::string stance_ = "standing";
   world::EntityId target_ = world::kNoEntity;
   std::vector<CarriedThing> carried_;
-  world::NodeId load_ = world::NodeId::kNone;  ///< Of the widest thing that it carries, if that is wider than the body.
-  float own_radius_m_ = 0;                     ///< Without the load.
+  world::NodeId load_ = world::NodeId::kNone;  ///< Node of the widest load, if that is wider than the body.
+  float own_radius_m_ = 0;                     ///< Radius without a load.
   std::map<world::EntityId, SeenThing> things_;
-  bool is_scripted_;  ///< A script moves the body; this one only perceives.
+  bool is_scripted_;  ///< A script moves the body; the actor only perceives.
   bool dead_ = false;
 };
 

@@ -143,7 +143,7 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
 
 namespace {
 
-/// Sets what the options say of a body by the name of its kind.
+/// Sets the body from the name of its kind.
 std::optional<Diagnostic> ChooseBody(const Value& given, const std::vector<BodyKind>& kinds, BodyKind& body) {
   const std::string* name = std::get_if<std::string>(&given);
   if (name == nullptr) return WrongType("body", "the name of a body");
@@ -167,7 +167,7 @@ bool IsCoordinate(const std::string& name) {
          std::string_view("xyz123").find(name[9]) != std::string_view::npos;
 }
 
-/// Sets any option but a coordinate and the kind of body.
+/// Sets any option except coordinates and the kind of body.
 std::optional<Diagnostic> SetOption(const std::string& name, const Value& value, AgentOptions& read) {
   const std::string* text = std::get_if<std::string>(&value);
   if (name == "name" || name == "team" || name == "leader") {
@@ -204,7 +204,7 @@ AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind
   const auto note = [&problems](const std::string& name, std::optional<Diagnostic> problem) {
     if (problem) problems.push_back({name, std::move(*problem)});
   };
-  // The kind first: the other options change it.
+  // The kind comes first, because other options change it.
   if (const auto given = options.find("body"); given != options.end())
     note("body", ChooseBody(given->second, kinds, read.body));
   std::optional<double> x, z;
@@ -222,7 +222,7 @@ AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind
       bad_position = true;
       continue;
     }
-    // [x, z], [x, y, z] or a vector; height follows from the ground.
+    // [x, z], [x, y, z] or a vector. The ground determines the height.
     const bool has_three = options.contains("position.3");
     if (name[9] == 'x' || name[9] == '1') x = *number;
     if (name[9] == 'z' || name[9] == '3' || (name[9] == '2' && !has_three)) z = *number;

@@ -14,42 +14,42 @@
 
 namespace soarbox::sim {
 
-/// Options as scripts and scenario files write them, nested ones with dotted names: "position.x", "senses.sight".
+/// Options as written in scripts and scenario files. Nested options have dotted names: "position.x", "senses.sight".
 using Options = std::map<std::string, std::variant<bool, double, std::string>>;
 
-/// What an author may set for an agent where it is made.
+/// The options of an agent that its author can set where the agent is created.
 struct AgentOptions {
   BodyKind body;
-  bool has_senses = false;  ///< Some option was about senses.
-  std::string team;         ///< Empty: the sandbox's default.
-  std::string leader;       ///< Name of an agent that is there already.
+  bool has_senses = false;  ///< An option of the senses was given.
+  std::string team;         ///< Empty: the default of the sandbox.
+  std::string leader;       ///< Name of an existing agent.
   std::optional<world::Vec3> position;
   std::optional<float> heading_deg;
   std::optional<double> rounds;
-  bool by_sandbox = false;  ///< Its body, percepts and commands are up to the sandbox's script.
+  bool by_sandbox = false;  ///< The sandbox's script defines its body, percepts and commands.
 };
 
-/// What is wrong with one option, by its dotted name.
+/// A problem of one option, with the option's dotted name.
 struct OptionProblem {
   std::string option;
   Diagnostic problem;
 };
 
-/// Keys that belong on top of a scenario file but are often written below a table, which then takes them.
+/// Keys of the entire scenario. Authors often write them after a table, so that they become part of that table.
 inline bool IsOfWholeScenario(std::string_view key) {
   return key == "seconds" || key == "seed" || key == "description";
 }
 inline constexpr const char* kOnTop = "it belongs on top of the file, above the first [[...]]";
 
-/// Reads the options against the kinds of bodies. Adds what is wrong to the problems, one for each option, with a
-/// suggestion for an option that nothing knows.
+/// Reads options. Adds one problem for each invalid option, with a suggestion for unknown names. `kinds` are the
+/// available kinds of bodies.
 AgentOptions ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds,
                               std::vector<OptionProblem>& problems);
-/// The same, with all that is wrong in one diagnostic.
+/// The same. All problems are returned as one diagnostic.
 Result<AgentOptions> ReadAgentOptions(const Options& options, const std::vector<BodyKind>& kinds);
 
-/// Sets one property of a body by its option's name ("speed", "senses.sight", "weapon.range"). False if there is no
-/// such property; an error if the value is of the wrong type or out of range.
+/// Sets one property of a body by the name of its option ("speed", "senses.sight", "weapon.range"). Returns false if
+/// there is no such property. Fails if the value has the wrong type or is out of range.
 Result<bool> SetBodyProperty(BodyKind& body, const std::string& name,
                              const std::variant<bool, double, std::string>& value);
 

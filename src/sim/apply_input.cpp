@@ -95,7 +95,7 @@ struct Applier {
   void operator()(const CameraInput& in) const { to.world.camera().FollowViewer(in.position, in.orientation); }
 
   void operator()(const CommandInput& in) const {
-    // For no agent: lines of the log of a recorded client.
+    // Without an agent: lines of the log of a recorded client.
     if (in.agent.empty()) return to.client(in.line);
     to.answer(in, to.soar.Execute(in.agent, in.line, recorded));
   }

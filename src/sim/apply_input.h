@@ -23,7 +23,7 @@ struct BodyKind;
 class ForeignBodies;
 class SoarHost;
 
-/// What an input can reach.
+/// What inputs can change or call.
 struct InputTargets {
   world::World& world;
   script::ScriptHost& scripts;
@@ -32,11 +32,11 @@ struct InputTargets {
   std::function<void(Diagnostic)> warn;
   std::function<void(world::EntityId agent, const std::string& order)> order;
   ForeignBodies& foreign;
-  std::span<const BodyKind> kinds;                    ///< Of bodies.
-  std::function<void(std::string_view acts)> client;  ///< Lines of the log of a recorded client.
+  std::span<const BodyKind> kinds;                    ///< Kinds of bodies in the scenario.
+  std::function<void(std::string_view acts)> client;  ///< Receives lines of the log of a recorded client.
 };
 
-/// Lets an input take effect. Reports what it cannot do.
+/// Applies an input. Reports what cannot be done.
 void ApplyInput(const Input& input, const InputTargets& targets);
 
 }  // namespace soarbox::sim

@@ -68,7 +68,7 @@ void Arena::GiveLooks(Actor& actor) {
   const BodyKind& kind = actor.kind();
   const world::NodeId node = actor.body().node();
   if (kind.looks != "person") {
-    // The viewer draws a creature in the place of a capsule with its material.
+    // The viewer replaces a capsule with the material of a creature by its figure.
     const std::string_view material = MaterialOfLooks(kind.looks);
     scene.SetMaterial(scene.CreateCapsule(node, kind.height_m, kind.radius_m),
                       material.empty() ? kind.material : std::string(material));
@@ -128,14 +128,14 @@ bool Arena::PutDown(const CarriedThing& thing, world::Vec3 ground) {
 }
 
 void Arena::BuildWays() {
-  // Navigation meshes leave planes out: a slab just below the ground carries the ways.
+  // Navigation meshes ignore planes, so a slab directly below the ground is used instead.
   constexpr float kSide_m = 160, kThick_m = 1, kBelow_m = 0.02f;
   if (ground_ == world::kNoEntity) {
     ground_ = world_.CreateBox(kSide_m, kThick_m, kSide_m);
     if (world::Object* slab = world_.FindObject(ground_)) {
       slab->SetMass(0);
       slab->SetPosition({0, -kThick_m / 2 - kBelow_m, 0});
-      // Nobody sees it, but drawing what the ground hides would cost as much as the ground.
+      // It is hidden, because drawing it below the ground would cost as much as drawing the ground.
       world_.scene().SetVisible(world_.NodeOf(ground_), false);
     }
   }
@@ -193,7 +193,7 @@ void Arena::HearCollisions() {
       if (actor == nullptr || now.size() >= kMostTouching) continue;
       const world::Object* object = world_.FindObject(other);
       if (object != nullptr && (object->kind() == world::ObjectKind::kPlane || other == ground_)) continue;
-      // Standing on something is no collision.
+      // Standing on something is not a collision.
       if (object != nullptr && collision.normal_on_b.y * (self == collision.a ? 1 : -1) > 0.7f) continue;
       now.insert({self, other});
       if (touching_.contains({self, other})) continue;
@@ -231,7 +231,7 @@ void Arena::OnShot(const world::Shot& shot) {
     happening.bearing_deg = BearingOf(actor->body().Position(), actor->body().Forward(), shot.from);
     happening.damage = is_hit ? shot.damage : 0;
     actor->Notice(std::move(happening));
-    // A shot tells where the shooter stands.
+    // A shot reveals the position of the shooter.
     Contact& contact = actor->contacts()[shot.shooter];
     if (contact.agent == world::kNoEntity || !contact.visible) {
       contact.agent = shot.shooter;

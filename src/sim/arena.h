@@ -18,18 +18,18 @@
 
 namespace soarbox::sim {
 
-/// What the actors of a world share: places, messages, noises, and the actors themselves.
+/// The data that the actors of a world share: places, messages, noises, and the actors themselves.
 ///
-/// One tick: the minds read the senses (senses.h), commands begin, then Step() lets every actor act in creation order;
-/// HearCollisions() follows the world's own step. Owned by the simulation.
+/// In each tick, the minds first read the senses (senses.h) and begin commands. Step() then updates all actors in the
+/// order of creation. HearCollisions() is called after the step of the physics. Owned by the simulation.
 class Arena {
  public:
   using Report = std::function<void(RunEvent)>;
 
   Arena(world::World& world, Report report);
 
-  /// Gives an agent of the world a body of this kind, with its looks. An agent whose body is a script gets only the
-  /// senses of the kind: it carries out no commands.
+  /// Gives an agent a body of this kind, with its appearance. If a script controls the body, the actor provides only
+  /// the senses of the kind and executes no commands.
   Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
   /// Removes an agent that has gone from the world, with what it carries, and reports that it leaves.
   void Remove(world::EntityId agent);
@@ -37,29 +37,29 @@ class Arena {
   Actor* Find(world::EntityId agent);
   const Actor* Find(world::EntityId agent) const { return const_cast<Arena*>(this)->Find(agent); }
   std::span<const std::unique_ptr<Actor>> actors() const { return actors_; }
-  /// Any agent of the world, by name; kNoEntity if there is none.
+  /// The id of an agent by its name; kNoEntity if there is none.
   world::EntityId FindAgentNamed(std::string_view name) const;
-  /// A thing by its name; kNoEntity if there is none.
+  /// The id of a thing by its name; kNoEntity if there is none.
   world::EntityId FindObjectNamed(std::string_view name) const;
-  /// Its name in the scenario, or its kind and number.
+  /// The thing's name in the scenario, or its kind and number.
   std::string NameOfObject(world::EntityId object) const;
 
-  /// Puts a carried thing on the ground at that place, under its name. False if the world takes no more.
+  /// Puts a carried thing on the ground, under its name. Returns false if the world accepts no more objects.
   bool PutDown(const CarriedThing& thing, world::Vec3 ground);
 
-  /// Makes a navigation mesh of what is there now; commands to move then follow it.
+  /// Builds a navigation mesh of the present world. Commands to move follow its paths from now on.
   void BuildWays();
-  /// The corners of the way, without its start; empty if there is no mesh or no way.
+  /// The corners of a path, without its start. Empty if there is no mesh or no path.
   std::vector<world::Vec3> FindWay(world::Vec3 from, world::Vec3 to);
-  /// False if the mesh shows that no way leads to within this distance of the place; true where it cannot tell, for
-  /// example after a thing has gone that was there when the mesh was made.
+  /// False if the mesh shows that no path leads to within `within_m` of the place. True if that is not certain, for
+  /// example because a thing has been removed since the mesh was built.
   bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
-  /// Before Step: actors find what they will look for, as long as nobody who acts before them does more than walk. They
-  /// only read the world, so neither their order nor the number of threads matters.
+  /// Computes searches of the coming Step in advance, on several threads. It covers actors for which all earlier actors
+  /// only walk. The actors only read the world, so the result does not depend on the order or the number of threads.
   void Foresee(const world::Workers& workers);
   void Step();
-  /// Makes the collisions of the world's last step happenings of those who took part.
+  /// Converts the collisions of the last physics step to happenings of the agents that took part.
   void HearCollisions();
   void OnShot(const world::Shot& shot);
   struct PastShot {
@@ -72,17 +72,17 @@ class Arena {
     double time_s = 0;
   };
   struct Past {
-    std::deque<PastShot> shots;  ///< Of the last two seconds, oldest first.
-    /// By agent. Who is not among them did not die, or a script took its health.
+    std::deque<PastShot> shots;  ///< Shots of the last two seconds, oldest first.
+    /// By agent. An agent that is missing is alive, or a script reduced its health to 0.
     std::map<world::EntityId, Death> deaths;
   };
-  /// What happened, for whoever watches or asks.
+  /// Recent events, for observers.
   const Past& past() const { return past_; }
-  /// An order of the user: "advance waypoint gate" becomes ^action advance ^waypoint gate.
+  /// An order of the user: "advance waypoint gate" is converted to ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
   void Tell(world::EntityId agent, std::string_view news, std::string text);
 
-  /// The slab that carries the ways; nobody would call it a thing.
+  /// The ground on which agents walk. It is not listed as a thing.
   world::EntityId ground() const { return ground_; }
   Places& places() { return places_; }
   const Places& places() const { return places_; }
@@ -100,10 +100,10 @@ class Arena {
   Report report_;
   Places places_;
   world::MessageBoard board_;
-  std::vector<std::unique_ptr<Actor>> actors_;  ///< In creation order, thus in ascending id.
+  std::vector<std::unique_ptr<Actor>> actors_;  ///< In the order of creation, that is, by ascending id.
   world::EntityId ground_ = world::kNoEntity;
   bool has_ways_ = false;
-  std::vector<world::EntityId> things_of_ways_;  ///< What was there when the mesh was made, in ascending id.
+  std::vector<world::EntityId> things_of_ways_;  ///< The things that existed when the mesh was built, by ascending id.
   std::set<std::pair<world::EntityId, world::EntityId>> touching_;
   Past past_;
 };

@@ -13,8 +13,8 @@
 
 namespace soarbox::sim {
 
-/// Those whom an actor's senses can take in: all its contacts, or only the nearest friends and the nearest enemies. Of
-/// several at the same distance, the first counts.
+/// Selects the contacts that an actor's senses report: all, or only the nearest friends and the nearest enemies
+/// (SenseSettings::most). At equal distances, the lower id comes first.
 class Attention {
  public:
   explicit Attention(const Actor& actor) : actor_(actor) {

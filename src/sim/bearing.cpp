@@ -33,7 +33,7 @@ void Bearing::GoOn(world::Animator& animator, float seconds, bool reloads) {
   const auto index = static_cast<std::size_t>(clip_);
   const float length = animator.rig().clips[index].length_s();
   float time = animator.state(index).time_s + seconds;
-  // Who has loaded sooner than the figure takes the rifle up again.
+  // If the weapon is loaded before the animation ends, the rifle is raised early.
   if (loads_ && !reloads) time = std::max(time, length - kFade_s);
   animator.SetTime(index, time);
   animator.SetWeight(index, std::clamp(std::min(time, length - time) / kFade_s, 0.0f, 1.0f));

@@ -14,25 +14,25 @@ class World;
 
 namespace soarbox::sim {
 
-/// How a person's figure shows what the person does: the rifle goes up to shoot and stays up for a moment, kicks with
-/// each shot, and is loaded; whoever is hit flinches. It moves nothing but the figure.
+/// Animates what a person does: raises the rifle to shoot and keeps it raised for a moment, plays the recoil of each
+/// shot and the loading, and flinches after a hit. It changes only the figure, not the body.
 class Bearing {
  public:
-  /// What the person does in a tick.
+  /// The actions of the person in a tick.
   struct Deeds {
     std::string_view stance = "standing";
     bool is_armed = false;
-    bool shoots = false;   ///< A command to shoot is under way.
+    bool shoots = false;   ///< A command to shoot is running.
     bool reloads = false;  ///< The weapon is being loaded.
     int rounds = 0;        ///< In the magazine.
     float health = 100;
   };
 
-  /// The mesh that shows it; without a mesh, nothing does.
+  /// Sets the mesh to animate. Without a mesh, nothing is animated.
   void SetFigure(world::NodeId figure) { figure_ = figure; }
-  /// One tick.
+  /// Animates one tick.
   void Show(world::World& world, const Deeds& deeds);
-  /// From now on the figure just falls.
+  /// Ends the animations, because the person has died.
   void End(world::World& world);
 
   void AddTo(world::StateHash& hash) const;
@@ -44,9 +44,9 @@ class Bearing {
   world::NodeId figure_ = world::NodeId::kNone;
   bool is_shown_ = false;
   world::LocomotionStyle style_ = world::LocomotionStyle::kReady;
-  float aims_s_ = 0;  ///< For how long the rifle stays up.
+  float aims_s_ = 0;  ///< Remaining time for which the rifle stays raised, in s.
   Deeds last_;
-  int clip_ = -1;  ///< Of what plays over the walk; -1: nothing does.
+  int clip_ = -1;  ///< The animation that plays over walking; -1: none.
   bool loads_ = false;
 };
 

@@ -12,7 +12,7 @@
 namespace soarbox::sim {
 namespace {
 
-/// A soldier with a rifle that stands still.
+/// A soldier with a rifle who stands still.
 class Sentry {
  public:
   explicit Sentry(bool is_armed = true) {
@@ -34,7 +34,7 @@ class Sentry {
       world_.Step();
     }
   }
-  /// Where the rifle points, and how far the muzzle is below the head.
+  /// Direction of the rifle, and how far the muzzle is below the head.
   world::Vec3 Barrel() const { return Rotate(Muzzle().orientation, {1, 0, 0}); }
   float BelowHead() const { return world_.scene().BoneInWorld(figure_, "b_Head1")->position.y - Muzzle().position.y; }
   bool Plays(const char* clip) {

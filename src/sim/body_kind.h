@@ -11,22 +11,25 @@
 
 namespace soarbox::sim {
 
-/// How well an agent perceives, and what. Authors set these where they make the agent.
+/// How well and what an agent perceives. Authors set this where the agent is created.
 struct SenseSettings {
-  float sight_m = 40;    ///< How far it sees.
-  float view_deg = 200;  ///< Field of view from side to side; 360 includes what is behind it.
-  float hearing_m = 15;  ///< How far it hears somebody who runs; half as far if they walk. Shots carry farther.
-  float memory_s = 15;   ///< How long it remembers an agent that is no longer noticed.
-  float noise_m = 0;     ///< Standard deviation of perceived positions of others, from the agent's own stream.
-  float rate_hz = 10;    ///< How often senses are read. Its own body is read in each tick.
-  float most = 0;        ///< At most this many friends and this many enemies, the nearest; 0: all it notices.
-  bool scene = false;    ///< Its imagination (the spatial visual system) receives what it perceives.
-  std::set<std::string> only = {};  ///< Names of senses; empty: all.
+  float sight_m = 40;    ///< Range of sight.
+  float view_deg = 200;  ///< Field of view from side to side; 360 includes the back.
+  float hearing_m = 15;  ///< Distance at which it hears running agents. It hears walking agents at half this distance,
+                         ///< and shots farther.
+  float memory_s = 15;   ///< Time for which it remembers an agent that it no longer perceives.
+  float noise_m = 0;     ///< Standard deviation of perceived positions of others. Random numbers come from the agent's
+                         ///< own stream.
+  float rate_hz = 10;    ///< Frequency at which the surroundings are read. The own body is read in each tick.
+  float most = 0;        ///< Maximum number of friends, and of enemies, that it perceives; the nearest ones. 0: no
+                         ///< limit.
+  bool scene = false;    ///< Its spatial visual system receives what it perceives.
+  std::set<std::string> only = {};  ///< Names of the senses that it has; empty: all.
 
   bool Has(std::string_view sense) const { return only.empty() || only.contains(std::string(sense)); }
 };
 
-/// What an agent of the vocabulary is made of. Kinds are data: scenario files add their own.
+/// The properties of a body. Scenario files can add kinds of bodies.
 struct BodyKind {
   std::string name;
   std::string meaning;  ///< For `soarbox list` and the reference.
@@ -34,34 +37,34 @@ struct BodyKind {
   float radius_m = 0.35f;
   float mass_kg = 80;
   float max_speed_mps = 5;
-  float walk_mps = 3;  ///< Until set-speed says otherwise.
+  float walk_mps = 3;  ///< Walking speed, unless the command set-speed changes it.
   float max_force_n = 1200;
   float health = 100;
   bool armed = false;
   world::WeaponSettings weapon;
-  std::string looks = "person";      ///< Or another of kLooks.
-  std::string material = "Ground2";  ///< Of a capsule.
+  std::string looks = "person";      ///< One of kLooks.
+  std::string material = "Ground2";  ///< Material of a capsule.
   SenseSettings senses;
 };
 
-/// What an agent can look like.
+/// Possible appearances of an agent.
 inline constexpr std::string_view kLooks[] = {"person", "capsule",  "sheep", "bear", "hare", "cook",
                                               "wolf",   "villager", "robot", "cart", "bee",  "bell"};
-/// The material that stands for a creature; empty: it looks like a person or a plain capsule.
+/// The material of the figure; empty for a person or a plain capsule.
 std::string_view MaterialOfLooks(std::string_view looks);
-/// The material of a thing or an item whose author names none, by the words of its name and by what it gives.
+/// The default material of a thing or an item, chosen by the words of its name and by what it gives.
 std::string_view MaterialOfThing(std::string_view name, std::string_view gives, bool is_item);
 
-/// The kinds that come with the program; an author who names none gets the first one.
+/// The kinds that come with the program. The first one is the default.
 std::span<const BodyKind> BodyKinds();
 
-/// An agent kind of the sandbox's Create functions, by the word in the scripts' requests.
+/// A kind of agent of the sandbox's Create functions, by its word in requests of scripts.
 struct AgentKind {
   std::string_view name;
-  std::string_view rules;       ///< Its own rules if none are named; empty: some must be.
-  bool follows_leader = false;  ///< ^distance is measured to its leader; without one it perceives nothing.
-  bool blinks = true;           ///< ^distance counts as new in each tick, as in the thesis.
-  bool waits = false;           ///< Its mind waits where nothing is proposed.
+  std::string_view rules;       ///< The default rules; empty: the author must name rules.
+  bool follows_leader = false;  ///< ^distance is the distance to its leader. Without a leader it perceives nothing.
+  bool blinks = true;           ///< ^distance is a new element in each tick, as in the thesis.
+  bool waits = false;           ///< Its mind waits when no operator is proposed (soar wait-snc).
 };
 /// Null for a kind without a mind.
 const AgentKind* FindAgentKind(std::string_view name);

@@ -35,7 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What may have been meant by a file of rules that is not there.
+/// A hint with a similar name for a file of rules that does not exist.
 std::string HintForRules(const std::string& name, const fs::path& folder) {
   std::vector<std::string> files;
   std::error_code error;
@@ -64,7 +64,7 @@ SoarSettings LookingOver(const std::vector<fs::path>& folders) {
   return settings;
 }
 
-/// The folder of the scenario that a file lies in, or in a folder below; empty if there is none.
+/// The folder of the scenario that contains a file, directly or in a subfolder; empty if there is none.
 fs::path ScenarioFolderOf(const fs::path& file) {
   constexpr int kDeepest = 4;
   std::error_code error;
@@ -76,14 +76,14 @@ fs::path ScenarioFolderOf(const fs::path& file) {
   return {};
 }
 
-/// The same for all names of a file.
+/// A key that is the same for all paths of a file.
 fs::path KeyOf(const fs::path& file) {
   std::error_code error;
   fs::path key = fs::canonical(file, error);
   return error ? fs::absolute(file, error).lexically_normal() : key;
 }
 
-/// "sp {name": the names of the rules that begin in a text.
+/// The names of the rules that begin in a text: "sp {name".
 std::set<std::string, std::less<>> NamesOfRules(std::string_view text) {
   std::set<std::string, std::less<>> names;
   for (std::size_t at = 0; at < text.size();) {
@@ -94,7 +94,7 @@ std::set<std::string, std::less<>> NamesOfRules(std::string_view text) {
     if (!line.starts_with("sp") && !line.starts_with("gp")) continue;
     const std::size_t brace = line.find_first_not_of(" \t", 2);
     if (brace == std::string_view::npos || line[brace] != '{') continue;
-    // The name may begin in the next line.
+    // The name can be on the next line.
     const std::size_t begin =
         text.find_first_not_of(" \t\r\n", static_cast<std::size_t>(line.data() - text.data()) + brace + 1);
     if (begin != std::string_view::npos)
@@ -106,10 +106,10 @@ std::set<std::string, std::less<>> NamesOfRules(std::string_view text) {
 class Checker {
  public:
   std::vector<Diagnostic> problems;
-  fs::path library;  ///< Where scripts' modules are that their scenario does not have; empty: not known.
+  fs::path library;  ///< Folder of modules that scripts load from the program; empty: not known.
 
-  /// `given`: what is to be looked over. Files of scenarios and of folders read nothing outside of these. A file of
-  /// rules that the user names and that belongs to no scenario is the user's own: it sources what the user may read.
+  /// `given`: the paths to check. Files of scenarios and of folders can read only files in them. A file of rules that
+  /// the user names and that belongs to no scenario is the user's own: it can source what the user may read.
   Checker(const std::vector<fs::path>& given, const CheckToml& check_toml) : check_toml_(check_toml) {
     std::error_code error;
     for (const fs::path& path : given) {
@@ -171,7 +171,7 @@ class Checker {
     }
     std::sort(files.begin(), files.end());
     if (files.empty()) problems.push_back(ProblemIn(folder, "this folder holds no rules, scripts or scenarios"));
-    // What lies in a folder is read within it, and each file as part of the programs that load it.
+    // Files of a folder can read only within it. Each file is checked as part of the programs that load it.
     SourceGraph graph;
     for (const fs::path& file : files)
       if (file.extension() == ".soar" && IsPlainFileBelow(file, folders_))
@@ -229,8 +229,9 @@ class Checker {
     problems.insert(problems.end(), slips.begin(), slips.end());
   }
 
-  /// The globals of all scripts that may run in one machine with this one: those of its folder and of the scenario's,
-  /// and the modules that they load. False if one of them was not found: then nobody knows.
+  /// Collects the globals of all scripts that may run in the same machine: those of its folder, those of the scenario's
+  /// folder, and the modules that they load. Returns false if a module was not found, because the globals are then not
+  /// known.
   bool FindGlobals(const fs::path& file, const std::string& text, script::GlobalNames& known) const {
     constexpr std::size_t kMostScripts = 500;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -264,7 +265,7 @@ class Checker {
     return at->second;
   }
 
-  /// Of the scenario files in a folder, or in the one above; a script beside them may make further places.
+  /// Of the scenario files in a folder or the one above. A script there may add further places.
   const explain::KnownPlaces& PlacesBeside(const fs::path& folder) {
     const auto [at, is_new] = places_.try_emplace(folder);
     if (!is_new) return at->second;
@@ -289,25 +290,25 @@ class Checker {
     return at->second;
   }
 
-  /// What was found in a program of rules: a file that nobody sources, and all that it sources.
+  /// A problem in a program of rules. A program is a file that no other file sources, with all files that it sources.
   struct Found {
-    fs::path file;  ///< Its key.
+    fs::path file;  ///< Key of the file.
     Diagnostic problem;
   };
   struct CheckedProgram {
     fs::path root;
-    std::set<fs::path> files;     ///< Their keys.
-    std::vector<Found> problems;  ///< What the kernel says, duplicates and odd characters.
-    std::vector<Found> slips;     ///< What only all rules together show.
+    std::set<fs::path> files;     ///< Keys of the files.
+    std::vector<Found> problems;  ///< Errors and warnings of the kernel, duplicates and odd characters.
+    std::vector<Found> slips;     ///< Slips that need all rules of the program.
   };
-  /// What is looked over at the moment.
+  /// What is being checked.
   struct Look {
-    const SourceGraph* graph = nullptr;  ///< Of the folder that was named; null: a file was named.
-    bool is_own = false;                 ///< The user's own rights hold, not a fence.
+    const SourceGraph* graph = nullptr;  ///< Graph of the named folder; null if a file was named.
+    bool is_own = false;                 ///< The user's rights apply, without a fence.
   };
 
-  /// A file is checked as part of the programs that load it. A slip counts if all of them have it: what one program
-  /// lacks another may complete.
+  /// Checks a file as part of the programs that load it. A slip is reported only if all of these programs have it,
+  /// because another program may contain what one program lacks.
   void CheckRules(const fs::path& file) {
     constexpr std::size_t kMostPrograms = 4;
     const fs::path key = KeyOf(file);
@@ -327,11 +328,12 @@ class Checker {
       if (program.files.contains(key)) programs.push_back(&program);
     }
     if (programs.empty()) programs.push_back(&ProgramFrom(file, key, look));
-    // Of a folder each file tells its own; of a file that was named all that it loads is told.
+    // For a folder, each file reports its own problems. For a named file, problems of all files that it loads are
+    // reported.
     std::set<fs::path> told = {key};
     if (look_.graph == nullptr) told = look.graph->ReachedFrom(key);
     for (const CheckedProgram* program : programs) {
-      // What belongs to no file of the program is told with the file that it begins with.
+      // Problems that belong to no file of the program are reported with its root.
       const auto is_told = [&](const Found& found) {
         return told.contains(found.file) || (program->root == key && !program->files.contains(found.file));
       };
@@ -351,7 +353,7 @@ class Checker {
 
   std::vector<fs::path> Readable(const Look& look) const { return look.is_own ? std::vector<fs::path>{"/"} : folders_; }
 
-  /// The program that begins with a file, which messages call `name`.
+  /// The program with this root. Messages use `name` for it.
   const CheckedProgram& ProgramFrom(const fs::path& name, const fs::path& root, const Look& look) {
     const auto [at, is_new] = programs_.try_emplace({root, look.is_own});
     if (is_new) at->second = Load(name, look);
@@ -396,7 +398,7 @@ class Checker {
     return {std::move(key), std::move(problem)};
   }
 
-  /// As the user calls a file, if it was named or lies in a folder that was.
+  /// The path as the user wrote it, if the file was named or is in a named folder.
   fs::path NameOf(const fs::path& file) const {
     const auto known = names_.find(KeyOf(file));
     return known == names_.end() ? file : known->second;
@@ -430,18 +432,18 @@ class Checker {
   std::unique_ptr<SoarHost> host_, own_host_;  ///< With the fence, and with the user's rights.
   int count_ = 0;
   Look look_;
-  std::map<fs::path, fs::path> names_;                            ///< By key, as the user calls them.
+  std::map<fs::path, fs::path> names_;                            ///< By key: paths as the user wrote them.
   std::map<std::pair<fs::path, bool>, CheckedProgram> programs_;  ///< By root and rights.
-  explain::SceneKinds scene_kinds_;                               ///< Once a file mentions scenes.
+  explain::SceneKinds scene_kinds_;                               ///< Filled in when a file mentions scenes.
   std::map<fs::path, explain::Surroundings> around_;
   std::map<fs::path, explain::KnownPlaces> places_;
-  std::set<fs::path> games_;  ///< Folders of rules for agents that a world's script serves.
+  std::set<fs::path> games_;  ///< Folders of rules for agents of a world with a script.
 };
 
 }  // namespace
 
 std::vector<Diagnostic> CheckRuleText(const std::string& text, const std::string& name) {
-  // Kernels tell lines of files only.
+  // Kernels report lines only for files.
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "soarbox-check-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr)

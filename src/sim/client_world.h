@@ -8,13 +8,13 @@
 
 namespace soarbox::sim {
 
-/// The name of the world in which the agents of recorded clients think again (minds_of_clients.cpp). It comes with the
+/// Name of the world in which the agents of recorded clients run again (minds_of_clients.cpp). It comes with the
 /// program.
 inline constexpr const char* kClientWorld = "soar-client";
 
-/// The parts of a line of a client's log (sml/server/client_log.h describes it), unescaped.
+/// Splits a line of a client's log (sml/server/client_log.h) into its parts and unescapes them.
 std::vector<std::string> PartsOfClientLine(std::string_view line);
-/// A line with these parts, without its end.
+/// Joins parts to a line, without a line end.
 std::string ClientLine(std::initializer_list<std::string_view> parts);
 
 }  // namespace soarbox::sim

@@ -6,11 +6,11 @@
 #include "sim/conduct.h"
 #include "sim/directions.h"
 
-// Taking things, putting them down and handing them over.
+// Commands: take, put down and give things.
 namespace soarbox::sim {
 namespace {
 
-constexpr float kHandy_m = 0.2f;  ///< Half the width of what lies wherever feet stand.
+constexpr float kHandy_m = 0.2f;  ///< Half the width of a thing that fits at the feet.
 
 StepResult PickUp(Actor& actor, Running& command) {
   Places& places = actor.arena().places();
@@ -20,7 +20,7 @@ StepResult PickUp(Actor& actor, Running& command) {
   if (object == nullptr) return StepResult::Failed("no-such-object");
   const auto item = places.items.find(id);
   if (item == places.items.end()) return StepResult::Failed("not-an-item");
-  // A wide thing is taken by its side.
+  // A wide thing is taken by its edge.
   const float reach_m = kArmsReach_m + std::max(0.0f, item->second.HalfWidth_m() - kHandy_m);
   if (FlatDistance(actor.body().Position(), object->Position()) > reach_m) return StepResult::Failed("out-of-reach");
   if (item->second.gives == "ammunition" && actor.weapon()) {
@@ -41,7 +41,7 @@ StepResult Drop(Actor& actor, Running& command) {
   const std::string name = command.Word("object");
   const auto carried = std::ranges::find(actor.carried(), name, &CarriedThing::name);
   if (carried == actor.carried().end()) return StepResult::Failed("not-carried");
-  // Before its feet; what is small, or carried between them, lies beneath them where something is in the way.
+  // In front of its feet. A small thing is put below the feet if an object is in the way.
   constexpr float kBefore_m = 0.4f;
   const float half_m = carried->item.HalfWidth_m();
   world::Vec3 place = actor.body().Position();
@@ -66,7 +66,7 @@ StepResult Give(Actor& actor, Running& command) {
   Actor* other = actor.arena().Find(id);
   if (other == nullptr) return StepResult::Failed("no-such-agent");
   if (!other->IsAlive()) return StepResult::Failed("target-dead");
-  // From hand to hand: the reach of both, between their skins.
+  // Both agents reach out; the distance is between their surfaces.
   const float apart_m =
       FlatDistance(actor.body().Position(), other->body().Position()) - actor.body().Radius() - other->body().Radius();
   if (apart_m > kArmsReach_m) return StepResult::Failed("out-of-reach");

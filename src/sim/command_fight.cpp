@@ -17,7 +17,7 @@ StepResult Shoot(Actor& actor, Running& command) {
   world::Weapon& weapon = *actor.weapon();
   const int rounds = static_cast<int>(command.Number("rounds", 1));
 
-  // At the place or agent that is named, else at the target that is kept in mind.
+  // Shoots at the named place or agent, else at the present target.
   std::string_view reason;
   std::optional<Actor::Place> place;
   const bool names_place = command.Get("agent") || command.Get("x") || command.Get("waypoint") ||

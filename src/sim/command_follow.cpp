@@ -5,7 +5,7 @@
 #include "sim/conduct.h"
 #include "sim/directions.h"
 
-// Commands that are about another agent.
+// Commands that refer to another agent.
 namespace soarbox::sim {
 namespace {
 
@@ -14,7 +14,7 @@ using world::Vec3;
 constexpr float kMostPrediction_s = 2;
 constexpr float kElbowRoom_m = 1.2f;
 
-/// The agent that the command names, as far as this one knows where it is.
+/// The agent that the command names, at its believed position.
 std::optional<Actor::Sighting> Other(Actor& actor, const Running& command, world::EntityId& id,
                                      std::string_view& reason) {
   id = actor.arena().FindAgentNamed(command.Word("agent"));
@@ -26,7 +26,7 @@ Vec3 Ahead(const Actor& actor, const Actor::Sighting& other, float speed) {
   return other.position + Flat(other.velocity) * std::min(seconds, kMostPrediction_s);
 }
 
-/// Away from others who are too near, so that followers do not push each other.
+/// A direction away from agents that are too near, so that followers do not push each other.
 Vec3 MakeRoom(Actor& actor, world::EntityId but) {
   Vec3 sum;
   for (const auto& other : actor.arena().actors()) {
@@ -70,7 +70,7 @@ StepResult Evade(Actor& actor, Running& command) {
   return StepResult::Going(range_m / until_m);
 }
 
-/// Goes to a spot that moves, matching its speed there.
+/// Moves to a spot that itself moves, and matches its velocity there.
 void KeepSpot(Actor& actor, Running& command, Vec3 spot, Vec3 spot_velocity, float slack_m, world::EntityId id) {
   const Vec3 offset = Flat(spot - actor.body().Position());
   const float range_m = world::Length(offset);
@@ -105,7 +105,7 @@ StepResult KeepFormation(Actor& actor, Running& command) {
   return StepResult::Going();
 }
 
-/// The nearest spot behind a thing, seen from the menace.
+/// The nearest spot behind a thing, as seen from the menace.
 std::optional<Vec3> FindCover(Actor& actor, Vec3 menace, world::EntityId menace_id) {
   constexpr float kReach_m = 30;
   std::optional<Vec3> best;
@@ -122,7 +122,7 @@ std::optional<Vec3> FindCover(Actor& actor, Vec3 menace, world::EntityId menace_
       const Vec3 along = AlongHeading(HeadingOf(behind) + turn);
       Vec3 far = center + along * (object.Radius() + 2);
       far.y = center.y;
-      // From outside back to the thing: its surface on that side.
+      // A ray from outside to the thing finds its surface on that side.
       const auto surface = world.RayCast(far, center);
       if (!surface || surface->entity != id) continue;
       Vec3 spot = surface->point + along * (actor.body().Radius() + 0.35f);

@@ -21,7 +21,7 @@ float StepOf(const Actor& actor) {
   return actor.world().settings().step_s;
 }
 
-constexpr float kHalfWidth = 1.1f;  // In radii.
+constexpr float kHalfWidth = 1.1f;  // In multiples of the radius.
 
 Vec3 FootOf(const world::Agent& body) {
   Vec3 foot = body.Position();
@@ -29,7 +29,7 @@ Vec3 FootOf(const world::Agent& body) {
   return foot;
 }
 
-/// The ways of a body that goes so far, in whatever direction.
+/// The free paths of a body up to this distance, in all directions.
 world::WaysAround WaysOf(const Actor& actor, float ahead_m, world::EntityId through) {
   const world::Agent& body = actor.body();
   constexpr float kSlack_m = 0.01f;
@@ -37,18 +37,18 @@ world::WaysAround WaysOf(const Actor& actor, float ahead_m, world::EntityId thro
                             ahead_m + (1 + kHalfWidth) * body.Radius() + kSlack_m);
 }
 
-/// Whether there may be a way for who stands on the ground; who stands on something may jump down.
+/// Whether there may be a path for a body on the ground. A body on top of something may jump down.
 bool MayReach(Actor& actor, const WalkOrder& order) {
   constexpr float kOnGround_m = 0.5f;
-  // The mesh keeps half a metre from walls; people go nearer.
+  // The mesh keeps half a metre away from walls; people can go nearer.
   constexpr float kSlack_m = 0.75f;
   Vec3 foot = actor.body().Position();
   foot.y -= actor.body().Height() / 2;
   return foot.y > kOnGround_m || actor.arena().MayReach(foot, order.goal, order.within_m + kSlack_m);
 }
 
-/// Where to head for now on the way to the goal: the next corner of the navigation mesh's way, or the goal itself;
-/// nothing if there is no way.
+/// The point to walk to next: the next corner of the path on the navigation mesh, or the goal itself. Returns nothing
+/// if there is no path.
 std::optional<Vec3> NextCorner(Actor& actor, Running& command, const WalkOrder& order) {
   const Vec3 goal = order.goal;
   constexpr float kPassed_m = 0.5f;
@@ -65,11 +65,12 @@ std::optional<Vec3> NextCorner(Actor& actor, Running& command, const WalkOrder& 
   }
   while (!command.path.empty() && FlatDistance(here, command.path.front()) < kPassed_m)
     command.path.erase(command.path.begin());
-  // The last corner is the goal; the goal itself may have moved since.
+  // The last corner is the goal, which may have moved since.
   return command.path.size() > 1 ? command.path.front() : goal;
 }
 
-/// Goes to the command's place and stands there, `within` of it unless the command says otherwise.
+/// Walks to the command's place and stops there, at a distance of at most `within_m` unless the command has another
+/// value.
 StepResult GoTo(Actor& actor, Running& command, double within_m, float speed_mps) {
   std::string_view reason;
   const auto place = actor.FindPlace(command, reason);
@@ -93,24 +94,24 @@ StepResult MoveTo(Actor& actor, Running& command) {
   return GoTo(actor, command, 0.75, actor.speed_mps());
 }
 
-/// The direction to go in so that the way keeps away from somebody: past it on the side where the goal is nearer, and
-/// off from it where it is too near already.
+/// A direction that keeps away from another agent: past it on the side that is nearer to the goal, or away from it if
+/// it is too near.
 Vec3 KeptAway(Actor& actor, Running& command, const WalkOrder& order, Vec3 wanted) {
   std::string_view unknown;
   const auto seen = actor.Find(order.shun, unknown);
-  if (!seen) return wanted;  // Nobody knows where it is.
+  if (!seen) return wanted;  // Its position is not known.
   const Vec3 from = Flat(actor.body().Position() - seen->position);
   const float range_m = world::Length(from);
-  constexpr float kHeed_m = 3;  // From so far outside of the gap on it bends its way.
+  constexpr float kHeed_m = 3;  // Additional distance at which the path begins to bend.
   if (range_m > order.shun_m + kHeed_m || range_m < 0.01f) {
     command.index = 0;
     return wanted;
   }
   const Vec3 off = from * (1 / range_m);
   const float towards = -world::Dot(wanted, off);
-  if (towards <= 0 && range_m >= order.shun_m) return wanted;  // It leaves it behind anyway.
+  if (towards <= 0 && range_m >= order.shun_m) return wanted;  // It moves away from the other agent anyway.
   const Vec3 left{off.z, 0, -off.x};
-  // It keeps to the side that it has begun to pass on.
+  // Stays on the side on which it has begun to pass.
   if (command.index == 0) command.index = world::Dot(wanted, left) >= 0 ? 1 : -1;
   const float push = std::clamp((order.shun_m + kHeed_m - range_m) / kHeed_m, 0.0f, 2.0f) - 1;
   return world::Normalized(left * static_cast<float>(command.index) + off * push);
@@ -152,13 +153,13 @@ StepResult Flee(Actor& actor, Running& command) {
 constexpr std::string_view kWander = "wander";
 constexpr float kWanderAhead_m = 3;
 
-/// A heading that drifts, drawn from the agent's own stream.
+/// A heading that drifts randomly; draws from the agent's own stream.
 float Drift(const Actor& actor, const Running& command, world::RandomStream& random) {
   const float heading = command.ticks == 0 ? HeadingOf(actor.body().Forward()) : command.best_m;
   return WrapDegrees(heading + (random.Unit() - 0.5f) * 12);
 }
 
-/// As it was foreseen, or found now.
+/// Uses the direction that was computed in advance, or computes it now.
 Vec3 FreeWander(const Actor& actor, Running& command, Vec3 wanted) {
   const auto known = std::exchange(command.foreseen, std::nullopt);
   if (known && known->wanted == wanted && known->turn_before_deg == command.turn_deg) {
@@ -204,7 +205,7 @@ StepResult Patrol(Actor& actor, Running& command) {
   const double rounds = command.Number("rounds", 0);
   if (leg.state == StepResult::State::kDone) {
     command.index = (command.index + 1) % count;
-    command.best_tick = 0;  // The next leg is measured anew.
+    command.best_tick = 0;  // The next part of the path is measured separately.
     ++command.count;
     if (rounds > 0 && command.count >= static_cast<int>(rounds) * count) return StepResult::Done();
   }
@@ -252,14 +253,14 @@ Vec3 FreeDirection(const Actor& actor, Vec3 wanted, float ahead_m, world::Entity
   const float heading = HeadingOf(wanted);
   const float side = turn_deg < 0 ? -1.0f : 1.0f;
   for (const float reach_m : {ahead_m, std::min(ahead_m, 0.8f)}) {
-    // Once it goes round one side it keeps to it as long as that side is open at all.
+    // Once it passes an obstacle on one side, it stays on that side as long as that is open.
     for (const float sign : {side, -side}) {
       for (float turn = 15; turn <= 135; turn += 15) {
         const Vec3 tried = AlongHeading(heading + sign * turn);
         if (!is_free(tried, reach_m)) continue;
         const bool decided = turn_deg != 0;
         if (!decided && sign == side) {
-          // Nothing chosen yet: the smaller turn of both sides.
+          // If no side was chosen yet, uses the smaller turn of both sides.
           for (float other = 15; other < turn; other += 15) {
             const Vec3 mirrored = AlongHeading(heading - sign * other);
             if (!is_free(mirrored, reach_m)) continue;
@@ -294,7 +295,8 @@ StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order) {
     if (!order.stands || speed < 0.3f) return StepResult::Done();
     return StepResult::Going(1 - left_m / command.start_m);
   }
-  // Going round something long is progress too: only who hardly moves is blocked, or who has circled for long.
+  // Walking around a long obstacle is progress, too. A body is blocked only if it hardly moves, or has circled for a
+  // long time.
   const float stuck_s = static_cast<float>(tick - command.mark_tick) * StepOf(actor);
   if ((stuck_s > kBlockedAfter_s && speed < 0.3f) || stuck_s > 6 * kBlockedAfter_s)
     return StepResult::Failed("blocked");

@@ -5,7 +5,7 @@
 #include "sim/conduct.h"
 #include "sim/directions.h"
 
-// Turning, posture, speech and waiting.
+// Commands: turn, posture, speech and wait.
 namespace soarbox::sim {
 namespace {
 

@@ -11,7 +11,7 @@
 
 namespace soarbox::sim {
 
-/// What an actor knows of another agent.
+/// What an actor knows about another agent.
 struct Contact {
   world::EntityId agent = world::kNoEntity;
   enum class Source : std::uint8_t { kSight, kHearing, kMemory } source = Source::kSight;
@@ -23,8 +23,8 @@ struct Contact {
   bool alive = true;
 };
 
-/// All whom an actor knows, in ascending id: a map in one piece of memory, because every actor reads its own in each
-/// tick. Adding and erasing invalidate iterators and references.
+/// The contacts of an actor, sorted by id. A sorted vector, because every actor reads its contacts in each tick.
+/// Inserting and erasing invalidate iterators and references.
 class Contacts {
  public:
   using Entry = std::pair<world::EntityId, Contact>;
@@ -42,14 +42,14 @@ class Contacts {
     return at != end() && at->first == id ? at : end();
   }
   const_iterator find(world::EntityId id) const { return const_cast<Contacts*>(this)->find(id); }
-  /// Adds one if there is none.
+  /// Inserts a contact if there is none.
   Contact& operator[](world::EntityId id) {
     const iterator at = Place(id);
     return at != end() && at->first == id ? at->second : entries_.insert(at, {id, Contact{}})->second;
   }
-  // For whoever goes through all of them by their place.
+  // Access by index.
   Entry& At(std::size_t place) { return entries_[place]; }
-  /// `place`: where its id belongs.
+  /// `place`: the index at which the id must be inserted.
   Entry& Insert(std::size_t place, world::EntityId id) {
     Contact contact;
     contact.agent = id;

@@ -10,11 +10,12 @@
 
 namespace soarbox::sim {
 
-/// When a mind made its decisions, in simulated time. Ticks that follow each other with equally many decisions share an
-/// entry, so that a mind that decides once in each tick needs one.
+/// The simulated times of a mind's decisions. Consecutive ticks with equal numbers of decisions share an entry. A mind
+/// that decides once per tick needs a single entry.
 class DecisionClock {
  public:
-  /// The mind has made `decisions` in all when the tick of this time ends. Fewer than before: it began anew.
+  /// Records that the mind has made `decisions` in total by the end of the tick at this time. A smaller number than
+  /// before means that it was restarted.
   void Note(std::uint64_t decisions, double time_s, double step_s) {
     if (decisions < decisions_) runs_.clear(), decisions_ = 0;
     const std::uint64_t made = decisions - decisions_;
@@ -33,7 +34,7 @@ class DecisionClock {
     runs_.push_back({first, made, 1, time_s, step_s});
   }
 
-  /// The time of a decision, counted from 1; nothing if it is not known any more.
+  /// The time of a decision, counted from 1; nothing if it is no longer known.
   std::optional<double> TimeOf(std::uint64_t decision) const {
     const auto after = std::upper_bound(runs_.begin(), runs_.end(), decision,
                                         [](std::uint64_t wanted, const Run& run) { return wanted < run.first; });
@@ -43,13 +44,13 @@ class DecisionClock {
   }
 
  private:
-  /// So that a mind whose number of decisions changes in each tick takes no more than 640 kB.
+  /// Limits memory to 640 kB for a mind whose number of decisions differs in each tick.
   static constexpr std::size_t kMostRuns = 1u << 14;
 
   struct Run {
     std::uint64_t first = 0;  ///< The first decision.
     std::uint64_t per_tick = 1, ticks = 1;
-    double time_s = 0, step_s = 0;  ///< Of the first tick; from tick to tick.
+    double time_s = 0, step_s = 0;  ///< Time of the first tick; time between ticks.
   };
   std::vector<Run> runs_;
   std::uint64_t decisions_ = 0;

@@ -9,7 +9,7 @@
 
 namespace soarbox::sim {
 
-// Directions on the ground: 0 degrees along z, 90 along x, which is to the left of an agent that faces along z.
+// Directions on the ground: 0 degrees is along z, 90 along x. That is to the left of an agent that faces along z.
 
 inline world::Vec3 Flat(world::Vec3 v) {
   return {v.x, 0, v.z};
@@ -24,25 +24,25 @@ inline world::Vec3 AlongHeading(float degrees) {
   const float radians = degrees * std::numbers::pi_v<float> / 180;
   return {std::sin(radians), 0, std::cos(radians)};
 }
-/// Into (-180, 180].
+/// The same angle in (-180, 180].
 inline float WrapDegrees(float degrees) {
   if (!(std::abs(degrees) < 360)) degrees = std::fmod(degrees, 360.0f);
   if (degrees > 180) degrees -= 360;
   return degrees <= -180 ? degrees + 360 : degrees;
 }
-/// Of a point, for somebody who stands at `from` and faces along `forward`; positive to the left.
+/// The direction to a point relative to `forward`, for an observer at `from`; positive to the left.
 inline float BearingOf(world::Vec3 from, world::Vec3 forward, world::Vec3 to) {
   return WrapDegrees(HeadingOf(to - from) - HeadingOf(forward));
 }
-/// A number that rounds to the same whole degree as BearingOf, for a sixth of its price: exact where it is close to a
-/// half.
+/// Returns a number that rounds to the same integer as BearingOf, at a sixth of its cost. Calls BearingOf if the result
+/// is close to a half.
 inline float BearingToRound(world::Vec3 from, world::Vec3 forward, world::Vec3 to) {
   const world::Vec3 way = to - from;
   const float along = way.x * forward.x + way.z * forward.z, across = way.x * forward.z - way.z * forward.x;
   const float more = std::max(std::abs(along), std::abs(across)), less = std::min(std::abs(along), std::abs(across));
   constexpr float kLeast = 1e-6f;
   if (more > kLeast) {
-    // The arc tangent up to 1, in degrees: a polynomial through six of its points, off by less than 0.0002.
+    // Arc tangent of 0 to 1, in degrees: a polynomial through six points, with an error below 0.0002.
     const float ratio = less / more, t = ratio * ratio;
     const float arc =
         ratio *

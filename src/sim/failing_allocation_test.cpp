@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Memory runs out at each allocation of a world's step in turn: what throws is std::bad_alloc and nothing worse, and
-// the world, in whatever state it was left, can be destroyed.
+// Each allocation of a world's step fails in turn. Only std::bad_alloc may be thrown, and the world must be
+// destructible in any state.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -61,7 +61,7 @@ TEST(FailingAllocation, LeavesAWorldThatCanBeDestroyed) {
   step(*world);
   const std::int64_t count = allocations::Count() - before;
   ASSERT_GT(count, 20);
-  // A world takes longer to make than to step: of many allocations a part fails, from all over the step.
+  // Creating a world takes longer than a step, so only a sample of the allocations fails.
   constexpr std::int64_t kMostTries = 150;
   const std::int64_t stride = std::max<std::int64_t>(1, count / kMostTries);
   int failures = 0, tries = 0;

@@ -11,13 +11,13 @@ namespace {
 /// Maximum number of different diagnostics that are kept.
 constexpr std::size_t kMostReported = 500;
 
-/// Without the blanks that make it a line of a tree.
+/// Removes the indentation of a line of a tree.
 std::string WithoutIndent(const std::string& line) {
   return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
-/// The sentence of an outcome that says how a command was written wrong, without the reason's name; empty if another
-/// thing was wrong, or none.
+/// The sentence of an outcome about the wrong form of a command, without the name of the reason; empty if the form was
+/// correct.
 std::string RefusedText(const std::string& outcome) {
   for (const std::string_view reason : {"bad-value", "unknown-parameter", "missing-parameter", "unknown-command"}) {
     const std::string start = "error " + std::string(reason) + ": ";
@@ -26,7 +26,7 @@ std::string RefusedText(const std::string& outcome) {
   return {};
 }
 
-/// The contents of an object do not help if a word was expected.
+/// Removes the contents of an object, which do not help if a word was expected.
 std::string WithoutContents(std::string text) {
   const std::size_t begin = text.find('('), end = text.rfind(')');
   if (begin != std::string::npos && end != std::string::npos && end > begin)
@@ -34,7 +34,7 @@ std::string WithoutContents(std::string text) {
   return text;
 }
 
-/// Of a reason that says that a command failed because a parameter is an identifier: what that means. Empty otherwise.
+/// Explains the failure of a command because a parameter is an identifier; empty for other reasons.
 std::string IdentifierText(const std::string& reason) {
   const std::string text = WithoutIndent(reason);
   if (!text.starts_with("its last command ") || text.find(" is an identifier") == std::string::npos) return {};
@@ -93,7 +93,7 @@ void EventFindings::SeeIdle(const RunEvent& event) {
   for (const std::string& reason : event.reasons) {
     if (const std::string text = IdentifierText(reason); !text.empty())
       refused_.try_emplace(event.agent, Finding{Cause::kRefused, text, event.agent, event.tick, event.time_s});
-    // All that it perceives says nothing about its rules.
+    // Percepts contain no information about the rules.
     if (std::string line = WithoutIndent(reason); !line.starts_with("it perceives "))
       idle.reasons.push_back(std::move(line));
   }
@@ -124,7 +124,7 @@ std::vector<Finding> EventFindings::OfAgents() const {
   for (const auto& [agent, idle] : idle_) {
     Finding finding{Cause::kSymptom, idle.symptom, agent, idle.tick, idle.time_s};
     if (!idle.reasons.empty()) {
-      // "no operator is proposed" says less than the condition at which the proposal stops.
+      // "no operator is proposed" is less informative than the condition at which the proposal stops.
       const std::string& reason =
           *std::ranges::min_element(idle.reasons, {}, [](const std::string& one) { return CauseOfReason(one); });
       finding.cause = CauseOfReason(reason);

@@ -12,84 +12,84 @@
 
 namespace soarbox::sim {
 
-/// What kind of cause a finding names. The order is the ranking: what is certain comes before what was only tried, and
-/// symptoms come last. Everything that lists what went wrong uses it: `run`, `test`, `learn check` and the panel
+/// The kind of cause of a finding, in the order of ranking: certain causes come before failed attempts, and symptoms
+/// come last. Everything that lists problems of a run uses this order: `run`, `test`, `learn check` and the panel
 /// Problems.
 enum class Cause : std::uint8_t {
-  kBroken,    ///< Something cannot be read, or failed: a rule that does not parse, a script that stopped.
-  kSlip,      ///< A slip in a rule, which shows without running it.
-  kMistake,   ///< A known mistake that a rule shows, as its author wrote it.
-  kEndless,   ///< Rules fire again and again in one phase.
-  kRefused,   ///< The world refused a command because of how it is written.
-  kFurthest,  ///< A rule that never fired, and the condition that failed when it got furthest.
-  kHappened,  ///< A known mistake: something happened that should not.
-  kAwaits,    ///< A rule that never fired, for want of something that may come, or because something never went.
+  kBroken,    ///< A file cannot be read, a rule does not parse, or a script has stopped.
+  kSlip,      ///< A slip in a rule that is found without running it.
+  kMistake,   ///< A known mistake that is visible in the text of a rule.
+  kEndless,   ///< Rules fire endlessly in one phase.
+  kRefused,   ///< The world refused a command because its form is wrong.
+  kFurthest,  ///< A rule never fired; the finding names the condition that failed in its longest partial match.
+  kHappened,  ///< A known mistake: an event that should not occur.
+  kAwaits,    ///< A rule never fired because an element was never added, or never removed.
   kStalled,   ///< An operator was applied and stays selected, so that nothing follows.
-  kMissing,   ///< A known mistake: something never happened.
-  kWaiting,   ///< A rule that never fired because its operator was not selected.
-  kSymptom,   ///< The agent had nothing to do, or a rule that came with the lesson never fired.
+  kMissing,   ///< A known mistake: an event that did not occur.
+  kWaiting,   ///< A rule never fired because its operator was not selected.
+  kSymptom,   ///< The agent had nothing to do, or a rule of the lesson never fired.
 };
 inline constexpr Cause kLastCause = Cause::kSymptom;
 
 /// The word for a cause in JSON: "slip", "refused", ...
 std::string_view CauseName(Cause cause);
 
-/// One sentence about what went wrong in a run.
+/// One sentence about a problem of a run.
 struct Finding {
   Cause cause = Cause::kSymptom;
   std::string text;
-  std::string agent = {};  ///< Empty: none, or not one alone.
+  std::string agent = {};  ///< Empty if the finding is not about one particular agent.
   std::uint64_t tick = 0;
   double time_s = 0;
 };
 
-/// Sorts what was found by its cause; findings of one cause keep their order. The first one is the headline.
+/// Sorts findings by cause. Findings with the same cause keep their order. The first one is the headline.
 template <typename Found>
 void RankByCause(std::vector<Found>& found) {
   std::ranges::stable_sort(found, {}, &Found::cause);
 }
 
-/// What kind of cause a diagnostic is. A note is none: it counts as a symptom.
+/// The cause of a diagnostic. A note is a symptom.
 Cause CauseOf(const Diagnostic& problem);
 
-/// "porter.soar:7: what is wrong; what to do", without the folder of the file.
+/// "porter.soar:7: problem; hint", without the folder of the file.
 std::string OneLine(const Diagnostic& problem);
 
 /// "1.0 s"
 std::string SecondsText(double seconds);
 
-/// What the events of a run show of what went wrong. It asks no mind, so it works with recordings, too.
+/// Finds problems in the events of a run. It does not query minds, so it also works with recordings.
 class EventFindings {
  public:
-  /// A diagnostic, once for each text.
+  /// A diagnostic. Each text is listed once.
   struct Reported {
     Finding finding;
     Diagnostic diagnostic;
   };
-  /// An agent that had nothing to do, for the first time.
+  /// The first time that an agent had nothing to do.
   struct Idle {
-    std::vector<std::string> reasons;  ///< Most telling first, without what the agent perceives.
+    std::vector<std::string> reasons;  ///< The most informative first, without the agent's percepts.
     std::string symptom;               ///< "At 3.0 s anna has nothing to do: it has done nothing for 1 s".
     std::uint64_t tick = 0;
-    double time_s = 0;  ///< When it was told; that is kToldAfter_s after it began.
+    double time_s = 0;  ///< Time of the report; kToldAfter_s after the agent became idle.
   };
 
-  /// Call with the events of each tick, in order.
+  /// Call it with the events of each tick, in order.
   void See(const EventList& events);
   void Clear() { *this = {}; }
 
   const std::vector<Reported>& reported() const { return reported_; }
-  /// For each agent the first command that the world refused because of how it is written.
+  /// For each agent, the first command that the world refused because its form is wrong.
   const std::map<std::string, Finding>& refused() const { return refused_; }
   const std::map<std::string, Idle>& idle() const { return idle_; }
 
-  /// One finding for each agent whose command was refused, and one for each that had nothing to do: the reason, or
-  /// the symptom if none is known.
+  /// One finding for each agent whose command was refused, and one for each agent that was idle: the reason, or the
+  /// symptom if no reason is known.
   std::vector<Finding> OfAgents() const;
-  /// All of them, ranked.
+  /// All findings, ranked.
   std::vector<Finding> Ranked() const;
 
-  /// An agent is reported to have nothing to do when it has done nothing for this time.
+  /// An agent is reported as idle after this time without an action, in s.
   static constexpr double kToldAfter_s = 1;
 
  private:
@@ -100,7 +100,7 @@ class EventFindings {
   std::map<std::string, Idle> idle_;
 };
 
-/// What kind of cause a reason is that an agent had nothing to do.
+/// The cause that a reason for an idle agent belongs to.
 Cause CauseOfReason(std::string_view reason);
 
 }  // namespace soarbox::sim

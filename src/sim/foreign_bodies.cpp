@@ -11,10 +11,10 @@
 namespace soarbox::sim {
 namespace {
 
-constexpr float kSmooth_s = 0.5f;  ///< So long it takes to make good what a body was off.
-constexpr float kJump_m = 5;       ///< What is off by more jumps.
-constexpr float kLongest_s = 60;   ///< Nobody moves on for longer than that.
-constexpr float kBelow_m = 60;     ///< Where bodies are that have left.
+constexpr float kSmooth_s = 0.5f;  ///< Time in which the error of a position is corrected.
+constexpr float kJump_m = 5;       ///< Larger errors are corrected at once.
+constexpr float kLongest_s = 60;   ///< Maximum time of dead reckoning.
+constexpr float kBelow_m = 60;     ///< Depth at which bodies that have left are hidden.
 constexpr std::size_t kMostFields = 20;
 
 }  // namespace
@@ -33,14 +33,14 @@ void ForeignBodies::Warn(std::string message) {
 world::EntityId ForeignBodies::Make(const ForeignBodyInput& input, std::span<const BodyKind> kinds) {
   world::AgentDef def;
   def.name = input.name;
-  // Its number tells it from one of ours, or of somebody else, that has the same name.
+  // The id distinguishes it from another agent with the same name.
   if (def.name.empty() || arena_.FindAgentNamed(def.name) != world::kNoEntity) def.name += "@" + input.id;
   def.kind = kForeignKind;
   const world::EntityId id = world_.CreateAgent(def);
   if (id == world::kNoEntity) return id;
   const auto named = std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind& k) { return k.name == input.body; });
   arena_.Add(id, named == kinds.end() ? BodyKinds().front() : *named);
-  // Its owner moves it.
+  // Only its owner moves it.
   world_.FindAgent(id)->SetMaxForce(0);
   return id;
 }
@@ -58,7 +58,7 @@ world::Vec3 ForeignBodies::PlaceOf(const Body& body) const {
 
 void ForeignBodies::Apply(const ForeignBodyInput& input, std::span<const BodyKind> kinds) {
   auto at = bodies_.find(input.id);
-  // The dead stay where they fell; who is alive again is another body.
+  // Dead bodies stay where they fell. If a body is alive again, a new body is created.
   if (at != bodies_.end() && input.health > 0 && world_.FindAgent(at->second.agent)->Health() <= 0) {
     ids_.erase(at->second.agent);
     bodies_.erase(at);
@@ -148,14 +148,14 @@ void ForeignBodies::Apply(const ForeignMessageInput& input) {
 void ForeignBodies::Move() {
   for (auto& [id, body] : bodies_) {
     world::Agent& agent = *world_.FindAgent(body.agent);
-    // What our shots took from it here counts only when its owner says so.
+    // Damage by our shots is valid only when the owner reports it.
     if (agent.Health() > 0) agent.SetHealth(body.said.health);
     if (agent.Health() <= 0) continue;
     const float age_s = Age(body);
     const float step_s = world_.settings().step_s;
     const world::Vec3 velocity = body.said.velocity + body.said.acceleration * age_s;
     agent.SetForward(AlongHeading(body.said.heading_deg + body.said.turn_dps * age_s));
-    // The world's step carries it to its place.
+    // The physics step moves it to its position.
     agent.SetPosition(PlaceOf(body) + world::Vec3{0, agent.Height() / 2, 0} - velocity * step_s);
     agent.SetVelocity(velocity);
     world_.SyncAgent(body.agent);

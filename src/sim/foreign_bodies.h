@@ -11,29 +11,30 @@
 
 namespace soarbox::sim {
 
-/// Bodies that other simulations own: others perceive, hear and hit them like any body. They have no mind here, and
-/// move as their owners said last.
+/// Bodies that other simulations own. Our agents perceive, hear and hit them like any other body. They have no mind
+/// here, and move as their owners last reported.
 ///
-/// What owners say comes in as inputs, so a recording holds it and a replay needs no network. Between two inputs a body
-/// moves on by dead reckoning; when the next input comes, it corrects its error within half a second. Bodies that have
-/// left stay in the world (agents are never destroyed), hidden below the ground. Owned by the simulation.
+/// Reports of owners are inputs. Recordings contain them, and a replay needs no network. Between two inputs a body
+/// moves by dead reckoning. The next input corrects its error within half a second. Agents are never destroyed; bodies
+/// that have left stay in the world, hidden below the ground. Owned by the simulation.
 class ForeignBodies {
  public:
-  /// It refuses more at a time, with a warning.
+  /// Maximum number of bodies at a time. Further ones are refused with a warning.
   static constexpr std::size_t kMost = 10'000;
 
   ForeignBodies(world::World& world, Arena& arena, Arena::Report report);
 
-  /// `kinds`: those of the scenario; inputs name bodies by them.
+  /// `kinds`: the kinds of bodies in the scenario, which inputs refer to by name.
   void Apply(const ForeignBodyInput& input, std::span<const BodyKind> kinds);
   void Apply(const ForeignGoneInput& input);
   void Apply(const ForeignShotInput& input);
   void Apply(const ForeignMessageInput& input);
-  /// Puts each body where it is at the end of this tick; call it between the actors' step and the world's.
+  /// Moves each body to its position at the end of this tick. Call it after the actors' step and before the physics
+  /// step.
   void Move();
-  /// Empty for agents of our own.
+  /// The id in its simulation; empty for our own agents.
   std::string_view IdOf(world::EntityId agent) const;
-  /// kNoEntity if there is nobody with this id.
+  /// kNoEntity if there is no body with this id.
   world::EntityId Find(const std::string& id) const;
   bool empty() const { return bodies_.empty(); }
   void AddTo(world::StateHash& hash) const;
@@ -43,7 +44,7 @@ class ForeignBodies {
     world::EntityId agent = world::kNoEntity;
     ForeignBodyInput said;
     std::uint64_t said_tick = 0;
-    world::Vec3 off;  ///< From where it was shown to where it should have been, when that was said.
+    world::Vec3 off;  ///< When the last input came: vector from the shown position to the correct one.
   };
   world::EntityId Make(const ForeignBodyInput& input, std::span<const BodyKind> kinds);
   world::Vec3 PlaceOf(const Body& body) const;
@@ -55,7 +56,7 @@ class ForeignBodies {
   Arena& arena_;
   Arena::Report report_;
   std::map<std::string, Body> bodies_;
-  std::map<world::EntityId, std::string> ids_;  ///< Of those that are there.
+  std::map<world::EntityId, std::string> ids_;  ///< Ids of the bodies that are present.
   bool told_of_limit_ = false;
 };
 

@@ -5,7 +5,7 @@
 
 namespace soarbox::sim {
 
-/// The word in world::Agent::kind() for a body that another simulation moves.
+/// The value of world::Agent::kind() for a body that another simulation controls.
 inline constexpr std::string_view kForeignKind = "foreign";
 
 }  // namespace soarbox::sim

@@ -27,7 +27,7 @@ void GraphMirror::Show(const PerceptGraph& graph) {
   MakeObjects();
   for (std::size_t n = 0; n < next_.size(); ++n)
     ShowConstants(graph.nodes[n], next_[n], before_[n] == kNone ? nullptr : &nodes_[before_[n]]);
-  // Links to objects that are there already come last, when all are.
+  // Links to existing objects are created last, when all objects exist.
   for (Node& node : next_) {
     for (Link& link : node.links) {
       if (link.is_first || link.element != nullptr || node.id == nullptr || next_[link.node].id == nullptr) continue;
@@ -37,8 +37,8 @@ void GraphMirror::Show(const PerceptGraph& graph) {
   nodes_ = std::exchange(next_, {});
 }
 
-/// Finds the objects of the graph among those that are shown. The graph names the nearest first, so that an object is
-/// known before any link leads back to it.
+/// Identifies objects of the graph with objects on the input link. The graph lists the nearest first, so that an object
+/// is identified before links back to it.
 void GraphMirror::Match(const PerceptGraph& graph) {
   next_.assign(graph.nodes.size(), {});
   before_.assign(graph.nodes.size(), kNone);
@@ -81,7 +81,7 @@ void GraphMirror::Match(const PerceptGraph& graph) {
   if (!next_.empty()) next_[0].id = agent_->GetInputLink();
 }
 
-/// Takes away what the new graph does not have: first all ways to an object but its own, then the objects.
+/// Removes what the new graph does not have: first additional links to objects, then the objects.
 void GraphMirror::DropLinks() {
   std::vector<sml::WMElement*> kept;
   for (const Node& node : next_)
@@ -93,7 +93,7 @@ void GraphMirror::DropLinks() {
     for (const Link& link : node.links)
       if (!link.is_first && link.element != nullptr && !is_kept(link)) agent_->DestroyWME(link.element);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (!stays_[n]) continue;  // It goes with the object that it hangs on.
+    if (!stays_[n]) continue;  // It is removed together with its object.
     for (const Link& link : nodes_[n].links) {
       if (!link.is_first || link.element == nullptr || is_kept(link)) continue;
       NoteGone(nodes_[n].path, link.attribute, link.place);
@@ -140,7 +140,7 @@ void GraphMirror::ShowConstants(const PerceptGraph::Node& wanted, Node& shown, c
   std::map<std::string, std::uint32_t> places;
   for (const PerceptGraph::Constant& one : wanted.constants) {
     Constant constant{one.attribute, places[one.attribute]++, one.value, nullptr};
-    // Working memory is a set: of equal values one stands there.
+    // Working memory is a set: only one of several equal elements exists.
     const bool is_there = std::ranges::any_of(shown.constants, [&](const Constant& other) {
       return other.attribute == constant.attribute && other.value == constant.value;
     });

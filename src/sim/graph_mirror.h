@@ -18,38 +18,38 @@ class WMElement;
 
 namespace soarbox::sim {
 
-/// Keeps an agent's input link equal to a graph of objects and writes only the differences.
+/// Keeps an agent's input link equal to a graph of objects. It writes only the differences.
 ///
-/// An object is the same as in the previous graph if it has the same key, or, without a key, if it is at the same place
-/// of an object that is the same; then it keeps its identifier. A place is named by the shortest way from the input
-/// link. Equal constants stay as they are, unless their object says that they are new. Other elements on the input link
-/// are not its own and stay. Owned by the agent's mind.
+/// An object is identified with an object of the previous graph if both have the same key. Objects without a key are
+/// identified if they are at the same place of identified objects. They then keep their identifier. The place is the
+/// shortest path from the input link. Equal constants stay unchanged, unless their object is marked as new. Elements
+/// that others have added to the input link are not changed. Owned by the agent's mind.
 class GraphMirror {
  public:
   explicit GraphMirror(sml::Agent& agent) : agent_(&agent) {}
 
   void Show(const script::PerceptGraph& graph);
-  /// Notes each change from now on, objects by their first place; null: stops. Not owned.
+  /// Records each change in `log` from now on, with the first path of each object; null: stops. Not owned.
   void SetLog(mind::EventLog* log) { log_ = log; }
 
  private:
   struct Constant {
     std::string attribute;
-    std::uint32_t place = 0;  ///< Among those of the same attribute.
+    std::uint32_t place = 0;  ///< Index among the constants with the same attribute.
     script::PerceptGraph::Value value;
     sml::WMElement* element = nullptr;
   };
   struct Link {
     std::string attribute;
-    std::string name;  ///< What finds it again: attribute and key or place.
+    std::string name;  ///< Identifies the link: attribute, and key or index.
     std::uint32_t place = 0;
     std::size_t node = 0;
     sml::WMElement* element = nullptr;
-    bool is_first = false;  ///< The one that its object was made with.
+    bool is_first = false;  ///< The link with which its object was created.
   };
   struct Node {
     sml::Identifier* id = nullptr;
-    std::string path;  ///< With a dot at its end.
+    std::string path;  ///< Ends with a dot.
     std::vector<Constant> constants;
     std::vector<Link> links;
   };
@@ -59,17 +59,17 @@ class GraphMirror {
   void MakeObjects();
   void ShowConstants(const script::PerceptGraph::Node& wanted, Node& shown, const Node* before);
   sml::WMElement* Create(Node& node, const Constant& constant);
-  /// Gives the element its value; false if it is of another type.
+  /// Changes the element's value. Returns false if the type differs.
   bool Update(Constant& before, const script::PerceptGraph::Value& value);
   void NoteGone(std::string_view path, std::string_view attribute, std::uint32_t place);
 
   sml::Agent* agent_;
   mind::EventLog* log_ = nullptr;
-  std::vector<Node> nodes_;  ///< As they are on the input link; empty: nothing was shown yet.
+  std::vector<Node> nodes_;  ///< The objects on the input link; empty before the first Show.
   // Scratch of Show.
   std::vector<Node> next_;
-  std::vector<std::size_t> before_;  ///< By number in next_: in nodes_, or none.
-  std::vector<bool> stays_;          ///< By number in nodes_.
+  std::vector<std::size_t> before_;  ///< By index in next_: the index in nodes_, or none.
+  std::vector<bool> stays_;          ///< By index in nodes_.
 };
 
 }  // namespace soarbox::sim

@@ -22,7 +22,7 @@ class GraphMirrorTest : public testing::Test {
         agent_(kernel_->CreateAgent("eater")),
         mirror_(*agent_) {}
 
-  /// The elements of an attribute and a value, "(16: H1 ^content wall)", or nothing.
+  /// The element with an attribute and a value, "(16: H1 ^content wall)"; empty if there is none.
   std::string Find(const std::string& attribute_and_value) {
     agent_->Commit();
     agent_->RunSelf(1);
@@ -38,7 +38,7 @@ class GraphMirrorTest : public testing::Test {
   PerceptGraph::Node Cell(const std::string& content, bool is_new = false) {
     return {"", {{"content", content, is_new}}, {}};
   }
-  /// The input link with two cells, each of which leads to the other.
+  /// The input link with two cells that link to each other.
   PerceptGraph TwoCells(const std::string& first, const std::string& second, bool is_new = false) {
     PerceptGraph graph;
     graph.nodes = {{"", {}, {{"here", 1}}}, Cell(first, is_new), Cell(second, is_new)};

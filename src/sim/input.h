@@ -10,14 +10,14 @@
 
 namespace soarbox::sim {
 
-/// A key went down or up. Names are the sandbox's: "f1_key", "space_key".
+/// A key was pressed or released. Key names are those of the sandbox: "f1_key", "space_key".
 struct KeyInput {
   std::string key;
   bool pressed = false;
   friend bool operator==(const KeyInput&, const KeyInput&) = default;
 };
 
-/// A button of the mouse went down or up ("left_button") at this place, in pixels from the window's top left.
+/// A mouse button ("left_button") was pressed or released at this position, in pixels from the top left of the window.
 struct ButtonInput {
   std::string button;
   bool pressed = false;
@@ -25,14 +25,14 @@ struct ButtonInput {
   friend bool operator==(const ButtonInput&, const ButtonInput&) = default;
 };
 
-/// The pointer moved to this place, by this much.
+/// The pointer moved to this position, by this difference.
 struct PointerInput {
   float x_px = 0, y_px = 0;
   float dx_px = 0, dy_px = 0;
   friend bool operator==(const PointerInput&, const PointerInput&) = default;
 };
 
-/// The wheel turned by this many notches, positive away from the user.
+/// The wheel was turned; positive values are away from the user.
 struct WheelInput {
   float notches = 0;
   float x_px = 0, y_px = 0;
@@ -63,76 +63,76 @@ struct ScreenInput {
   friend bool operator==(const ScreenInput&, const ScreenInput&) = default;
 };
 
-/// The user's free look has moved the camera here; scripts ask for it.
+/// The user moved the camera to this pose. Scripts can read it.
 struct CameraInput {
   world::Vec3 position;
   world::Quat orientation;
   friend bool operator==(const CameraInput&, const CameraInput&) = default;
 };
 
-/// A line of the Soar command language for an agent's mind: from a debugger, or an edit of its rules (`sp {...}`,
-/// `excise`).
+/// A line of the Soar command language for an agent's mind. Debuggers send such lines, and edits of its rules do (`sp
+/// {...}`, `excise`).
 struct CommandInput {
   std::string agent;
   std::string line;
   friend bool operator==(const CommandInput&, const CommandInput&) = default;
 };
 
-/// Lua text that runs in the machine of an agent, or of the sandbox if `agent` is empty. Functions that it defines
-/// replace those of the same name: this is how you edit a script while it runs.
+/// Lua code that is executed in the machine of an agent, or of the sandbox if `agent` is empty. Functions in it replace
+/// those of the same name: this is how scripts are edited while they run.
 struct ScriptInput {
   std::string agent;
   std::string text;
   friend bool operator==(const ScriptInput&, const ScriptInput&) = default;
 };
 
-/// The user orders an agent to do something. Scripts hear of it as a custom event of the type "Order" with the fields
-/// `agent` (a handle) and `order` (the text).
+/// An order of the user to an agent. Scripts receive it as a custom event of the type "Order" with the fields `agent`
+/// (a handle) and `order` (the text).
 struct OrderInput {
   std::string agent;
   std::string order;
   friend bool operator==(const OrderInput&, const OrderInput&) = default;
 };
 
-/// Where another simulation says that a body of its own is and how it moves. The body is made if it is not there yet,
-/// and moves on from here until the next input comes.
+/// Position and motion of a body of another simulation. The body is created if it does not exist, and moves on from
+/// here until the next input.
 struct ForeignBodyInput {
-  std::string id;    ///< What its simulation calls it: "1:7:12".
-  std::string name;  ///< Shown, and perceived.
+  std::string id;    ///< Its id in its simulation: "1:7:12".
+  std::string name;  ///< The name that is shown and perceived.
   std::string team;
-  std::string body;  ///< A kind of body.
+  std::string body;  ///< Name of a kind of body.
   float health = 100;
   std::string stance = "standing";  ///< Or "crouching".
-  world::Vec3 position;             ///< Of the feet, m.
+  world::Vec3 position;             ///< Position of the feet, m.
   world::Vec3 velocity;             ///< m/s
   world::Vec3 acceleration;         ///< m/s2
   float heading_deg = 0;            ///< 0 along z, 90 along x.
-  float turn_dps = 0;               ///< Degrees per second towards larger headings.
+  float turn_dps = 0;               ///< Turn rate in degrees per second, positive towards larger headings.
   friend bool operator==(const ForeignBodyInput&, const ForeignBodyInput&) = default;
 };
 
-/// Such a body has left.
+/// A body of another simulation has left.
 struct ForeignGoneInput {
   std::string id;
   friend bool operator==(const ForeignGoneInput&, const ForeignGoneInput&) = default;
 };
 
-/// A shot of another simulation as it went. The agent that it hit loses that much health.
+/// A shot in another simulation. The target loses `damage` health.
 struct ForeignShotInput {
-  std::string id;      ///< The shooter's.
-  std::string target;  ///< Name of an agent of ours; empty: it hit none.
+  std::string id;      ///< Id of the shooter.
+  std::string target;  ///< Name of one of our agents; empty: none was hit.
   float damage = 0;
-  float radius_m = 0;  ///< It also takes health from those within this radius of where it ended, less with distance.
+  float radius_m = 0;  ///< Agents within this radius of `to` also lose health, less with distance.
   world::Vec3 from, to;
   friend bool operator==(const ForeignShotInput&, const ForeignShotInput&) = default;
 };
 
-/// What a foreign body says to a team.
+/// A message of a foreign body to a team.
 struct ForeignMessageInput {
   std::string id;
-  std::string team;  ///< Empty: its own.
+  std::string team;  ///< Empty: the team of the body.
   std::string about;
-  std::string text;  ///< Names and values, one after the other: "waypoint gate range 12".
+  std::string text;  ///< Alternating names and values: "waypoint gate range 12".
   friend bool operator==(const ForeignMessageInput&, const ForeignMessageInput&) = default;
 };
 
@@ -140,11 +140,11 @@ using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput,
                                 ScriptInput, OrderInput, ForeignBodyInput, ForeignGoneInput, ForeignShotInput,
                                 ForeignMessageInput, PanelInput, PadInput>;
 
-/// Something that reaches a simulation from outside, at the beginning of a tick. The first tick is 1.
+/// An input from outside that takes effect at the beginning of a tick. The first tick is 1.
 struct Input {
   std::uint64_t tick = 0;
   InputValue value;
-  /// Read from a recording: a stranger may have made it, so its commands write and start nothing.
+  /// It comes from a recording, possibly by a stranger. Its commands may not write files or start programs.
   bool recorded = false;
   friend bool operator==(const Input&, const Input&) = default;
 };

@@ -8,7 +8,7 @@
 namespace soarbox::sim {
 namespace {
 
-/// Makes one input of two that follow each other, if that loses nothing.
+/// Combines two consecutive inputs into one, if no information is lost.
 bool Merge(InputValue& before, const InputValue& after) {
   if (std::holds_alternative<CameraInput>(before) && std::holds_alternative<CameraInput>(after)) {
     before = after;

@@ -11,11 +11,11 @@
 
 namespace soarbox::sim {
 
-/// The one door of a simulation: what waits to come in, by tick, and what came in for the last tick, in the order in
-/// which it took effect. That list, the scenario and the seed determine the whole run.
+/// The queue of all inputs of a simulation, by tick, and the inputs of the last tick in the order in which they took
+/// effect. The inputs, the scenario and the seed determine the entire run.
 class InputDoor {
  public:
-  /// The door refuses more for one tick, so that a flood from outside cannot hold up the world.
+  /// Maximum number of inputs for one tick. Further inputs are refused, so that they cannot block the world.
   static constexpr std::size_t kMostPerTick = 10'000;
 
   /// Files an input for its tick, after those that are already there. What comes too late takes effect in the next
@@ -23,18 +23,19 @@ class InputDoor {
   /// pointer add up. False:
   /// refused, because there are too many for this tick.
   bool Submit(Input input);
-  /// Files something that already took effect, between two ticks: what a debugger said to the minds' kernel.
+  /// Records an input that took effect between two ticks: a debugger's command to the minds' kernel.
   void Note(InputValue value);
 
-  /// Opens for this tick: forgets what came in for the previous one, and takes what waits.
+  /// Begins a tick: removes the inputs of the previous tick from taken(), and moves the queued inputs of this tick to
+  /// it.
   void BeginTick(std::uint64_t tick);
-  /// What came in for the tick; the first `noted()` of them took effect before it began.
+  /// The inputs of the tick. The first `noted()` of them took effect before the tick began.
   std::span<const Input> taken() const { return taken_; }
   std::size_t noted() const { return noted_count_; }
   std::size_t waiting() const { return waiting_.size(); }
 
  private:
-  std::deque<Input> waiting_;  ///< In ascending tick.
+  std::deque<Input> waiting_;  ///< Sorted by tick.
   InputList noted_;            ///< For the next tick.
   InputList taken_;
   std::size_t noted_count_ = 0;

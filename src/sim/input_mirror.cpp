@@ -10,7 +10,7 @@ namespace soarbox::sim {
 
 InputMirror::InputMirror(sml::Agent& agent) : agent_(&agent) {}
 
-// What stands below an object -----------------------------------------------------------------------------------------
+// Slots of an object -------------------------------------------------------------------------------------------------
 
 bool InputMirror::Slot::Holds(std::string_view value) const {
   if (size == kLong) return static_cast<sml::StringElement*>(element)->GetValue() == value;
@@ -22,7 +22,7 @@ void InputMirror::Slot::Hold(std::string_view value) {
   if (size != kLong) value.copy(text, size);
 }
 
-/// What stood there the last time under that name; it is the next one nearly always. Null if there was nothing.
+/// The slot with this name in the previous update, which is nearly always the next one. Null if there is none.
 InputMirror::Slot* InputMirror::Find(const Name& name) {
   for (Slot* slot = next_; slot != end_; ++slot) {
     if (slot->row != name.row || slot->key != name.key || slot->kind != name.kind) continue;
@@ -33,7 +33,7 @@ InputMirror::Slot* InputMirror::Find(const Name& name) {
   return nullptr;
 }
 
-/// Keeps an element that was made. Without one (the kernel is gone, say) it is tried again the next time.
+/// Stores a new element. If it could not be created (for example, the kernel is lost), the next update tries again.
 InputMirror::Slot* InputMirror::Insert(const Name& name, sml::WMElement* element) {
   ++changes_;
   if (element == nullptr) return nullptr;
@@ -66,7 +66,7 @@ void InputMirror::Recycle(Slots& slots) {
 
 void InputMirror::Destroy(const Slot& slot) {
   if (log_ != nullptr) log_->Add(mind::PerceptGone{Path(), slot.element->GetAttribute(), slot.key});
-  agent_->DestroyWME(slot.element);  // Takes what is below it along.
+  agent_->DestroyWME(slot.element);  // Also destroys everything below it.
   if (slot.kind == Kind::kObject) {
     Recycle(*slot.below);
     spare_.push_back(slot.below);
@@ -74,7 +74,7 @@ void InputMirror::Destroy(const Slot& slot) {
   ++changes_;
 }
 
-/// What has not been told goes.
+/// Removes the elements that were not reported.
 void InputMirror::DropRest() {
   OpenObject& open = open_.back();
   Slots& slots = *open.slots;
@@ -125,7 +125,7 @@ void InputMirror::Note(const Slot& slot) {
   log_->Add(percept);
 }
 
-/// Made only where something has changed: most objects are compared and no more.
+/// Computed only when something changes, because most objects are only compared.
 std::string_view InputMirror::Path() {
   for (; named_ < open_.size(); ++named_) {
     if (named_ == 0) continue;  // The input link itself.
@@ -205,7 +205,7 @@ void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const
   } else if (const auto* number = std::get_if<double>(&value)) {
     TellFloat({nullptr, attribute, key, Kind::kFloat}, *number);
   } else {
-    // What follows a zero is lost on the way to the kernel.
+    // Text after a zero byte would be lost on the way to the kernel.
     TellText({nullptr, attribute, key, Kind::kText}, std::get<std::string>(value).c_str());
   }
 }

@@ -23,22 +23,23 @@ class WMElement;
 
 namespace soarbox::sim {
 
-/// Keeps an agent's input link equal to what you tell it and writes only the differences. Telling it what has not
-/// changed costs a comparison: it makes, copies and looks up nothing.
+/// Keeps an agent's input link equal to the percepts that the caller reports. It writes only the differences. An
+/// unchanged percept costs one comparison, without allocations or look-ups.
 ///
-/// Each time, tell it again everything that is to stay, except for a queue: see Drop and KeepRest. It finds objects and
-/// words again by row (or name) and key, and they keep their identifiers; it is cheapest to tell them in the same order
-/// each time. Who tells it as what it is, and not as a sink, is spared the calls for what stands where it stood.
+/// Report all percepts in each update, except those of a queue: see Drop and KeepRest. Objects and words are found
+/// again by row (or name) and key, and keep their identifiers. Reporting in the same order each time is cheapest.
+/// Callers that use InputMirror directly, not through PerceptSink&, avoid a virtual call for each element that has kept
+/// its position.
 ///
-/// Invariant: what it keeps is what it last told the client library. Other elements on the input link (the thesis'
-/// ^distance) are not its own and stay. Owned by the agent's mind.
+/// Invariant: the slots contain the values that were last sent to the client library. Elements that others have added
+/// to the input link (the thesis' ^distance) are not changed. Owned by the agent's mind.
 class InputMirror final : public vocabulary::PerceptSink {
  public:
   explicit InputMirror(sml::Agent& agent);
   InputMirror(InputMirror&&) noexcept = default;
   InputMirror& operator=(InputMirror&&) noexcept = default;
 
-  /// Makes the input link show what `tell(mirror)` tells it.
+  /// Updates the input link with the percepts that `tell(mirror)` reports.
   template <std::invocable<InputMirror&> Tell>
   void Show(Tell&& tell) {
     Begin();
@@ -46,11 +47,11 @@ class InputMirror final : public vocabulary::PerceptSink {
     End();
   }
   void Show(const vocabulary::PerceptList& wanted);
-  /// The same by hand.
+  /// The same in two calls, with the percepts reported between them.
   void Begin();
   void End();
 
-  // (What is told for each of those in view, each time, is compared where it is told.)
+  // The following functions are inline, because they are called for each object in view in each update.
   /// As PerceptSink::Number.
   [[gnu::always_inline]] void Number(const vocabulary::PerceptRow& row, double value) {
     if (!std::isfinite(value)) return;
@@ -58,7 +59,7 @@ class InputMirror final : public vocabulary::PerceptSink {
     if (row.type != vocabulary::ValueType::kInteger) {
       Float(row, perceived);
     } else if (row.steps_per_unit == 1 && row.min != row.max) {
-      Integer(row, static_cast<std::int64_t>(perceived));  // It is whole, and small enough.
+      Integer(row, static_cast<std::int64_t>(perceived));  // It is an integer and in range.
     } else {
       Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
     }
@@ -83,22 +84,22 @@ class InputMirror final : public vocabulary::PerceptSink {
   }
   void Close() override;
 
-  // For a queue, in which things come at the end and go at the beginning.
-  /// The key of what was there the last time and has not been told yet; 0 if there is nothing.
+  // For a queue, in which elements are added at the end and removed at the beginning.
+  /// The key of the next element of the previous update that was not yet reported; 0 if there is none.
   std::uint32_t NextKey() const;
-  /// Removes that one.
+  /// Removes that element.
   void Drop();
-  /// Keeps that one and all after it, as they are.
+  /// Keeps that element and all later ones unchanged.
   void KeepRest();
 
-  /// Notes each change from now on; null: stops. Not owned.
+  /// Records each change in `log` from now on; null: stops. Not owned.
   void SetLog(mind::EventLog* log) { log_ = log; }
-  /// How many elements were written, changed or removed since the last Begin.
+  /// Number of elements that were added, changed or removed since the last Begin.
   std::size_t changes() const { return changes_; }
 
  private:
   enum class Kind : std::uint8_t { kInteger, kFloat, kText, kObject };
-  /// What an element is found by. One without a row goes by its name.
+  /// Identifies an element. An element without a row is identified by its name.
   struct Name {
     const vocabulary::PerceptRow* row = nullptr;
     std::string_view other = {};
@@ -107,23 +108,24 @@ class InputMirror final : public vocabulary::PerceptSink {
 
     std::string attribute() const { return std::string(row != nullptr ? row->Attribute() : other); }
   };
-  /// One element, small enough that those of an object lie close together: most of them are only compared.
+  /// One element. It is small, so that the elements of an object are close together in memory; most of them are only
+  /// compared.
   struct Slot {
     static constexpr std::size_t kShort = 16;
     static constexpr std::uint8_t kLong = 0xFF;
     union {
       std::int64_t integer = 0;
       double number;
-      char text[kShort];         ///< With zeros at its end.
-      std::vector<Slot>* below;  ///< Of an object; from slots_.
+      char text[kShort];         ///< Padded with zeros.
+      std::vector<Slot>* below;  ///< For an object; points into slots_.
     };
-    sml::WMElement* element = nullptr;  ///< Knows its attribute, and a text that is too long for this.
+    sml::WMElement* element = nullptr;  ///< Has the attribute, and a text that is too long for this slot.
     const vocabulary::PerceptRow* row = nullptr;
     std::uint32_t key = 0;
     Kind kind = Kind::kText;
-    std::uint8_t size = 0;  ///< Of a text, or kLong.
+    std::uint8_t size = 0;  ///< Size of a text, or kLong.
 
-    /// False for a text that is too long for this, too.
+    /// False for texts that are too long for the slot.
     bool HoldsShort(std::string_view value) const { return size == value.size() && AreEqual(text, value.data(), size); }
     bool Holds(std::string_view value) const;
     void Hold(std::string_view value);
@@ -131,14 +133,14 @@ class InputMirror final : public vocabulary::PerceptSink {
   using Slots = std::vector<Slot>;
   struct OpenObject {
     Slots* slots = nullptr;
-    std::size_t next = 0;  ///< The first that has not been told yet, while one below it is told.
+    std::size_t next = 0;  ///< The first slot that was not reported yet. Used while an object below is updated.
     sml::Identifier* object = nullptr;
     std::uint32_t key = 0;
-    std::size_t path_length = 0;  ///< Of the path of what it hangs on, once it is named.
-    std::size_t dropped = 0;      ///< How many in front of the first that has not been told are gone.
+    std::size_t path_length = 0;  ///< Length of the path of its parent object, once the path is computed.
+    std::size_t dropped = 0;      ///< Number of removed slots before the first that was not reported.
   };
 
-  /// Whether up to sixteen bytes are the same: texts are short and mostly equal, so without a call.
+  /// Whether up to sixteen bytes are equal. Texts are short and mostly equal, so this avoids a call of memcmp.
   [[gnu::always_inline]] static bool AreEqual(const char* a, const char* b, std::size_t size) {
     const auto same = [&](std::size_t at, auto word) {
       auto other = word;
@@ -150,7 +152,7 @@ class InputMirror final : public vocabulary::PerceptSink {
     if (size >= 4) return same(0, std::uint32_t{0}) && same(size - 4, std::uint32_t{0});
     return size == 0 || (a[0] == b[0] && a[size / 2] == b[size / 2] && a[size - 1] == b[size - 1]);
   }
-  /// Whether the next one that stood there is that.
+  /// Whether the next slot is this element.
   bool StandsNext(const vocabulary::PerceptRow& row, std::uint32_t key, Kind kind) const {
     return next_ != end_ && next_->row == &row && next_->key == key && next_->kind == kind && refused_ == 0;
   }
@@ -171,7 +173,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   }
   void Change(Slot& slot, std::int64_t value);
   void Change(Slot& slot, double value);
-  /// A text that may be another one, if it is long.
+  /// Changes a text. A long text is compared here first, because it may be unchanged.
   void Change(Slot& slot, std::string_view value);
   void TellInteger(const Name& name, std::int64_t value);
   void TellFloat(const Name& name, double value);
@@ -181,7 +183,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   void Enter(const Slot& object);
   void ShowList(const vocabulary::PerceptList& list);
 
-  /// From here on the slots of that object are told, the first `next` of which have been.
+  /// Continues with the slots of an object, of which the first `next` have been reported.
   void GoOn(Slots& slots, std::size_t next) {
     next_ = slots.data() + next;
     end_ = slots.data() + slots.size();
@@ -197,15 +199,17 @@ class InputMirror final : public vocabulary::PerceptSink {
   sml::Agent* agent_;
   std::forward_list<Slots> slots_;
   std::vector<Slots*> spare_;
-  std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< What is directly on the input link.
-  std::vector<OpenObject> open_;                            ///< From the input link to the object that is told now.
-  Slot* next_ = nullptr;                                    ///< Of that object, the first that has not been told yet;
-  Slot* end_ = nullptr;                                     ///< ... behind its last.
-  std::size_t refused_ = 0;                                 ///< Open objects that the client library would not make.
+  std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< Elements directly on the input link.
+  std::vector<OpenObject> open_;                            ///< The objects from the input link to the current one.
+  Slot* next_ = nullptr;                                    ///< The first slot of the current object that was not
+                                                            ///< reported yet.
+  Slot* end_ = nullptr;                                     ///< One past its last slot.
+  std::size_t refused_ = 0;                                 ///< Number of open objects that the client library refused
+                                                            ///< to create.
   std::size_t changes_ = 0;
   mind::EventLog* log_ = nullptr;
-  std::string path_;       ///< Of the object that you are telling now, with a dot at its end, ...
-  std::size_t named_ = 0;  ///< ... as far as somebody has asked for it: this many of open_.
+  std::string path_;       ///< Path of the current object, with a dot at its end.
+  std::size_t named_ = 0;  ///< path_ is computed for this many of open_.
 };
 
 }  // namespace soarbox::sim

@@ -18,7 +18,7 @@ class InputMirrorTest : public testing::Test {
  protected:
   ~InputMirrorTest() override { kernel_->Shutdown(); }
 
-  /// What stands below an identifier: "name value", and "name {...}" for objects, in the order in which it came.
+  /// The elements below an identifier: "name value", and "name {...}" for objects, in the order of creation.
   std::string Link(const sml::Identifier* parent = nullptr) {
     if (parent == nullptr) parent = agent_->GetInputLink();
     std::string text;
@@ -32,7 +32,7 @@ class InputMirrorTest : public testing::Test {
   long long TagOf(const char* attribute, int index = 0) {
     return agent_->GetInputLink()->FindByAttribute(attribute, index)->GetTimeTag();
   }
-  /// Tells somebody with a name and a range.
+  /// Reports an agent with a name and a range.
   static void TellAgent(vocabulary::PerceptSink& sink, std::uint32_t key, std::string_view name, double range_m) {
     sink.Open(vocabulary::RowOf("agent"), key);
     sink.Word(vocabulary::RowOf("agent.name"), name);
@@ -82,7 +82,7 @@ TEST_F(InputMirrorTest, SiblingsAreToldApartByTheirKeysInWhateverOrderTheyComeAn
   tell({1, 2, 3});
   const long long second = TagOf("agent", 1);
   tell({3, 2});
-  EXPECT_EQ(mirror_.changes(), 1u);  // The first has gone.
+  EXPECT_EQ(mirror_.changes(), 1u);  // The first was removed.
   EXPECT_EQ(TagOf("agent", 0), second);
   tell({2, 5, 3});
   EXPECT_EQ(Link(), "agent {name n2 range 2} agent {name n3 range 3} agent {name n5 range 5}");
@@ -101,7 +101,7 @@ TEST_F(InputMirrorTest, AQueueLosesItsFirstAndGetsNewOnesWhileTheRestStaysUntold
   tell(1, {1, 2, 3});
   const long long third = TagOf("agent", 2);
   tell(3, {4});
-  EXPECT_EQ(mirror_.changes(), 2u + 3u);  // Two gone, an object with two words.
+  EXPECT_EQ(mirror_.changes(), 2u + 3u);  // Two removed, an object with two words added.
   EXPECT_EQ(Link(), "agent {name m range 3} agent {name m range 4}");
   EXPECT_EQ(TagOf("agent", 0), third);
   tell(9, {});

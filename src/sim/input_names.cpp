@@ -7,7 +7,7 @@
 namespace soarbox::sim {
 namespace {
 
-/// Without letters, digits and function keys, and without "_key".
+/// All keys except letters, digits and function keys, without "_key".
 constexpr const char* kKeys =
     "add subtract multiply divide decimal numpad_enter numpad_equals numpad_comma numlock "
     "escape tab space return back insert delete home end page_up page_down up down left right "

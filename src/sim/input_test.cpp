@@ -87,7 +87,7 @@ TEST(InputText, EachWrongLineIsToldWithItsPlaceAndTheOthersAreRead) {
 }
 
 TEST(InputNames, AllKeysOfTheSandboxAreThere) {
-  EXPECT_EQ(KeyNames().size(), 145u + 1);  // And unknown_key.
+  EXPECT_EQ(KeyNames().size(), 145u + 1);  // Includes unknown_key.
 }
 
 TEST(InputDoor, InputsComeInByTickThenInTheOrderOfTheirCalls) {

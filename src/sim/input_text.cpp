@@ -22,7 +22,7 @@ constexpr const char* kForms =
     "foreign ID NAME TEAM BODY HEALTH STANCE and 14 numbers, foreign-gone ID, foreign-shot ID TARGET and 8 numbers, "
     "foreign-message ID TEAM ABOUT TEXT";
 
-/// The words of one line, taken one after the other; the first thing that is wrong stays.
+/// Reads the words of a line one after another. Keeps the first error.
 class LineReader {
  public:
   LineReader(std::string_view line, std::string& problem, std::string& hint)
@@ -39,7 +39,7 @@ class LineReader {
     hint_ = std::move(hint);
   }
 
-  /// A word or a quoted text; `what` is told when there is none.
+  /// A word or a quoted text; `what` is used in the error if there is none.
   std::string Word(const char* what) {
     if (!ok()) return {};
     word_at_ = rest_at_;
@@ -135,7 +135,7 @@ struct Place {
   float x = 0, y = 0;
 };
 
-/// Down, up, or the word for both.
+/// "down", "up", or the word for both.
 std::string ReadHow(LineReader& line, const std::string& both) {
   const std::string how = line.Word("'down' or 'up'");
   if (line.ok() && how != "down" && how != "up" && how != both) line.Fail("'" + how + "' is not down, up or " + both);
@@ -186,7 +186,7 @@ ForeignBodyInput ReadForeignBody(LineReader& line) {
   return input;
 }
 
-/// What the line says; several inputs for "press" and "click". Empty if it is wrong.
+/// The inputs of a line; several for "press" and "click". Empty after an error.
 std::vector<InputValue> ReadLine(LineReader& line, Place& pointer) {
   const std::string kind = line.Word("what comes in");
   std::vector<InputValue> values;
@@ -291,7 +291,7 @@ std::string Quote(std::string_view text) {
   return quoted + '"';
 }
 
-/// The shortest text that reads as the same number.
+/// The shortest text that is parsed as the same number.
 std::string Number(float value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};

@@ -10,17 +10,17 @@
 
 namespace soarbox::sim {
 
-/// The inputs that a text holds, and what is wrong with its lines.
+/// The inputs in a text, and the problems of its lines.
 struct InputText {
-  InputList inputs;  ///< In ascending tick; those of one tick in the order of the text.
+  InputList inputs;  ///< Sorted by tick; inputs of the same tick are in the order of the text.
   std::vector<Diagnostic> problems;
 };
 
-/// Reads inputs as text, one per line; `#` begins a comment. Reports lines that are wrong and reads the others.
+/// Parses inputs, one per line; `#` begins a comment. Skips and reports lines with errors.
 ///
 ///   TICK key NAME down|up|press          press: down and up in one tick
 ///   TICK button NAME down|up|click X Y
-///   TICK pointer X Y [DX DY]             without DX DY: as far as from the place before it in the text
+///   TICK pointer X Y [DX DY]             without DX DY: the difference from the previous position in the text
 ///   TICK wheel NOTCHES [X Y]
 ///   TICK panel BUTTON                    the name that a script gave a button on the screen
 ///   TICK pad NUMBER BUTTON down|up|press
@@ -35,11 +35,11 @@ struct InputText {
 ///   TICK foreign-shot ID TARGET|"" DAMAGE RADIUS X Y Z X Y Z
 ///   TICK foreign-message ID TEAM|"" ABOUT TEXT
 ///
-/// Names and texts with blanks are between quotes, in which \n, \t, \" and \\ mean what they do in C; a text that does
-/// not begin with a quote is the rest of its line.
+/// Names and texts with blanks are quoted. In quotes, \n, \t, \" and \\ have the same meaning as in C. A text that does
+/// not begin with a quote extends to the end of the line.
 InputText ReadInputs(std::string_view text, const std::string& file);
 
-/// The line that ReadInputs reads this input from, without a line feed.
+/// Returns a line that ReadInputs converts to this input, without a line feed.
 std::string WriteInput(const Input& input);
 
 /// Such a line for people: what the client of recorded agents did in a tick is counted, "3 client: 2 command lines, 12

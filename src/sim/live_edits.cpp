@@ -28,7 +28,7 @@ bool IsPlainFile(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-/// What is the matter with a file that cannot be read any more.
+/// Why a file can no longer be read.
 std::string WhyUnreadable(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) return "this is a folder now";
@@ -46,7 +46,7 @@ Diagnostic EditNews(Severity severity, const fs::path& file, std::string message
 
 constexpr const char* kKeepsRunning = "the previous version keeps running";
 
-/// Without a byte order mark and the line ends of other systems, which no author means.
+/// Removes a byte order mark and normalizes line ends.
 std::string WithPlainLines(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -57,7 +57,7 @@ std::string WithPlainLines(std::string_view text) {
   return plain;
 }
 
-/// The files that a text sources itself, and in which lines.
+/// The files that a text sources directly, with the lines of the commands.
 std::map<fs::path, int> SourcedBy(const fs::path& file, const std::string& text) {
   std::map<fs::path, int> sourced;
   std::istringstream lines(explain::BlankComments(text));
@@ -70,7 +70,7 @@ std::map<fs::path, int> SourcedBy(const fs::path& file, const std::string& text)
   return sourced;
 }
 
-/// Commands outside of rules are carried out when the file is loaded, not when it is edited.
+/// Reports changed commands outside rules, because they are executed only when a file is loaded.
 void TellOtherCommands(const fs::path& file, const std::string& before, const std::string& after,
                        std::vector<Diagnostic>& told) {
   const auto commands = [](const std::string& text) {
@@ -103,7 +103,7 @@ void TellOtherCommands(const fs::path& file, const std::string& before, const st
   told.push_back(std::move(news));
 }
 
-/// Names of the rules that are new or differ.
+/// Names of the rules that are new or changed.
 std::set<std::string> ChangedRules(const std::string& before, const std::string& after) {
   const SplitText old = SplitRules(before);
   std::set<std::string> names;
@@ -198,12 +198,12 @@ LiveEdits::LiveEdits(Simulation& simulation, const LiveEdits& earlier) : simulat
     if (held == then.earlier.end()) continue;
     then.text = held->second;
     then.earlier.erase(held, then.earlier.end());
-    then.time = {};  // Whatever is there now is newer.
+    then.time = {};  // Any present version is newer.
   }
   Watch();
 }
 
-/// Agents come and go; files that are new are taken as they are now.
+/// Updates the list of files, because agents are created and destroyed. New files are taken as they are now.
 void LiveEdits::Watch() {
   files_ = WithSourced(simulation_.Files());
   for (const WatchedFile& file : files_) {
@@ -219,7 +219,7 @@ std::optional<std::string> LiveEdits::TakeChange(const fs::path& file, Version& 
                                                  std::vector<Diagnostic>& told) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);
-  // Editors put a new file in the place of the old one: a moment without any is nothing to report.
+  // Editors replace files by new ones, so that a file may be missing for a moment.
   if (error) {
     if (++version.missed == 2) told.push_back(EditNews(Severity::kWarning, file, "this file is gone", kKeepsRunning));
     return std::nullopt;
@@ -288,7 +288,7 @@ void LiveEdits::FollowSources(const WatchedFile& changed, const std::string& bef
       told.push_back(std::move(circle));
       continue;
     }
-    // Nothing of them runs yet: the next look finds all of their rules new.
+    // None of these rules run yet: the next check treats all of them as new.
     for (const fs::path& one : all) versions_[one] = {};
   }
   files_ = WithSourced(simulation_.Files());
@@ -322,7 +322,7 @@ std::vector<Diagnostic> LiveEdits::Poll() {
   TellSlips(told);
   Watch();
   std::set<fs::path> looked_at;
-  const std::vector<WatchedFile> files = files_;  // An edit may bring others.
+  const std::vector<WatchedFile> files = files_;  // An edit may add files.
   for (const WatchedFile& changed : files) {
     const auto known = versions_.find(changed.file);
     if (known == versions_.end() || !looked_at.insert(changed.file).second) continue;
@@ -333,7 +333,7 @@ std::vector<Diagnostic> LiveEdits::Poll() {
         changed.is_rules ? VetRuleFile(*text, changed.file) : CheckScriptText(*text, changed.file.string());
     const bool is_refused = HasError(problems), is_emptied = IsEmptied(version.text, *text);
     if (!IsWhole(changed, version, *text, is_refused || is_emptied)) {
-      version.time = {};  // Look again.
+      version.time = {};  // Check again.
       continue;
     }
     if (is_emptied) {
@@ -342,7 +342,7 @@ std::vector<Diagnostic> LiveEdits::Poll() {
       continue;
     }
     told.insert(told.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
-    // The next good version is compared with what runs, not with what never did.
+    // The next valid version is compared with the running version, not with the refused one.
     if (is_refused) {
       told.push_back(EditNews(Severity::kNote, changed.file, std::string("nothing was changed; ") + kKeepsRunning));
       continue;

@@ -17,73 +17,74 @@ namespace soarbox::sim {
 
 class Simulation;
 
-/// A file that a running world was made from: rules, or a script that a machine has run.
+/// A file of a running world: rules, or a script that a machine has executed.
 struct WatchedFile {
-  std::string agent;  ///< Empty: the sandbox's own script.
+  std::string agent;  ///< Empty for the sandbox's own script.
   std::filesystem::path file;
   bool is_rules = false;
-  std::string script = {};  ///< What scripts call it ("Lib.lua"), if it is one.
+  std::string script = {};  ///< If it is a script: its name in scripts ("Lib.lua").
 };
 
-/// The same files, each file of rules followed by those that it sources, with all below them. Reads the disk.
+/// Adds the files that each file of rules sources, directly or through others, after it. Reads the disk.
 std::vector<WatchedFile> WithSourced(const std::vector<WatchedFile>& files);
 
-/// The rules of a text by name, with comments blanked and plain line ends. Empty, with the name of the rule at fault,
-/// if one is not closed.
+/// The rules of a text by name. Comments are blanked, and line ends are plain. If a rule is not closed, `rules` is
+/// empty and `unclosed` is the name of that rule.
 struct SplitText {
   std::map<std::string, std::string> rules;
-  std::string only_rules;  ///< The text with everything outside of rules blanked: places stay.
-  std::string outside;     ///< The other way round: what is outside of rules.
+  std::string only_rules;  ///< The text with everything outside rules blanked; positions stay the same.
+  std::string outside;     ///< The text with all rules blanked.
   std::string unclosed;
 };
 SplitText SplitRules(std::string_view text);
 
-/// The commands that turn one version of a file of rules into another: a changed rule replaces the previous one, a rule
-/// that is gone is excised, and everything in working memory stays.
+/// The commands that change a mind from one version of a file of rules to another. They replace changed rules and
+/// excise removed ones. Working memory does not change.
 std::vector<std::string> EditsBetween(const SplitText& before, const SplitText& after);
 
-/// Hands an edit from one version of a file to another to the simulation's one door. Working memory and what a script
-/// knows stay. `elsewhere`: rules that another file now has, so that they are not excised.
+/// Submits the difference between two versions of a file to the simulation. Working memory and the variables of scripts
+/// stay. `elsewhere`: rules that were moved to another file; they are not excised.
 void SubmitEdit(Simulation& simulation, const WatchedFile& file, const std::string& before, const std::string& after,
                 const std::set<std::string>& elsewhere = {});
 
-/// True if nothing is left of a file that held something: that is a slip, or an editor is about to write.
+/// Whether a file with content has become empty. This is a mistake, or an editor is about to write the file.
 bool IsEmptied(const std::string& before, const std::string& after);
 
-/// Lets edits of rules and scripts reach a running world: looks at the files' times between ticks, and hands what
-/// changed to the simulation's one door, so that a record of the inputs replays the edits too. A file that does not
-/// parse changes nothing (vet_rules.h): the previous version keeps running. Reads the disk; for the program that runs
-/// the simulation.
+/// Applies edits of rules and scripts to a running world. It checks the times of files between ticks and submits the
+/// changes to the simulation, so that a recording of the inputs also replays the edits. A file that does not parse
+/// changes nothing (vet_rules.h): the previous version keeps running. Reads the disk. Used by the program that runs the
+/// simulation.
 class LiveEdits {
  public:
   explicit LiveEdits(Simulation& simulation);
-  /// For a simulation that went back in the run that `earlier` watched: its files count as they were at this tick of
-  /// that run, so what you edited since soon reaches it as an edit of its own.
+  /// For a simulation that went back in the run that `earlier` watched. The files are treated as they were at this tick
+  /// of that run. Later edits therefore reach the simulation as edits of its own.
   LiveEdits(Simulation& simulation, const LiveEdits& earlier);
 
-  /// Looks at all files; says what was reloaded (a note), and what is wrong.
+  /// Checks all files. Returns a note for each reloaded file, and the problems of files.
   std::vector<Diagnostic> Poll();
 
  private:
   struct Version {
     std::filesystem::file_time_type time;
     std::string text;
-    std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that were in effect up to the end of a tick.
-    int missed = 0;                                              ///< How often in a row it was missing.
+    std::vector<std::pair<std::uint64_t, std::string>> earlier;  ///< Texts that were in effect until the end of a tick.
+    int missed = 0;                                              ///< Number of consecutive checks in which the file was
+                                                                 ///< missing.
   };
   void Watch();
-  /// The new text of a file that has changed; nothing if it has not, or cannot be read.
+  /// Returns the new text of a file that has changed; nothing if it has not changed, or cannot be read.
   std::optional<std::string> TakeChange(const std::filesystem::path& file, Version& version,
                                         std::vector<Diagnostic>& told);
-  /// Names of the rules that other files of the agent hold: a rule that was moved there is still meant.
+  /// Names of the rules in other files of the agent. A rule that was moved to such a file is not removed.
   std::set<std::string> RulesElsewhere(const WatchedFile& file) const;
-  /// False if somebody may be about to write the rest of it: it was written only just now, and something is missing.
+  /// Whether a file was written completely. False if it was written only a moment ago and seems incomplete.
   bool IsWhole(const WatchedFile& file, const Version& version, const std::string& text, bool is_refused) const;
-  /// Loads files that the new version sources and the previous one did not; removes the rules of those that it no
-  /// longer sources.
+  /// Loads files that the new version sources and the previous one did not. Removes the rules of files that are no
+  /// longer sourced.
   void FollowSources(const WatchedFile& changed, const std::string& before, const std::string& after,
                      std::vector<Diagnostic>& told);
-  /// Reports slips in rules that were edited, once they run: what others make counts.
+  /// Reports slips in edited rules once they run, because rules of other files may make the elements that they test.
   void TellSlips(std::vector<Diagnostic>& told);
 
   Simulation& simulation_;
@@ -92,7 +93,7 @@ class LiveEdits {
   struct Edited {
     std::string agent;
     std::set<std::string> rules;
-    std::uint64_t tick = 0;  ///< They run after this one.
+    std::uint64_t tick = 0;  ///< The rules run after this tick.
   };
   std::vector<Edited> edited_;  ///< One agent for each file.
 };

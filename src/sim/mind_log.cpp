@@ -14,17 +14,18 @@
 namespace soarbox::sim {
 namespace {
 
-/// What all kernels have.
+/// What is recorded for all kernels.
 struct TickOfMind {
   mind::EventLog events;
-  /// Who made what is on the output link: the rule's name ends there in `names` and begins where the one before ends.
+  /// Makers of elements on the output link: the rule's name ends at this position in `names` and begins at the end of
+  /// the previous one.
   struct Maker {
     std::uint64_t timetag = 0;
     std::size_t name_end = 0;
   };
   std::vector<Maker> makers;
   std::string names;
-  mind::CommandSaid said;  ///< Scratch.
+  mind::CommandSaid said;  ///< Temporary.
 };
 
 void AddParameters(const vocabulary::PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
@@ -51,13 +52,13 @@ void AddParameters(const vocabulary::PerceptList& list, std::uint32_t depth, std
 #ifdef SOARBOX_OWN_KERNEL
 
 struct MindLog::Listener final : MindObserver {
-  /// Notes what a level of the goal stack is about now; those below it are gone.
+  /// Stores the operator of a level of the goal stack; removes the levels below it.
   void Settle(int level, std::string_view operator_name) {
     waits_in.clear();
     if (level < 1 || level > 1000) return;
     const auto above = static_cast<std::size_t>(level - 1);
-    if (above + 1 == depth && operators[above] == operator_name) return;  // As before.
-    // Names keep their memory from decision to decision.
+    if (above + 1 == depth && operators[above] == operator_name) return;  // Unchanged.
+    // The memory of names is reused from decision to decision.
     if (operators.size() < above + 1) operators.resize(above + 1);
     for (std::size_t i = depth; i < above; ++i) operators[i].clear();
     if (operators[above] != operator_name) operators[above] = operator_name;
@@ -69,7 +70,7 @@ struct MindLog::Listener final : MindObserver {
     tick.events.Add(mind::OperatorSelected{level, id, name, std::exchange(decided, {})});
   }
   void OnState(int level, std::string_view state, mind::StateReason reason, bool on_operator) override {
-    // A program that waits says so in each cycle; once is enough, however long it waits.
+    // A waiting program reports this in each cycle; it is recorded only once.
     const std::string_view said = std::exchange(decided, {});
     if (waits_in == state) return;
     Settle(level, {});
@@ -101,10 +102,10 @@ struct MindLog::Listener final : MindObserver {
   void OnElement(const mind::ElementChanged& element) override { tick.events.Add(element); }
 
   TickOfMind tick;
-  std::vector<std::string> operators;  ///< By level of the goal stack, the first `depth` of them.
+  std::vector<std::string> operators;  ///< By level of the goal stack; only the first `depth` are valid.
   std::size_t depth = 0;
-  std::string waits_in;      ///< The state that was told last, if nothing was since.
-  std::string_view decided;  ///< What was said of the decision that comes next, packed; the observation's.
+  std::string waits_in;      ///< The state that was reported last, if nothing was reported since then.
+  std::string_view decided;  ///< The packed record of the next decision; it belongs to the observer's caller.
   std::unique_ptr<Observation> observation;
 };
 

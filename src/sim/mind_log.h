@@ -15,15 +15,15 @@ class Agent;
 
 namespace soarbox::sim {
 
-/// How much is noted of what minds do. Off, it costs nothing.
+/// How much is recorded of what minds do. kNone costs nothing.
 enum class MindDetail : std::uint8_t {
   kNone,
-  kDecisions,  ///< Operators and impasses, and why.
-  kAll,        ///< Also rules that fire and retract, and elements that come and go.
+  kDecisions,  ///< Operators and impasses, with their reasons.
+  kAll,        ///< Also rules that fire and are retracted, and elements that are added and removed.
 };
 
-/// What one mind does within a tick, for whoever looks at the tick afterwards: facts only; nothing is read while the
-/// mind runs.
+/// Records what one mind does in a tick, for inspection after the tick. It only adds events and never queries the
+/// running mind.
 class MindLog {
  public:
   MindLog();
@@ -31,18 +31,18 @@ class MindLog {
   MindLog(MindLog&&) noexcept;
   MindLog& operator=(MindLog&&) noexcept;
 
-  /// Listens from now on to the agent, which must live as long as this. kNone: stops listening.
+  /// Starts to record the agent, which must outlive the log. kNone stops recording.
   void Listen(sml::Agent& agent, MindDetail detail);
-  /// Forgets the tick before.
+  /// Removes the events of the previous tick.
   void Clear();
 
-  /// What happened in this tick, to add to or to copy; its address stays the same for the life of the log.
+  /// The events of this tick, which callers may add to. The address stays the same during the life of the log.
   mind::EventLog& events();
   const mind::EventLog& events() const;
-  /// A command came to the output link; by then the rule that made it is known.
+  /// Adds a command on the output link, with the rule that made it.
   void NoteCommand(std::uint64_t timetag, std::string_view name, const vocabulary::PerceptList& parameters);
-  /// The operators selected in the goal stack now, from the top: "engage > aim"; empty if there is none, or nobody
-  /// reports them.
+  /// The operators that are selected in the goal stack now, from the top: "engage > aim". Empty if there is none, or if
+  /// operators are not recorded.
   std::string Operators() const;
 
  private:

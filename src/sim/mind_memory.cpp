@@ -8,28 +8,28 @@
 #include "sim/minds.h"
 #include "sim/work_limit.h"
 
-// What all minds of a world take together, and how much one may do in a tick. It is counted in bytes that the kernel
-// says it has laid out, and in firings, never timed.
+// The total memory of all minds of a world, and limits for a tick. Limits are bytes that the kernel reports and numbers
+// of firings; nothing is timed.
 
 namespace soarbox::sim {
 namespace {
 
-/// Minds are measured in turn, large ones in each tick.
+/// Number of groups in which minds are measured in turn; large minds are measured in each tick.
 constexpr std::size_t kTurns = 8;
 constexpr std::size_t kLarge_bytes = std::size_t{4} << 20;
-/// A mind may grow by so much in a tick however little is left.
+/// Minimum growth that is allowed to a mind in a tick.
 constexpr std::size_t kLeastGrowth_bytes = std::size_t{8} << 20;
-/// What a partial match takes, and what it takes with all that becomes of it.
+/// Size of a partial match, and its size including what results from it.
 constexpr std::size_t kMatch_bytes = 64, kGrownMatch_bytes = 256;
 
-/// A mind that takes this part of the world's memory is told of.
+/// A mind that uses one kMuch-th of the world's memory is reported.
 constexpr std::size_t kMuch = 8;
-/// So is a mind that has learned so many rules: each of them is matched from then on.
+/// A mind that has learned this many rules is reported, because each of them must be matched.
 constexpr std::size_t kManyLearned = 500;
 constexpr const char* kGrowingRules =
     "look for rules that add elements in each decision and never take them back; --memory gives the world more";
 
-/// What is said of a mind, with the rules that it runs.
+/// An event about a mind, with the rules that it runs.
 RunEvent AboutMind(EventKind kind, const std::string& name, const std::filesystem::path& rules) {
   RunEvent event;
   event.kind = kind;
@@ -44,7 +44,7 @@ std::string Megabytes(std::size_t bytes) {
 
 }  // namespace
 
-/// What is left is dealt out to those who decide now, so that they cannot use more together within one tick.
+/// Distributes the remaining memory among the minds that decide now, so that they cannot exceed it within one tick.
 void Minds::LimitMemory() {
   if (ready_.empty()) return;
   const std::size_t left = MemoryLeft();

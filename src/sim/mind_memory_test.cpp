@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Minds that grow without end are halted before they take the memory of all; the world and the other minds go on.
+// Minds that grow without a limit are halted before they use up all memory; the world and the other minds continue.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In each tick 225 elements that stay: one for each pair of 15 things.
+/// Adds 225 elements in each tick: one for each pair of 15 things.
 constexpr const char* kHog = R"(
 sp {hog*remember (state <s> ^superstate nil ^io.input-link.time <t>) --> (<s> ^operator <o> + =) (<o> ^name grow ^at <t>)}
 sp {hog*things (state <s> ^superstate nil) --> (<s> ^thing 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15)}
@@ -66,8 +66,8 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
   return outcome;
 }
 
-/// Where the kernel matches everything anew after each phase, minds that grow take minutes, and the memory of what they
-/// hold is not what users have.
+/// If the kernel checks all matches after each phase, growing minds take minutes and use other amounts of memory than
+/// for users.
 #ifdef SOARBOX_CHECK_INVARIANTS
 constexpr bool kChecksInvariants = true;
 #else

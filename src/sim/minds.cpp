@@ -14,13 +14,13 @@
 namespace soarbox::sim {
 namespace {
 
-/// An agent that does nothing for so long is asked why.
+/// An idle agent is asked for the reason after this time, in s.
 constexpr float kIdleUntilTold_s = 1;
-/// So many times an agent is asked why it does nothing, and so many times all agents of a run are.
+/// Maximum number of times that one agent, and all agents of a run, are asked why they are idle.
 constexpr int kMostAsked = 10;
 constexpr int kMostAskedInAll = 300;
 
-/// The files of rules in a folder, for near-misses.
+/// The files of rules in a folder, for suggestions.
 std::vector<std::string> RulesIn(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -40,7 +40,7 @@ std::string NearMiss(const std::string& wanted, const std::vector<std::filesyste
   return std::string(Suggest(wanted, candidates));
 }
 
-/// "rule NAME: ..." apart.
+/// Splits "rule NAME: ...".
 explain::FailedRule Failed(const Diagnostic& problem) {
   explain::FailedRule failed;
   failed.place = std::filesystem::path(problem.file).filename().string() + ":" + std::to_string(problem.line);
@@ -73,7 +73,7 @@ vocabulary::PerceptList ToPercepts(const script::Table& table) {
     made.attribute = field.name;
     made.key = ++keys[field.name];
     if (const auto* number = std::get_if<double>(&field.value)) {
-      // Lua has one kind of number; whole ones are integers to rules.
+      // Lua has only one type of number; integral numbers are integers for rules.
       if (*number == std::floor(*number) && std::abs(*number) < 1e15) {
         made.value = static_cast<std::int64_t>(*number);
       } else {
@@ -126,7 +126,7 @@ Result<std::filesystem::path> Minds::FindRules(const std::string& agent, const A
   const std::filesystem::path found = FindInFolders(wanted, scenario_.rule_folders);
   const std::string near = found.empty() ? NearMiss(wanted, scenario_.rule_folders) : std::string();
   if (!found.empty()) return found;
-  // The thesis' own rules stand in only where nobody named any and nothing looks like a slip of the pen.
+  // The thesis' own rules are used only if no rules were named and no similar file exists.
   if (is_own && near.empty()) {
     if (const auto fallback = FindInFolders(wanted, scenario_.fallback_rule_folders); !fallback.empty())
       return fallback;
@@ -213,7 +213,7 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
                     SoarMind(*loaded->agent, settings), loaded->thread});
   minds_.back().memory_bytes = minds_.back().soar.MemoryBytes();
   memory_bytes_ += minds_.back().memory_bytes;
-  // An agent that another one makes while it is made itself has its mind first.
+  // An agent that another agent creates while its own mind is being created gets its mind first.
   if (place_by_id_.size() <= Number(agent)) place_by_id_.resize(Number(agent) + std::size_t{1});
   place_by_id_[Number(agent)] = static_cast<std::uint32_t>(minds_.size());
   return {};
@@ -228,7 +228,7 @@ Result<SoarHost::Loaded> Minds::Load(const std::string& agent, const std::filesy
   const bool is_first = !failed_.contains(rules);
   std::set<std::string> failed_rules;
   for (Diagnostic& problem : loaded->problems) {
-    // Several errors may be one rule's: "rule NAME: ...".
+    // Several errors may be about one rule: "rule NAME: ...".
     if (problem.severity == Severity::kError && is_first &&
         failed_rules.insert(problem.message.substr(0, problem.message.find(':'))).second)
       failed_[rules].push_back(Failed(problem));
@@ -258,7 +258,7 @@ void Minds::Restore() {
       mind.thread = loaded->thread;
       continue;
     }
-    if (!host_.IsConnected()) return;  // Gone again: the next kernel gets them all.
+    if (!host_.IsConnected()) return;  // The connection was lost again: all minds are created in the next kernel.
     RunEvent event;
     event.kind = EventKind::kDiagnostic;
     event.agent = name;
@@ -286,13 +286,13 @@ void Minds::Decide() {
   }
   PlayClientActs();
   Notice();
-  // Scripts that sense may make agents: minds are looked up by place.
+  // Scripts may create agents while they sense, so minds are accessed by index.
   ready_.clear();
   for (std::size_t i = 0; i < minds_.size(); ++i) {
     if (Prepare(minds_[i])) ready_.push_back(i);
   }
   LimitMemory();
-  // Each mind reads and changes its own agent only, so that the result does not depend on who is first.
+  // Each mind reads and changes only its own agent, so the result does not depend on the order.
   pool_.Run([this](std::size_t thread) {
     for (const std::size_t i : ready_) {
       if (minds_[i].thread != thread || minds_[i].is_scripted || !host_.IsConnected()) continue;
@@ -306,7 +306,7 @@ void Minds::Decide() {
 }
 
 void Minds::LookAhead() {
-  pool_.Join();  // Scripted minds have been awaited one by one.
+  pool_.Join();  // Scripted minds were awaited one by one.
   arena_.Foresee(AllThreads());
 }
 
@@ -319,12 +319,13 @@ world::Workers Minds::AllThreads() {
   };
 }
 
-/// Bodies learn of orders and of each other. Each changes only what it knows itself, draws from its own stream and sees
-/// the world as it is now, so that it does not matter which thread is whose.
+/// Updates what bodies know of orders and of each other. Each body changes only its own knowledge, draws from its own
+/// random stream and reads the present world. The result therefore does not depend on the threads.
 void Minds::Notice() {
   constexpr std::size_t kWorthThreads = 16;
   const auto actors = arena_.actors();
-  // They look for ways and at each other. Where there are many more things than them, it is not worth while.
+  // Bodies search for paths and look at each other. With many more things than bodies, the preparation is not
+  // worthwhile.
   constexpr std::size_t kThingsOfEach = 4;
   world_.PrepareForReaders(actors.size() >= kWorthThreads && world_.ObjectIds().size() < kThingsOfEach * actors.size());
   const auto notice = [&](std::size_t thread, std::size_t threads) {
@@ -339,12 +340,12 @@ void Minds::Notice() {
   pool_.Run([&](std::size_t thread) { notice(thread, host_.threads()); });
 }
 
-/// Writes the thesis' percept. False if the mind perceives nothing at all and is not to decide.
+/// Writes the thesis' percept. Returns false if the mind perceives nothing and should not decide.
 bool Minds::PerceiveDistance(Mind& mind, const world::Agent& body) {
   if (mind.settings.has_distance) {
     world::Vec3 goal = body.Target();
     const bool has_leader = body.Leader() != world::kNoEntity;
-    if (mind.follows_leader && !has_leader) return false;  // Nobody to follow: no percept, no command.
+    if (mind.follows_leader && !has_leader) return false;  // It has no agent to follow: no percept, no command.
     if (const world::Agent* leader = has_leader ? world_.FindAgent(body.Leader()) : nullptr) goal = leader->Position();
     mind.distance_squared_m2 = world::LengthSquared(goal - body.Position());
     mind.soar.SetDistance(mind.distance_squared_m2);
@@ -352,7 +353,7 @@ bool Minds::PerceiveDistance(Mind& mind, const world::Agent& body) {
   return true;
 }
 
-/// Writes what its senses tell; on the thread that its mind decides on.
+/// Writes the percepts of its senses, on the thread of its mind.
 void Minds::PerceiveWorld(Mind& mind) {
   const Actor* actor = arena_.Find(mind.agent);
   if (actor == nullptr) return;
@@ -363,7 +364,7 @@ bool Minds::PerceiveGraph(Mind& mind) {
   const world::EntityId agent = mind.agent;
   const std::size_t count = minds_.size();
   const std::optional<script::PerceptGraph> graph = sense_sandbox_ ? sense_sandbox_(agent) : std::nullopt;
-  if (!graph || minds_.size() != count) return false;  // It made agents: this one decides when it is asked again.
+  if (!graph || minds_.size() != count) return false;  // It created agents: this mind decides when it is asked again.
   for (const script::PerceptGraph::Node& node : graph->nodes) {
     for (const auto& constant : node.constants) script_rows_.insert(constant.attribute);
     for (const auto& link : node.links) script_rows_.insert(link.attribute);
@@ -388,7 +389,7 @@ bool Minds::Prepare(Mind& mind) {
       Mind& again = *Find(agent);
       again.soar.ShowRows(ToPercepts(*rows));
     }
-    if (minds_.size() != count) return false;  // It made agents: this one decides in the next tick.
+    if (minds_.size() != count) return false;  // It created agents: this mind decides in the next tick.
     if (body.Failed()) return false;
   }
   return true;
@@ -396,7 +397,7 @@ bool Minds::Prepare(Mind& mind) {
 
 void Minds::Conclude(Mind& mind) {
   const world::Agent& body = *world_.FindAgent(mind.agent);
-  if (!host_.IsConnected()) return;  // Its kernel went meanwhile; that is no gap in the rules.
+  if (!host_.IsConnected()) return;  // The connection to its kernel was lost; that is not a gap in the rules.
   mind.decided = true;
   TellWritten(mind, body);
   TellFailures(mind, body);
@@ -441,13 +442,13 @@ void Minds::NoteAnswer(Mind& mind, Outcome outcome, bool is_news) {
   mind.answers.push_back(std::move(outcome));
 }
 
-/// How a command ended: what failed, and besides what `is_news`.
+/// Reports the end of a command: failures always, and successes if `is_news`.
 void Minds::TellOutcome(Mind& mind, const Outcome& outcome, bool is_news) {
   const bool is_error = outcome.status == Outcome::Status::kError;
   const std::string text = outcome.text.empty() ? "" : ": " + outcome.text;
   mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete") + text;
   if (!is_error && !is_news) return;
-  // The same fault of the same command is told once; an author sees how often at the end of the run.
+  // The same failure of the same command is reported once; its number is reported at the end of the run.
   std::string fault = is_error ? "error of " + outcome.command + " " + outcome.reason + " " + outcome.parameter
                                : outcome.command + " complete";
   if (mind.by_sandbox) fault += text;
@@ -473,7 +474,7 @@ void Minds::TellWritten(Mind& mind, const world::Agent& body) {
   constexpr std::size_t kMostLines = 100;
   std::size_t count = 0;
   for (std::string& line : mind.soar.TakeWritten()) {
-    // The kernel's own words; what they mean is told as a gap.
+    // These messages of the kernel are reported as a gap instead.
     if (line.starts_with("Goal stack depth exceeded") || line.ends_with("halted.")) continue;
     if (++count > kMostLines) return Tell(EventKind::kLog, body, "(more was written in this tick)");
     Tell(EventKind::kLog, body, std::move(line));
@@ -486,11 +487,12 @@ void Minds::TellHalt(Mind& mind, const world::Agent& body) {
   Tell(EventKind::kGap, body, tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
 }
 
-/// Tells why a script's mind has no command.
+/// Reports why the mind of a scripted agent has no command.
 void Minds::TellGap(Mind& mind, const world::Agent& body) {
-  AwaitAll();  // Others of its kernel may be deciding, and it is going to be asked.
+  AwaitAll();  // Other minds of its kernel may be deciding, and it will be queried.
   if (mind.soar.Halted()) {
-    // In a gap the goal stack grows until the kernel halts the program: start it anew, it did not ask to be halted.
+    // During a gap, the goal stack grows until the kernel halts the program. The program is restarted, because it did
+    // not request the halt.
     if (mind.in_gap) {
       mind.soar.Restart();
     } else {
@@ -502,8 +504,8 @@ void Minds::TellGap(Mind& mind, const world::Agent& body) {
   TellCause(mind, body, "it gave no command within its decision budget");
 }
 
-/// An agent whose body the vocabulary drives may well have nothing to say in a tick: it is idle only when nothing is
-/// under way either, for a while.
+/// An agent whose body commands control need not give a command in each tick. It is idle only if it gives none and no
+/// command is running, for some time.
 void Minds::TellIdle(Mind& mind, const world::Agent& body) {
   if (mind.soar.Halted()) return TellHalt(mind, body);
   const Actor& actor = *arena_.Find(mind.agent);
@@ -517,9 +519,9 @@ void Minds::TellIdle(Mind& mind, const world::Agent& body) {
   TellCause(mind, body, "it has done nothing for " + std::to_string(static_cast<int>(kIdleUntilTold_s)) + " s");
 }
 
-/// Asks a mind why it does nothing, and tells it once per cause.
+/// Asks a mind why it is idle, and reports each cause once.
 void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
-  // To ask is dear: of a crowd in trouble, and of an agent that is in trouble all the time, some answers tell enough.
+  // Queries are expensive. For many idle agents, or an agent that is often idle, a limited number is sufficient.
   if (++mind.gaps > kMostAsked || ++asked_ > kMostAskedInAll) {
     if (++mind.causes[text] == 1 && mind.gaps == 1) Tell(EventKind::kGap, body, std::move(text));
     return;

@@ -38,113 +38,117 @@ namespace soarbox::sim {
 class ClientPercepts;
 class ClientScene;
 
-/// The Soar minds of a world: makes them when scripts or scenario files ask for agents that have one, and lets them
+/// The Soar minds of a world. Creates them when scripts or scenario files create agents with a mind, and lets them
 /// perceive and decide once per tick.
 class Minds final : public script::MindFactory {
  public:
-  /// Takes an event; the caller fills in time and tick.
+  /// Receives an event without time and tick, which the receiver sets.
   using Report = std::function<void(RunEvent)>;
-  /// What the script of an agent perceives; nothing if it has none.
+  /// The percepts that an agent's script returns; nothing if it returns none.
   using SenseScript = std::function<std::optional<script::Table>(world::EntityId)>;
-  /// What the sandbox's script says that an agent perceives; nothing if it has no turn.
+  /// The percepts of an agent that the sandbox's script returns; nothing if the agent does not decide in this tick.
   using SenseSandbox = std::function<std::optional<script::PerceptGraph>(world::EntityId)>;
 
   Minds(world::World& world, const Scenario& scenario, SoarHost& host, Arena& arena, Report report);
 
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
   void SetSenseSandbox(SenseSandbox sense) { sense_sandbox_ = std::move(sense); }
-  /// How much is noted of what minds do, for minds made from now on.
+  /// How much is recorded of minds that are created from now on.
   void SetDetail(MindDetail detail) { detail_ = detail; }
-  /// What the world may use; if it uses more, the mind that uses most is halted.
+  /// The memory limit of the world. If the world exceeds it, the mind that uses most memory is halted.
   void SetMemoryLimit(std::size_t bytes) { memory_limit_ = bytes; }
-  /// How much of that scripts and bodies use.
+  /// How much of that memory scripts and bodies use.
   void SetOtherMemory(std::size_t scripts_bytes, std::size_t bodies_bytes) {
     scripts_bytes_ = scripts_bytes;
     bodies_bytes_ = bodies_bytes;
   }
   std::size_t MemoryBytes() const override { return memory_bytes_; }
-  /// Kinds of bodies that options may name.
+  /// Kinds of bodies that options can name.
   std::vector<BodyKind>& body_kinds() { return body_kinds_; }
 
-  /// Loads the rules that the request names, or its kind's own: seekingagent.soar, followeragent.soar,
-  /// waypointagent.soar. Reports faulty rules and loads the others. An agent without a script gets a body that the
-  /// vocabulary drives; without rules it just stands there.
+  /// Loads the rules that the request names, or the default rules of its kind: seekingagent.soar, followeragent.soar,
+  /// waypointagent.soar. Reports rules with errors and loads the others. An agent without a script gets a body that
+  /// commands of the vocabulary control. Without rules, that body does nothing.
   Result<void> MakeMind(world::EntityId agent, const script::AgentCreationRequest& request) override;
 
-  /// Every mind perceives and decides. Minds see the world as it is before any of them acts, so their order does not
-  /// matter. Minds whose bodies a script drives have only begun when this returns: they go on beside the scripts.
+  /// All minds perceive and decide. They perceive the world before any of them acts, so their order does not matter.
+  /// Minds whose bodies a script controls may still be deciding when this returns, while the world's thread runs
+  /// scripts.
   void Decide();
   struct Mind;
-  /// Before a body acts: its mind has decided when this returns.
+  /// Waits until a mind has decided. Call it before its body acts.
   void Await(Mind& mind);
-  /// Before the bodies that no script drives act: they look ahead, on all threads.
+  /// Lets bodies that no script controls compute searches in advance, on all threads (Arena::Foresee). Call it before
+  /// they act.
   void LookAhead();
-  /// Notes how a command of a scripted mind went, for Answer.
-  /// `is_news`: it is reported even if all went well.
+  /// Stores the outcome of a command of a mind with a scripted body, for Answer.
+  /// `is_news`: report it even if the command succeeded.
   void NoteAnswer(Mind& mind, Outcome outcome, bool is_news = false);
-  /// After the bodies have acted: reports to the minds how their commands went. Scripted minds on other threads have
-  /// heard it when EndAnswers returns; until then nothing else may ask a mind for anything. Returns the threads that
-  /// are free until then: all or none.
+  /// Reports the outcomes of commands to the minds, after the bodies have acted. Scripted minds on other threads have
+  /// received them only when EndAnswers returns; until then, no mind may be queried. Returns the threads that are free
+  /// until then: all or none.
   world::Workers Answer();
   void EndAnswers() { pool_.Join(); }
 
-  /// Reports what is most likely a slip in rules that loaded, once per file of rules: when all agents of the set-up are
-  /// there, as their rules and scripts decide which words are known.
+  /// Reports likely slips in rules that loaded, once per file of rules. Called after the set-up, when all agents exist,
+  /// because their rules and scripts determine the known words.
   void TellSlips();
-  /// The same for some rules of an agent, by name, as they run now: warnings with their places.
+  /// The same for some rules of an agent, as they run now. Returns warnings with positions.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules);
 
-  /// Reports how often each cause came up that was reported only once.
+  /// Reports how often each cause occurred that was reported only the first time.
   void TellCounts();
-  /// Why an agent does what it does now; nothing if there is no such agent with a mind.
-  /// `with_operators`: with the operators that are selected now, from the answers of commands.
+  /// Explains the present behaviour of an agent; nothing if there is no such agent with a mind.
+  /// `with_operators`: include the operators that are selected now, as reported by commands.
   std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true);
-  /// Why it gives or does not give a command, selects or does not select an operator, or a rule matches or does not. An
-  /// error if there is no such agent, or its rules know nothing of that name.
+  /// Explains why an agent gives a command or not, selects an operator or not, or why a rule matches or not. Fails if
+  /// there is no such agent, or if its rules do not contain the name.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
 
-  /// Lines of the log of a client that drives Soar agents itself (sml/server/client_log.h). The next Decide plays them:
-  /// it makes the agents that they name, which have bodies that do nothing.
+  /// Lines of the log of a client that controls Soar agents itself (sml/server/client_log.h). The next Decide executes
+  /// them. They can create agents, whose bodies do nothing.
   std::string client_acts;
 
-  /// Makes all minds again in the host's kernel, with the rules that they had. Reports those that fail; they stay idle.
+  /// Creates all minds again in the host's kernel, with the same rules. Reports those that fail; they stay idle.
   void Restore();
 
   struct Mind {
     world::EntityId agent;
     MindSettings settings;
-    bool follows_leader = false;  ///< Perceives its leader, else its target.
-    bool is_scripted = true;      ///< A script carries out its commands.
-    bool by_client = false;       ///< A client's log drives it; also by_sandbox, because its world is not ours.
-    bool by_sandbox = false;      ///< The sandbox's own: it decides in the ticks in which that script says so.
+    bool follows_leader = false;  ///< It perceives its leader; otherwise its target.
+    bool is_scripted = true;      ///< A script executes its commands.
+    bool by_client = false;       ///< A client's log controls it. by_sandbox is then also true, because its world is
+                                  ///< not ours.
+    bool by_sandbox = false;      ///< The sandbox's script determines its percepts and the ticks in which it decides.
     std::filesystem::path rules;
     SoarMind soar;
-    std::size_t thread = 0;  ///< On which it decides.
+    std::size_t thread = 0;  ///< The thread on which it decides.
     enum class Turn : unsigned char { kOver, kWaits, kHasDecided };
-    Turn turn = Turn::kOver;  ///< Of a scripted mind, in this tick.
-    std::size_t place = 0;    ///< Among those of its thread that decide beside the scripts in this tick.
-    /// Commands that its script carries out over time.
+    Turn turn = Turn::kOver;  ///< State of a scripted mind in this tick.
+    std::size_t place = 0;    ///< Index among the minds of its thread that decide in parallel to scripts in this tick.
+    /// A command that its script executes over several ticks.
     struct UnderWay {
       std::uint64_t tag = 0;
       std::string name;
     };
     std::vector<UnderWay> under_way = {};
-    std::vector<Outcome> answers = {};  ///< For its script, not reported yet.
+    std::vector<Outcome> answers = {};  ///< Outcomes from its script that were not reported yet.
     float distance_squared_m2 = 0;
     bool decided = false;          ///< In this tick.
-    bool lost = false;             ///< Its program has broken down, or could not be made again.
-    bool gone = false;             ///< Its agent was destroyed: there is no program to ask.
-    std::size_t memory_bytes = 0;  ///< When it was last measured.
-    bool told_memory = false;      ///< That it takes much.
-    bool told_learned = false;     ///< That it has learned many rules.
+    bool lost = false;             ///< Its program has run out of memory or work, or could not be created again.
+    bool gone = false;             ///< Its agent was destroyed; there is no program to query.
+    std::size_t memory_bytes = 0;  ///< As last measured.
+    bool told_memory = false;      ///< High memory use was reported.
+    bool told_learned = false;     ///< A large number of learned rules was reported.
     bool in_gap = false;
     bool told_halt = false;
-    int gaps = 0;                  ///< How often it was found doing nothing.
-    std::uint64_t idle_ticks = 0;  ///< Ticks without a command, new or under way.
+    int gaps = 0;                  ///< Number of times that it was idle.
+    std::uint64_t idle_ticks = 0;  ///< Number of ticks without a command, new or running.
     std::string last_command = {};
-    std::map<std::string, int> told = {};          ///< How often each of its faults came up; reported the first time.
-    std::map<std::string, int> causes = {};        ///< How often each cause kept it from acting, likewise.
-    std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and how it went.
+    std::map<std::string, int> told = {};          ///< How often each of its faults occurred; reported the first time.
+    std::map<std::string, int> causes = {};        ///< How often each cause prevented an action; reported the first
+                                                   ///< time.
+    std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and its outcome.
     double last_said_s = 0;
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.
@@ -153,7 +157,7 @@ class Minds final : public script::MindFactory {
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.
   Mind* Find(world::EntityId agent);
-  /// By the name of its body; null if there is none.
+  /// Finds a mind by the name of its agent; null if there is none.
   Mind* FindNamed(std::string_view agent);
   /// Ends the mind of an agent that was removed from the world. A mind that a client drives ends with its client.
   void EndRemoved(world::EntityId agent);
@@ -161,7 +165,7 @@ class Minds final : public script::MindFactory {
   std::size_t size() const { return minds_.size(); }
 
  private:
-  /// Lets a mind perceive what the sandbox's script says; false if it has no turn in this tick.
+  /// Gives a mind the percepts of the sandbox's script. Returns false if it does not decide in this tick.
   bool PerceiveGraph(Mind& mind);
   Result<std::filesystem::path> FindRules(const std::string& agent, const AgentKind& kind, const std::string& named);
   Result<void> MakeBody(world::Agent& body, const AgentOptions& options);
@@ -175,25 +179,25 @@ class Minds final : public script::MindFactory {
   /// Gives a mind that a client drives a body in the row of such bodies.
   void AddClientMind(const std::string& name, world::Agent& body, sml::Agent& agent, std::size_t thread);
   void EndClientMind(const std::string& name);
-  /// After it has run: what it commands is reported.
+  /// Reports the commands of a mind after a run.
   void ReportClientCommands(Mind& mind);
-  /// A command line that loads a recorded file loads its copy.
+  /// Replaces files of the recorded run in a command line by their copies.
   std::string WithCopies(Mind& mind, const std::string& line) const;
   void DecideNow(Mind& mind);
-  /// Notes when the decisions of this tick were made, for Why.
+  /// Records the times of this tick's decisions, for Why.
   void NoteDecisions(Mind& mind);
   explain::DecisionTime TimeOf(const Mind& mind) const;
-  /// The last command: how it went, and what made it.
+  /// Explains the last command: its outcome, and what made it.
   explain::WhyNode WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended);
-  /// Lets the scripted minds decide that have not decided yet; until Answer, the minds then stand still.
+  /// Waits until all scripted minds have decided. The minds then do nothing until Answer.
   void AwaitAll();
   void BeginBesideScripts();
   void DecideBesideScripts(std::size_t thread);
   void TellScripts(std::size_t thread);
   void TellOutcome(Mind& mind, const Outcome& outcome, bool is_news);
-  /// Before it decides: false if it does not decide in this tick.
+  /// Prepares a mind to decide. Returns false if it does not decide in this tick.
   bool Prepare(Mind& mind);
-  /// After it has decided.
+  /// Called after it has decided.
   void Conclude(Mind& mind);
   void Notice();
   bool PerceiveDistance(Mind& mind, const world::Agent& body);
@@ -201,7 +205,7 @@ class Minds final : public script::MindFactory {
   void LimitMemory();
   void KeepWithinMemory();
   void HaltForMemory(Mind& mind);
-  /// Ends its program and reports why.
+  /// Ends its program and reports the reason.
   void Halt(Mind& mind, RunEvent reason);
   /// Removes it from the kernel; from then on it is gone.
   void End(Mind& mind);
@@ -212,16 +216,16 @@ class Minds final : public script::MindFactory {
   void TellHalt(Mind& mind, const world::Agent& body);
   void TellCause(Mind& mind, const world::Agent& body, std::string text);
   bool TellBreakdown(Mind& mind, const world::Agent& body);
-  /// Halts a mind whose rules fired more often in this tick than any world can wait for. True if they did.
+  /// Halts a mind whose rules fired more than kMostFirings times in this tick. Returns true if they did.
   bool HaltForWork(Mind& mind);
   void TellWritten(Mind& mind, const world::Agent& body);
-  /// Names the rules whose actions failed, each once.
+  /// Reports the rules whose actions failed, each once.
   void TellFailures(Mind& mind, const world::Agent& body);
-  /// Attributes that reach the mind from outside the vocabulary: from scripts and from others' messages.
+  /// Attributes that reach the mind from outside the vocabulary: from scripts and messages of others.
   std::set<std::string> KnownAttributes();
   std::vector<explain::FailedRule> FailedIn(const std::filesystem::path& rules) const;
   void Tell(EventKind kind, const world::Agent& body, std::string text);
-  /// What is beside the rules, by folder, as it is now: minds of one world share their folders.
+  /// The other files in folders of rules, as they are now. Minds of one world share folders.
   using Neighbours = std::map<std::filesystem::path, explain::Surroundings>;
   std::vector<Diagnostic> FindSlips(Mind& mind, const std::set<std::string>& rules, Neighbours& beside);
 
@@ -234,36 +238,37 @@ class Minds final : public script::MindFactory {
   SenseSandbox sense_sandbox_;
   MindDetail detail_ = MindDetail::kNone;
   std::vector<BodyKind> body_kinds_;
-  std::vector<Mind> minds_;                 ///< In creation order, thus in ascending agent id.
-  std::vector<std::uint32_t> place_by_id_;  ///< In minds_, one more than that; 0 for agents without a mind.
-  std::vector<std::size_t> ready_;          ///< Scratch: places of the minds that decide in this tick.
+  std::vector<Mind> minds_;                 ///< In the order of creation, that is, by ascending agent id.
+  std::vector<std::uint32_t> place_by_id_;  ///< Index in minds_ plus 1; 0 for agents without a mind.
+  std::vector<std::size_t> ready_;          ///< Temporary: indices of the minds that decide in this tick.
   const std::function<void(std::size_t)> decide_beside_scripts_ = [this](std::size_t thread) {
     DecideBesideScripts(thread);
   };
   const std::function<void(std::size_t)> tell_scripts_ = [this](std::size_t thread) { TellScripts(thread); };
-  std::vector<std::atomic<std::size_t>> decided_;  ///< By thread: how many minds have decided beside the scripts.
-  std::vector<std::size_t> places_;                ///< Scratch: by thread.
+  std::vector<std::atomic<std::size_t>> decided_;  ///< By thread: number of minds that have decided in parallel to
+                                                   ///< scripts.
+  std::vector<std::size_t> places_;                ///< Temporary, by thread.
   WorkerPool pool_;
-  int asked_ = 0;  ///< How often a mind was asked why it does nothing.
-  /// What the world's thread may ask to do, while no mind decides.
+  int asked_ = 0;  ///< Number of times that a mind was asked why it is idle.
+  /// The threads that the world's thread can use while no mind decides.
   world::Workers AllThreads();
   std::size_t MemoryLeft() const {
     return memory_limit_ - std::min(memory_limit_, memory_bytes_ + scripts_bytes_ + bodies_bytes_);
   }
   std::size_t memory_limit_ = script::WorldLimits{}.memory_bytes;
   std::size_t scripts_bytes_ = 0, bodies_bytes_ = 0;
-  std::size_t memory_bytes_ = 0;                                          ///< Of all minds, as last measured.
-  std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< Per file: attributes that its rules make.
-  std::set<std::string> script_rows_;             ///< Attributes that scripts' Agent_Sense returned.
-  std::set<std::string> reported_;                ///< Problems already reported: many agents share one file.
-  std::map<std::string, std::size_t> by_client_;  ///< Minds by the names that their client gave them.
-  bool has_new_rules_ = false;                    ///< Minds were made whose rules may still have slips to report.
-  std::set<std::filesystem::path> looked_over_;   ///< Files of rules whose slips were reported.
-  /// Files with rules that did not load, and why.
+  std::size_t memory_bytes_ = 0;                                          ///< Total of all minds, as last measured.
+  std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< By file: attributes that its rules make.
+  std::set<std::string> script_rows_;             ///< Attributes that Agent_Sense of scripts returned.
+  std::set<std::string> reported_;                ///< Problems that were already reported. Many agents share one file.
+  std::map<std::string, std::size_t> by_client_;  ///< Minds by their client's names.
+  bool has_new_rules_ = false;                    ///< Minds were created whose rules have not been checked for slips.
+  std::set<std::filesystem::path> looked_over_;   ///< Files of rules that were checked for slips.
+  /// Files with rules that did not load, with the errors.
   std::map<std::filesystem::path, std::vector<explain::FailedRule>> failed_;
 };
 
-/// A script's table as percepts, and parameters as a script's table.
+/// Conversion of a script's table to percepts, and of parameters to a script's table.
 vocabulary::PerceptList ToPercepts(const script::Table& table);
 script::Table ToTable(const vocabulary::PerceptList& list);
 

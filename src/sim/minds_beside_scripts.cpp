@@ -3,9 +3,9 @@
 
 #include "sim/minds.h"
 
-// Minds whose bodies a script drives decide on other threads while the world's thread runs the scripts. They have
-// perceived before that, and hear how their commands went after it: while they decide they see nothing of the world.
-// What they come to does not depend on when they do, and the world's thread takes it up agent by agent, in their order.
+// Minds with scripted bodies decide on other threads while the world's thread runs scripts. They perceive before and
+// receive the outcomes of commands afterwards, so they do not access the world while they decide. The results do not
+// depend on timing, because the world's thread processes them agent by agent, in order.
 
 namespace soarbox::sim {
 

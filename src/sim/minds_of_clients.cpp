@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Minds that a program of its own drove (a robot in Python, say), played again from the log of what it did to them.
-// Their bodies stand in a row and do nothing: their world is not known here.
+// Minds that an external program controlled (for example, a robot in Python), replayed from the log of what it did to
+// them. Their bodies stand in a row and do nothing, because their world is not known.
 #include <algorithm>
 
 #include "sim/client_percepts.h"
@@ -27,7 +27,7 @@ std::string NameOfInputLink(sml::Agent& agent) {
   return link == nullptr ? std::string() : link->GetValueAsString();
 }
 
-/// The command on the output link that an identifier is; null if it is none.
+/// The command on the output link with this identifier; null if there is none.
 sml::Identifier* CommandOf(sml::Agent& agent, std::string_view id) {
   sml::Identifier* const link = agent.GetOutputLink();
   for (int i = 0; link != nullptr && i < link->GetNumberChildren(); ++i) {
@@ -155,7 +155,7 @@ void Minds::ReportClientCommands(Mind& mind) {
 }
 
 void Minds::MakeClientMind(const std::string& name) {
-  // A client may make another agent with the name of one that it destroyed.
+  // A client can create an agent with the name of one that it has destroyed.
   std::string own = name;
   for (int n = 2; FindNamed(own) != nullptr; ++n) own = name + "-" + std::to_string(n);
   world::AgentDef def;

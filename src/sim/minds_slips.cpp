@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What rules that loaded say and most likely do not mean, reported as soon as they run.
+// Reports likely slips in loaded rules when they begin to run.
 #include <algorithm>
 
 #include "diagnostics/read_text.h"
@@ -31,10 +31,10 @@ Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile
     Diagnostic warning = explain::PlaceSlip(slip, file.file, file.text);
     if (warning.line != 0) return warning;
   }
-  return explain::PlaceSlip(slip, {}, {});  // Typed.
+  return explain::PlaceSlip(slip, {}, {});  // A typed rule.
 }
 
-/// "Error: attempt to divide ('/') by zero.": the rule that it is about, and what to do.
+/// Converts "Error: attempt to divide ('/') by zero." to a slip: the rule, and what to do.
 explain::Slip SlipOf(const ActionFailure& failure) {
   constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('";
   std::string text = failure.text;
@@ -129,7 +129,7 @@ void Minds::TellSlips() {
     if (mind.gone || mind.lost || !looked_over_.insert(mind.rules).second) continue;
     const std::string& name = world_.FindAgent(mind.agent)->name();
     std::vector<Diagnostic> slips = FindSlips(mind, {}, beside);
-    // What our own kernel warns of when it loads rules, another one does not.
+    // Only our own kernel warns when it loads rules.
     if (!host_.settings().remote_host.empty())
       for (Diagnostic& warning : WarningsOfRules(mind.rules, host_.settings().folders))
         slips.push_back(std::move(warning));
@@ -146,7 +146,7 @@ void Minds::TellSlips() {
 
 void Minds::TellFailures(Mind& mind, const world::Agent& body) {
   for (const ActionFailure& failure : mind.soar.TakeFailures()) {
-    // What it was given may be different each time: a rule's first failure says enough.
+    // Arguments may differ each time, so only the first failure of a rule is reported.
     const bool is_scene = failure.text.starts_with("svs: ");
     const std::string kind = is_scene ? "\n" + failure.text : failure.text.empty() ? "\nfires without end" : "\nfailed";
     if (!reported_.insert(mind.rules.string() + '\n' + failure.rule + kind).second) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What an agent and its mind answer to *why*.
+// Answers to *why* about agents and their minds.
 #include <algorithm>
 #include <cstdio>
 
@@ -31,7 +31,7 @@ std::string DeathText(const Arena& arena, world::EntityId agent) {
   return Say(Situation::kDied, {{"time", Seconds(death->second.time_s)}, {"how", death->second.how}});
 }
 
-/// How far a command without an answer is.
+/// The status of a command without an answer.
 std::string StatusOf(bool is_dead, bool has_ended) {
   if (is_dead) return "not finished when the agent died";
   return has_ended ? "over" : "under way";
@@ -83,7 +83,7 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
   explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));
   Actor* actor = arena_.Find(at->agent);
   const bool is_dead = body.Health() <= 0;
-  // A command without an answer is under way until its body has nothing to do any more.
+  // A command without an answer is running until its body has no more commands.
   const bool has_ended = !at->last_answer.empty() || (actor != nullptr && actor->running().empty());
   if (is_dead) add(DeathText(arena_, at->agent));
   root.below.push_back(WhyCommand(*at, reasons, is_dead, has_ended));

@@ -40,7 +40,7 @@ void AddContacts(const Actor& actor, AgentOverlay& out) {
   }
 }
 
-/// An agent whose body the vocabulary drives, or that has its senses at least.
+/// Adds an agent that commands control, or that has at least senses.
 void AddActor(const Actor& actor, AgentOverlay& out) {
   const SenseSettings& senses = actor.kind().senses;
   out.has_senses = true;
@@ -52,7 +52,7 @@ void AddActor(const Actor& actor, AgentOverlay& out) {
   out.target_id = NumberOrNone(actor.target());
   for (const Running& command : actor.running()) {
     if (command.row == nullptr) continue;
-    // What the legs do says most of what an agent is about.
+    // Movement is the most informative of several commands.
     const bool is_of_legs = command.row->part == vocabulary::BodyPart::kLegs;
     if (out.doing.empty() || is_of_legs) out.doing = command.said.name;
     if (!is_of_legs) continue;
@@ -63,7 +63,7 @@ void AddActor(const Actor& actor, AgentOverlay& out) {
   AddContacts(actor, out);
 }
 
-/// An agent that a script steers: its path and target are what the script gave it.
+/// Adds an agent that a script controls: its path and target are those that the script has set.
 void AddScripted(const world::Agent& body, AgentOverlay& out) {
   const std::span<const Vec3> points = body.PathPoints();
   out.path.assign(points.begin(), points.end());
@@ -71,7 +71,7 @@ void AddScripted(const world::Agent& body, AgentOverlay& out) {
   if (out.path.empty() && out.leader_id == 0 && body.Target() != Vec3{}) out.goal = body.Target();
 }
 
-/// What the thesis' ^distance is measured to: see Minds::Perceive.
+/// Adds the place to which the thesis' ^distance is measured: see Minds::PerceiveDistance.
 void AddMeasured(const world::World& world, const world::Agent& body, const Minds::Mind& mind, AgentOverlay& out) {
   const world::Agent* leader = body.Leader() != world::kNoEntity ? world.FindAgent(body.Leader()) : nullptr;
   if (leader != nullptr) {
@@ -99,7 +99,7 @@ std::string TextOf(const world::Message& message) {
   return text;
 }
 
-/// Where things and items have their names: above them.
+/// The position of the name of a thing or item: above it.
 Vec3 TopOf(const world::Object& object) {
   constexpr float kHighest_m = 2.5f;
   return object.Position() + Vec3{0, std::min(object.Radius(), kHighest_m), 0};

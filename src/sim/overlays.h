@@ -7,7 +7,7 @@
 
 namespace soarbox::sim {
 
-/// What the agents of a world perceive, want and say now, for overlays. Changes nothing.
+/// What the agents of a world perceive, intend and say now, for overlays. Changes nothing.
 world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const world::OverlayWants& wants);
 
 }  // namespace soarbox::sim

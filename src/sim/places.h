@@ -17,7 +17,7 @@ struct Waypoint {
   world::Vec3 position;
 };
 
-/// A part of the ground: a disc, or a rectangle along the axes if half_x is above 0.
+/// An area on the ground: a disc, or an axis-aligned rectangle if half_x_m is greater than 0.
 struct Region {
   std::string name;
   world::Vec3 center;
@@ -31,12 +31,12 @@ struct Region {
   }
 };
 
-/// A thing that can be picked up.
+/// A thing that agents can pick up.
 struct Item {
   world::EntityId object;
-  std::string gives;  ///< "ammunition", "health" or empty: just a thing to carry.
+  std::string gives;  ///< "ammunition", "health" or empty: a thing that can only be carried.
   float amount = 0;
-  // What it looks like, for when it is put down again.
+  // Its appearance, for when it is put down again.
   std::string shape = "box", material;
   world::Vec3 size{0.4f, 0.4f, 0.4f};
   float mass_kg = 0;
@@ -44,7 +44,7 @@ struct Item {
   float HalfWidth_m() const { return std::max(size.x, size.z) / 2; }
 };
 
-/// The named parts of a world, in the order in which the scenario names them.
+/// The named places and things of a world, in the order of the scenario.
 struct Places {
   std::vector<Waypoint> waypoints;
   std::vector<Region> regions;

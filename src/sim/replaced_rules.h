@@ -13,11 +13,11 @@ class World;
 
 namespace soarbox::sim {
 
-/// Replaces the rules of agents by files, each word "NAME=FILE". The file's folder then is one of the scenario's
-/// folders of rules, so that what it sources is found. Errors name what is wrong with the word.
+/// Replaces the rules of agents by files. Each word is "NAME=FILE". The file's folder is added to the scenario's
+/// folders of rules, so that files that it sources are found. An error says what is wrong with the word.
 Result<void> ReplaceRules(Scenario& scenario, const std::vector<std::string>& words);
 
-/// An error if rules were to be replaced for a name that no agent has.
+/// Fails if rules were to be replaced for a name that no agent has.
 Result<void> CheckReplacements(const Scenario& scenario, const world::World& world);
 
 }  // namespace soarbox::sim

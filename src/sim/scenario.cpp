@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kSandboxScript = "Sandbox.lua";
 constexpr const char* kScenarioFile = "scenario.toml";
-/// The world of a scenario that brings no script, and of a scenario that is only rules; in media/.
+/// The world of a scenario without a script, and of a scenario that is only rules; in media/.
 constexpr const char* kPlainWorld = "scripts/SoarWorld.lua";
 constexpr const char* kRulesWorld = "worlds/field.toml";
 
@@ -30,7 +30,7 @@ bool IsFolder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-/// True if the file, all links followed, lies below the folder.
+/// Whether a file, after resolving links, is below a folder.
 bool IsBelow(const fs::path& path, const fs::path& folder) {
   std::error_code error;
   const fs::path inside = fs::canonical(path, error);
@@ -44,7 +44,7 @@ bool EqualIgnoringCase(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Names of the entries of a folder in a stable order; empty if it cannot be read.
+/// The entries of a folder, sorted by name; empty if it cannot be read.
 std::vector<fs::path> Entries(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code error;
@@ -121,7 +121,7 @@ std::string DescribeScenario(const std::string& name, const DataFolders& data) {
     Result<ScenarioFile> file = ReadScenarioFile(folder / kScenarioFile);
     return file ? file->description : "(faulty: " + file.error().message + ")";
   }
-  // The first sentence of the comment that the script begins with, over as many lines as it takes.
+  // The first sentence of the comment at the beginning of the script, which can have several lines.
   std::ifstream script(folder / kSandboxScript);
   std::string about;
   for (std::string line; std::getline(script, line) && line.starts_with("--");) {
@@ -136,7 +136,7 @@ std::string DescribeScenario(const std::string& name, const DataFolders& data) {
 
 namespace {
 
-/// Whether a .toml file is about a scenario that it names, as missions and sweeps do, and so is none itself.
+/// Whether a .toml file names a scenario and is therefore not a scenario itself, like missions and sweeps.
 bool NamesScenario(const fs::path& file) {
   std::error_code error;
   if (constexpr std::uintmax_t kMostBytes = 4u << 20; fs::file_size(file, error) > kMostBytes || error) return false;
@@ -144,7 +144,7 @@ bool NamesScenario(const fs::path& file) {
   for (std::string line; std::getline(text, line);) {
     const std::size_t begin = line.find_first_not_of(" \t");
     if (begin == std::string::npos) continue;
-    if (line[begin] == '[') return false;  // Keys on top come before the first table.
+    if (line[begin] == '[') return false;  // Top-level keys come before the first table.
     const std::size_t end = std::min(line.find_first_of(" \t=", begin), line.size());
     const std::string_view key = std::string_view(line).substr(begin, end - begin);
     if (key == "scenario" || key == "mission") return true;
@@ -152,7 +152,8 @@ bool NamesScenario(const fs::path& file) {
   return false;
 }
 
-/// Whether a script is an agent's: it defines what an agent does, and nothing of a sandbox, nor does it load what may.
+/// Whether a script belongs to an agent: it defines an agent's functions and none of a sandbox, and loads no file that
+/// may define them.
 bool IsScriptOfAgent(const fs::path& file) {
   std::error_code error;
   if (constexpr std::uintmax_t kMostBytes = 4u << 20; fs::file_size(file, error) > kMostBytes || error) return false;
@@ -168,7 +169,7 @@ bool IsScriptOfAgent(const fs::path& file) {
   return is_agents;
 }
 
-/// The file that an argument means; empty if none.
+/// The file that an argument refers to; empty if there is none.
 fs::path FindMain(const fs::path& given, const DataFolders& data) {
   if (given == kClientWorld) return data.media / "worlds" / kClientWorld / kScenarioFile;
   for (const fs::path& place : {given, data.scenarios / given}) {
@@ -177,13 +178,13 @@ fs::path FindMain(const fs::path& given, const DataFolders& data) {
     for (const char* main : {kScenarioFile, kSandboxScript}) {
       if (IsFile(place / main)) return place / main;
     }
-    // A name may come without its ending: "scout" for scout.soar.
+    // The extension can be omitted: "scout" for scout.soar.
     for (const char* ending : {".toml", ".soar"}) {
       fs::path file = place;
       file += ending;
       if (IsFile(file) && (file.extension() != ".toml" || !NamesScenario(file))) return file;
     }
-    // A folder of one's own hides a scenario of that name only if it is one.
+    // A user's folder hides a scenario of the same name only if it is a scenario.
     if (IsFolder(given) && given.has_parent_path()) break;
   }
   return {};
@@ -193,7 +194,7 @@ fs::path FindMain(const fs::path& given, const DataFolders& data) {
 
 namespace {
 
-/// What a folder that is no scenario holds instead, as far as it can be run.
+/// A hint that names runnable files in a folder that is not a scenario.
 std::string HintForFolder(const fs::path& folder) {
   std::string scenarios, rules;
   for (const fs::path& entry : Entries(folder)) {
@@ -209,8 +210,8 @@ std::string HintForFolder(const fs::path& folder) {
   return "name the folder of a scenario or its file; --path adds folders for scripts and rules";
 }
 
-/// The script that a scenario file names for its world; empty if it names none, or is faulty: that is told when it is
-/// read.
+/// The script that a scenario file names for its world; empty if there is none, or if the file has errors, which are
+/// reported when it is read.
 fs::path ScriptNamedIn(const fs::path& definition) {
   if (definition.empty()) return {};
   const Result<ScenarioFile> read = ReadScenarioFile(definition);
@@ -267,7 +268,7 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
     scenario.script = data.media / kPlainWorld;
   }
   const fs::path named_script = ScriptNamedIn(scenario.definition);
-  // What a scenario does not have itself comes from the Lua library, and agents and rules from the thesis' world.
+  // Scripts that the scenario does not have come from the Lua library; agents and rules come from the thesis' world.
   scenario.script_folders.push_back(data.media / "scripts");
   const fs::path fallback = data.scenarios / "thesis";
   if (!fs::equivalent(own, fallback, error)) {

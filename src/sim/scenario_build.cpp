@@ -34,8 +34,8 @@ void BuildThing(const ScenarioFile::Thing& thing, ScenarioBuild& build) {
                                       thing.size, thing.mass_kg};
 }
 
-/// Those of one entry stand side by side along x, in rows, from the entry's position or the middle of the world on: the
-/// next row stands behind the one before.
+/// Places the agents of one entry side by side along x, in rows, beginning at the entry's position or the middle of the
+/// world. Each row is behind the previous one.
 void TakePlace(const ScenarioFile::Agent& agent, int number, Options& options) {
   constexpr double kApart_m = 1.5;
   if (!options.contains("position.1")) options["position.1"] = options["position.2"] = 0.0;
@@ -89,7 +89,7 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
 
 constexpr world::Vec3 kAboveGround{0, 0.05f, 0};
 
-/// Its edge is drawn on the ground.
+/// Draws the border of a region on the ground.
 void MarkRegion(const Region& region, world::Scene& scene) {
   const world::Vec3 middle = region.center + kAboveGround;
   if (region.half_x_m <= 0) {

@@ -12,7 +12,7 @@
 
 namespace soarbox::sim {
 
-/// What a scenario file is built into.
+/// The objects that a scenario file is added to.
 struct ScenarioBuild {
   world::World& world;
   Arena& arena;
@@ -20,15 +20,15 @@ struct ScenarioBuild {
   const Scenario& scenario;
 };
 
-/// Puts what the file says into the world, agents last. Fails at the first agent that cannot be made.
+/// Adds the content of the file to the world, agents last. Fails at the first agent that cannot be created.
 Result<void> BuildScenario(const ScenarioFile& file, ScenarioBuild& build);
 
-/// Watches the ends and goals of a scenario file.
+/// Checks the end conditions and goals of a scenario file.
 class ScenarioEnd {
  public:
   ScenarioEnd(const ScenarioFile& file, const world::World& world, const Arena& arena);
 
-  /// Called once per tick: the name of a condition that has just been reached, or nothing.
+  /// Call it once per tick. Returns the name of a condition that was reached in this tick, or an empty string.
   std::string Check();
   bool IsOver() const { return over_; }
 

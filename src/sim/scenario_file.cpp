@@ -24,7 +24,7 @@ constexpr double kFarthest_m = 1e5;
 constexpr std::size_t kLongestName = 100;
 constexpr std::uintmax_t kLargestFile = 4 << 20;
 
-/// What stands under a dotted name in a table; the nearest above it, if that is no entry of its own.
+/// The node at a dotted name in a table, or its nearest parent that is an entry.
 const toml::node& EntryAt(const toml::table& table, std::string_view name) {
   const std::size_t dot = name.find('.');
   const toml::node* entry = table.get(name.substr(0, dot));
@@ -35,13 +35,13 @@ const toml::node& EntryAt(const toml::table& table, std::string_view name) {
   return &found == below ? *entry : found;
 }
 
-/// The text of a line, from 1 on.
+/// The text of a line, counted from 1.
 std::string_view LineOf(std::string_view text, int number) {
   while (number-- > 1) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   return text.substr(0, text.find('\n'));
 }
 
-/// What to do about the reader's complaint about this line; empty: nothing in it looks like another language's form.
+/// A hint for the parser's error about this line; empty if the line does not look like the syntax of another language.
 std::string HintOfLine(std::string_view line, std::string_view complaint) {
   const std::size_t first = line.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -60,7 +60,7 @@ std::string HintOfLine(std::string_view line, std::string_view complaint) {
   return {};
 }
 
-/// What to do about the reader's complaint.
+/// A hint for the parser's error.
 std::string HintOf(std::string_view complaint, std::string_view line) {
   if (std::string hint = HintOfLine(line, complaint); !hint.empty()) return hint;
   constexpr std::pair<std::string_view, std::string_view> kHints[] = {
@@ -77,13 +77,13 @@ std::string HintOf(std::string_view complaint, std::string_view line) {
   return "scenario files are TOML; docs/scenarios.md shows one";
 }
 
-/// Reads tables and keeps what is wrong with them.
+/// Reads tables and collects errors.
 class Reader : public TableReader {
  public:
   Reader(std::string file, std::vector<Diagnostic>& problems)
       : TableReader(std::move(file), "docs/scenarios.md", problems) {}
 
-  /// A name: people write it in rules and read it in messages.
+  /// A name, which people write in rules and read in messages.
   std::string Name(const toml::table& table, std::string otherwise = {}) {
     std::string name = Text(table, "name", std::move(otherwise));
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
@@ -137,7 +137,7 @@ class Reader : public TableReader {
     return TableReader::Tables(root, key, kMostEntries);
   }
 
-  /// Puts what stands in a table under dotted names.
+  /// Stores the contents of a table under dotted names.
   void Flatten(const toml::table& table, const std::string& prefix, Options& options) {
     for (const auto& [key, value] : table) FlattenValue(value, prefix + std::string(key.str()), options);
   }
@@ -196,7 +196,7 @@ void ReadPlaces(Reader& reader, const toml::table& root, ScenarioFile& read) {
   }
 }
 
-/// A size that no body could have would be another one than what is written.
+/// Reports invalid sizes, because another size would be used than the one that is written.
 void CheckSize(Reader& reader, const toml::table& table, ScenarioFile::Thing& made) {
   const toml::node& at = table.contains("size") ? *table.get("size") : static_cast<const toml::node&>(table);
   const auto check = [&](const world::BodyValue& taken, float& size) {
@@ -250,14 +250,14 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
   }
 }
 
-/// The name of an agent without its number; without one of its own it is named like its rules.
+/// The name of an agent without its number. Without a name, the agent is named after its rules.
 std::string NameOf(const ScenarioFile::Agent& agent) {
   if (!agent.name.empty()) return agent.name;
   const std::string rules = agent.rules == kGivenRules ? std::string() : agent.rules;
   return rules.empty() ? "agent" : std::filesystem::path(rules).stem().string();
 }
 
-/// Whoever leads must be there first.
+/// A leader must be created before its followers.
 void CheckLeader(Reader& reader, const toml::table& table, const ScenarioFile::Agent& agent,
                  const std::set<std::string>& above) {
   const toml::node* node = table.get("leader");
@@ -304,7 +304,7 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     reader.Flatten(*table, {}, made.options);
     if (const toml::node* rules = table->get("rules"))
       made.line_of_rules = static_cast<int>(rules->source().begin.line);
-    // What stands in place of a text or a number is reported as that, whatever it holds.
+    // A table in place of a text or a number is reported as such, regardless of its contents.
     std::erase_if(made.options, [](const auto& option) {
       const std::string key = option.first.substr(0, option.first.find('.'));
       return key == "rules" || key == "count" || key == "across";
@@ -317,12 +317,12 @@ void ReadAgents(Reader& reader, const toml::table& root, ScenarioFile& read) {
     CheckLeader(reader, *table, made, above);
     const std::string name = NameOf(made);
     for (int i = 1; i <= made.count; ++i) above.insert(made.count > 1 ? name + "-" + std::to_string(i) : name);
-    above.insert(name + "-2");  // A second one of the same name gets a number.
+    above.insert(name + "-2");  // A second agent of the same name gets a number.
   }
   if (total > kMostEntries) reader.Problem(root, "these are too many agents");
 }
 
-/// What conditions may name.
+/// The names that conditions can refer to.
 struct Names {
   std::set<std::string> agents, teams, regions, items;
 };
@@ -332,7 +332,7 @@ Names NamesIn(const ScenarioFile& read) {
   for (const ScenarioFile::Agent& agent : read.agents) {
     const std::string name = NameOf(agent);
     for (int i = 1; i <= agent.count; ++i) names.agents.insert(agent.count > 1 ? name + "-" + std::to_string(i) : name);
-    // A second one of the same name gets a number; nobody else does.
+    // A second agent of the same name gets a number.
     names.agents.insert(name + "-2");
     const auto team = agent.options.find("team");
     const auto* word = team == agent.options.end() ? nullptr : std::get_if<std::string>(&team->second);
@@ -379,7 +379,7 @@ class ConditionReader {
   }
 
  private:
-  /// A name of something that the scenario has.
+  /// A name that must exist in the scenario.
   std::string Known(const toml::table& table, std::string_view key, std::string_view kind,
                     const std::set<std::string>& names) {
     std::string name = reader_.Text(table, key);

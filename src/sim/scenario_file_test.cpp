@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// "line: what is wrong", for an obstacle, or something else, of these lines.
+/// "line: problem" for an obstacle, or another entry, with these lines.
 std::vector<std::string> ProblemsOf(const std::string& lines, const std::string& of = "[[obstacle]]") {
   std::vector<Diagnostic> problems;
   ParseScenarioFile(of + "\n" + lines, "yard.toml", problems);

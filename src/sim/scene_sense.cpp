@@ -20,7 +20,7 @@ namespace {
 using world::Quat;
 using world::Vec3;
 
-/// Millimetres and thousandths of a radian: what moves less has not moved.
+/// Rounds to millimetres and thousandths of a radian. Smaller changes are ignored.
 std::string NumberText(float value) {
   const double rounded = std::round(static_cast<double>(value) * 1000) / 1000 + 0.0;
   std::array<char, 64> text{};
@@ -40,13 +40,13 @@ std::string BoxText(Vec3 low, Vec3 high) {
   return shape;
 }
 
-/// An upright body of an agent.
+/// The upright body of an agent.
 std::string BodyText(float radius_m, float height_m) {
   const Vec3 half{radius_m, height_m / 2, radius_m};
   return BoxText(-half, half);
 }
 
-/// A round region, as a prism of 12 sides that is as tall as people are.
+/// A round region, as a prism with 12 sides and the height of a person.
 std::string DiscText(float radius_m, float height_m) {
   constexpr int kSides = 12;
   std::string shape = " v";
@@ -61,12 +61,12 @@ std::string PoseText(Vec3 position, Vec3 rotation_rad = {}) {
   return " p" + CoordinatesText(position) + " r" + CoordinatesText(rotation_rad);
 }
 
-/// Turned about the upright axis.
+/// A rotation about the vertical axis.
 std::string UprightPoseText(Vec3 position, Vec3 forward) {
   return PoseText(position, {0, std::atan2(forward.x, forward.z), 0});
 }
 
-/// The angles about x, y and z, in this order, of a rotation.
+/// The angles of a rotation about x, y and z, in this order.
 Vec3 AnglesOf(Quat q) {
   const float sine = std::clamp(2 * (q.w * q.y - q.z * q.x), -1.0f, 1.0f);
   return {std::atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y)), std::asin(sine),
@@ -77,7 +77,7 @@ std::string_view YesOrNoText(bool truth) {
   return truth ? "yes" : "no";
 }
 
-/// A name as one word of a line.
+/// Quotes a name as one word of a line.
 std::string WordOfName(std::string_view name) {
   std::string word(name);
   std::replace_if(
@@ -105,7 +105,7 @@ std::string SceneSense::Update(const Actor& actor, bool surroundings) {
 
 void SceneSense::Show(std::string_view name, Shown node, std::string& lines) {
   std::string id = WordOfName(name);
-  // Whoever comes second under a name has a number.
+  // A second node of the same name gets a number.
   const std::string first = id;
   for (int n = 2; id == "world" || (shown_.contains(id) && shown_[id].wanted); ++n)
     id = first + "-" + std::to_string(n);

@@ -8,14 +8,14 @@
 
 namespace soarbox::sim {
 
-/// What an actor knows of the world as a scene for its imagination (the spatial visual system): its own body, eye and
-/// reach, the others, things, waypoints and regions. It is as honest as the actor's percepts: what is out of view stays
-/// where the actor last noticed it, until the actor notices it again or forgets it. The frame is the world's: metres, x
-/// to the east, y up, z to the south.
+/// Converts what an actor knows about the world to a scene for its spatial visual system: its own body, eye and reach,
+/// other agents, things, waypoints and regions. The scene contains no more than its percepts: a body that is out of
+/// view stays where the actor last perceived it, until the actor perceives it again or forgets it. Coordinates are
+/// those of the world: metres, x to the east, y up, z to the south.
 class SceneSense {
  public:
-  /// Lines of the scene graph edit language that bring the scene up to date; empty if nothing changed. `surroundings`:
-  /// with what is around the actor, not only its own body.
+  /// Returns commands of the scene graph edit language that update the scene; empty if nothing changed. `surroundings`:
+  /// also update what is around the actor, not only its own body.
   std::string Update(const Actor& actor, bool surroundings);
 
  private:
@@ -24,7 +24,7 @@ class SceneSense {
     std::string shape, pose;
     Tags tags;
     bool is_own = false;
-    bool wanted = false;  ///< Scratch: it is there in this update.
+    bool wanted = false;  ///< Temporary: it exists in this update.
   };
 
   void Show(std::string_view name, Shown node, std::string& lines);
@@ -33,7 +33,7 @@ class SceneSense {
   void ShowThings(const Actor& actor, std::string& lines);
   void ShowPlaces(const Actor& actor, std::string& lines);
 
-  std::map<std::string, Shown> shown_;  ///< By the node's id.
+  std::map<std::string, Shown> shown_;  ///< By node id.
 };
 
 }  // namespace soarbox::sim

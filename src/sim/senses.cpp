@@ -44,10 +44,10 @@ std::string_view NameOfAgent(const Actor& actor, world::EntityId id) {
   return agent == nullptr ? std::string_view() : agent->name();
 }
 
-/// Where an actor stands and which way it faces, read once for all that it looks at.
+/// Position and direction of an actor, read once for all objects that it looks at.
 struct Standpoint {
   explicit Standpoint(const Actor& actor) : position(actor.body().Position()), forward(actor.body().Forward()) {}
-  /// To whole degrees, as all bearings are perceived.
+  /// In integer degrees, as all bearings are perceived.
   double BearingTo(Vec3 point) const { return static_cast<double>(BearingToRound(position, forward, point)); }
 
   Vec3 position, forward;
@@ -109,7 +109,7 @@ void SensePath(const Actor& actor, Sink& sink) {
   sink.Close();
 }
 
-/// The first message that is new enough to be heard still, as a place on the board.
+/// Index of the first message that is recent enough to be heard.
 std::size_t FirstHeard(const Actor& actor) {
   const auto& messages = actor.board().messages();
   const std::uint64_t stay = static_cast<std::uint64_t>(kMessagesStay_s / actor.world().settings().step_s);
@@ -117,7 +117,7 @@ std::size_t FirstHeard(const Actor& actor) {
   return static_cast<std::size_t>(std::partition_point(messages.begin(), messages.end(), is_old) - messages.begin());
 }
 
-/// What an actor hears of the board's messages from that one on.
+/// Reports the messages from this index on that the actor hears.
 template <typename Sink>
 void SenseMessages(const Actor& actor, std::size_t first, Sink& sink) {
   const auto& messages = actor.board().messages();
@@ -160,7 +160,7 @@ void SenseOrder(const Actor& actor, Sink& sink) {
   sink.Close();
 }
 
-/// Of those in view and alive the nearest friend and the nearest enemy; of several as near the first.
+/// The nearest friend and the nearest enemy in view that are alive; at equal distances, the first.
 struct Nearest {
   world::EntityId friendly = world::kNoEntity, enemy = world::kNoEntity;
 };
@@ -223,7 +223,7 @@ void SenseAgents(const Actor& actor, Sink& sink) {
   }
 }
 
-/// What the eyes take in.
+/// The field of view of the eyes.
 class FieldOfView {
  public:
   explicit FieldOfView(const Actor& actor)
@@ -238,7 +238,7 @@ class FieldOfView {
     const Vec3 to = Flat(point - here_);
     const float range_m = world::Length(to);
     if (range_m > sight_m_) return false;
-    // Far from the edge there is no need to know the angle.
+    // Far from the border of the view, the exact angle is not needed.
     constexpr float kNearEdge = 1e-3f;
     const float along = world::Dot(forward_, to), edge = cosine_ * range_m * ahead_m_;
     const float unsure = kNearEdge * range_m * ahead_m_;
@@ -257,7 +257,7 @@ template <typename Sink>
 void SenseObjects(const Actor& actor, Sink& sink) {
   if (actor.things().empty()) return;
   const Standpoint here(actor);
-  std::map<std::string_view, std::pair<float, world::EntityId>> nearest;  // Of those in view, by kind.
+  std::map<std::string_view, std::pair<float, world::EntityId>> nearest;  // The nearest in view, by kind.
   for (const auto& [id, thing] : actor.things()) {
     if (!thing.visible) continue;
     const float range_m = FlatDistance(here.position, thing.position);
@@ -328,7 +328,7 @@ void SensePlaces(const Actor& actor, Sink& sink) {
   }
 }
 
-/// The noise of the senses: a sum of uniform numbers from the agent's own stream.
+/// Noise of the senses: a sum of uniform random numbers from the agent's own stream.
 Vec3 Noise(Actor& actor) {
   const float sigma_m = actor.kind().senses.noise_m;
   if (sigma_m <= 0) return {};
@@ -359,7 +359,7 @@ void TellSurroundings(const Actor& actor, Sink& sink) {
   SensePlaces(actor, sink);
 }
 
-/// What may hide others or things from it; nothing where it looks at so few that casting rays is cheaper.
+/// The bodies that may hide others or things; nothing if it looks at so few that casting rays is cheaper.
 std::optional<world::BodiesAround> LookAround(const Actor& actor, std::size_t others) {
   const SenseSettings& senses = actor.kind().senses;
   const std::size_t things = actor.world().ObjectIds().size();
@@ -378,7 +378,7 @@ void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const Fie
   const world::World& world = actor.world();
   const Vec3 here = actor.body().Position();
   Contacts& contacts = actor.contacts();
-  // Whom it may notice now or has noticed before, in ascending id: nobody else changes what it knows.
+  // Agents that it may perceive now or has perceived before, in ascending id. Its knowledge of others does not change.
   std::size_t known = 0;
   for (auto next = near.begin(); next != near.end() || known < contacts.size();) {
     const bool is_near = next != near.end() && (known == contacts.size() || *next <= contacts.At(known).first);
@@ -445,7 +445,8 @@ void NoticeThings(Actor& actor, const FieldOfView& view, const world::BodiesArou
     thing.visible = true;
     thing.seen_tick = world.tick();
   }
-  // It forgets what it has not seen for long, and what is no longer where it was: it looks at the empty place.
+  // Forgets things that it has not seen for a long time, and things that are not at their remembered position when it
+  // looks there.
   const auto memory_s = static_cast<double>(actor.kind().senses.memory_s);
   std::erase_if(things, [&](const auto& known) {
     const SeenThing& thing = known.second;

@@ -7,24 +7,26 @@
 
 namespace soarbox::sim {
 
-/// What an actor perceives of its own body, of what is done to it and of its order: read in each tick.
+/// Reports what an actor perceives of its own body, of events that affect it, and of its order. Read in each tick.
 void SenseOwnBody(const Actor& actor, vocabulary::PerceptSink& sink);
 void SenseOwnBody(const Actor& actor, InputMirror& mirror);
-/// What others say to it: messages that are new enough.
+/// Reports messages from others that are recent enough.
 void SenseMessages(const Actor& actor, vocabulary::PerceptSink& sink);
-/// Makes the mirror show the same; looks only at messages after number `last`, the last one of the previous call, and
-/// leaves the others as they are until they are too old.
+/// Updates the mirror with the same messages. It reads only messages after number `last`, the last one of the previous
+/// call. Older messages stay unchanged until they are too old.
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard);
-/// Looks and listens: brings the actor's contacts and things up to date. Draws noise from the agent's own stream.
+/// Updates the actor's contacts and things by sight and hearing. Noise is drawn from the agent's own random stream.
 void Notice(Actor& actor);
-/// What it perceives of its surroundings: others (from its contacts), things, places. Read at the rate of its senses.
+/// Reports what the actor perceives of its surroundings: others (from its contacts), things, places. Read at the rate
+/// of its senses.
 void SenseSurroundings(const Actor& actor, vocabulary::PerceptSink& sink);
 void SenseSurroundings(const Actor& actor, InputMirror& mirror);
-/// All that it perceives, for people.
+/// All its percepts, for display to users.
 vocabulary::PerceptList AllPercepts(const Actor& actor);
-/// Whether the surroundings are read in this tick. Actors take turns, so that no tick reads them all.
+/// Whether the surroundings are read in this tick. Different actors read them in different ticks, to distribute the
+/// cost.
 bool IsSenseTick(const Actor& actor);
-/// Takes messages that came since the last tick; keeps an order until the next one comes.
+/// Receives messages since the last tick. Keeps an order until the next one arrives.
 void HearOrders(Actor& actor);
 
 }  // namespace soarbox::sim

@@ -18,7 +18,7 @@
 namespace soarbox::sim {
 namespace {
 
-/// A watcher that sees all around it, and others.
+/// A watcher that sees in all directions, and other agents.
 class SensesTest : public testing::Test {
  protected:
   SensesTest() {
@@ -34,7 +34,7 @@ class SensesTest : public testing::Test {
     const world::EntityId id = world_.CreateAgent(def);
     Actor& actor = arena_.Add(id, kind);
     actor.body().SetTeam(team);
-    // Beside each other, so that nobody hides anybody.
+    // Side by side, so that none hides another.
     actor.body().SetPosition({3 * static_cast<float>(arena_.actors().size()), 1, z});
     return actor;
   }
@@ -43,7 +43,7 @@ class SensesTest : public testing::Test {
     kind.looks = "capsule";
     return Add(kind, name, team, z);
   }
-  /// The watcher's ^agent objects.
+  /// The ^agent objects of the watcher.
   vocabulary::PerceptList Seen() {
     world_.BeginTick();
     world_.PrepareForReaders();
@@ -111,7 +111,7 @@ TEST_F(SensesTest, AnImaginedSceneIsWhatTheActorKnows) {
   other.SetPosition({9, 1, -12});
   lines = update();
   EXPECT_EQ(lines, "change some-body p 9 1 -12 r 0 0 0\n");
-  // Out of sight it stays where it was, and is forgotten in time.
+  // Out of view it stays at its last position, and is forgotten after some time.
   other.SetPosition({9, 1, -100});
   EXPECT_EQ(update(), "tag change some-body visible no\n");
   for (int tick = 0; tick < 80; ++tick) Seen();
@@ -160,7 +160,7 @@ TEST_F(SensesTest, MessagesAreHeardOnceAndForgottenAfterThreeSeconds) {
   say("food", "blue");
   EXPECT_EQ(changes(), kElements);
   for (int tick = 0; tick < 61; ++tick) world_.BeginTick();
-  EXPECT_EQ(changes(), 1u);  // The first one has gone.
+  EXPECT_EQ(changes(), 1u);  // The first was removed.
   for (int tick = 0; tick < 30; ++tick) world_.BeginTick();
   EXPECT_EQ(changes(), 1u);
   EXPECT_EQ(changes(), 0u);
@@ -175,7 +175,7 @@ TEST(Directions, ABearingToRoundIsTheBearingInWholeDegrees) {
     const world::Vec3 from{any() * reach_m, 1, any() * reach_m};
     world::Vec3 forward = i % 5 == 0 ? world::Vec3{any(), any(), any()} : AlongHeading(any() * 180);
     if (i % 1000 == 0) forward = {0, i % 2000 == 0 ? 1.0f : 0.0f, 0};
-    // Close to a half of a degree, to the front, the back and the sides, too.
+    // Includes angles close to a half of a degree, and to the front, the back and the sides.
     const float off_deg = std::round(any() * 180) + (i % 2 == 0 ? 0.5f + any() * 0.02f : any() * 0.02f);
     world::Vec3 to = from + AlongHeading(HeadingOf(forward) + off_deg) * (random.Unit() * reach_m);
     if (i % 700 == 0) to = from;

@@ -28,7 +28,7 @@
 namespace soarbox::sim {
 namespace {
 
-/// Adds up the time between its laps.
+/// Adds up the time between laps.
 class Stopwatch {
  public:
   void Lap(double& seconds) {
@@ -42,7 +42,7 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-/// Adds the calls that led to an error to what is said about it.
+/// Adds the calls that led to a script error to its message.
 Diagnostic WithCallers(const script::ScriptError& error) {
   Diagnostic diagnostic = error.diagnostic;
   if (const std::string callers = script::CallersIn(error.traceback); !callers.empty())
@@ -98,11 +98,11 @@ struct Simulation::Impl final : script::ScriptListener {
   std::string NamesOf(const std::vector<world::EntityId>& agents) const;
   void Report(RunEvent event);
   void ReportDiagnostic(const Diagnostic& diagnostic);
-  /// Tells what a command line from outside came to.
+  /// Reports the result of a command line from outside.
   void ReportAnswer(const CommandInput& asked, const Result<std::string>& answer);
-  /// Tells when the minds' kernel has gone, and brings the minds back once there is one again.
+  /// Reports the loss of the minds' kernel, and creates the minds again when a kernel is available.
   void KeepConnected();
-  /// Notes what attached debuggers did since the last tick.
+  /// Records what attached debuggers did since the last tick.
   void ServeClients();
   void ApplyInputs();
   void ReportNewAgents();
@@ -113,17 +113,17 @@ struct Simulation::Impl final : script::ScriptListener {
   void ReportEndOfScripts();
   void ReportCommand(Minds::Mind& mind, const world::Agent& body, const vocabulary::SaidCommand& command);
   void ActByScript(world::EntityId id);
-  /// Lets the agent's script go on with the commands that it carries out over time.
+  /// Continues the commands that the agent's script executes over several ticks.
   void ContinueByScript(world::EntityId id);
-  /// What a script answered to a command, for the mind that gave it; nothing while there is nothing to report.
+  /// Converts a script's answer to a command to an outcome; nothing if there is nothing to report yet.
   std::optional<Outcome> OutcomeOf(const script::CommandAnswer& answer, std::uint64_t tag, const std::string& command);
-  /// Carries out what the agent's mind decided, or just updates an agent that its script alone drives.
+  /// Executes the commands of the agent's mind, or only updates an agent without a mind.
   void Act(world::EntityId id);
 
   const Scenario scenario;
   const SimulationSettings settings;
   world::World world;
-  // The kernel outlives the minds, which outlive the scripts that ask for them.
+  // The order of members matters: the kernel must outlive the minds, which must outlive the scripts.
   std::unique_ptr<SoarHost> soar;
   std::unique_ptr<Arena> arena;
   std::unique_ptr<ForeignBodies> foreign;
@@ -135,7 +135,7 @@ struct Simulation::Impl final : script::ScriptListener {
   InputDoor door;
   std::vector<std::pair<CommandInput, Result<std::string>>> answered;  ///< Between the last tick and the next.
   std::optional<std::uint64_t> flood_told_at;                          ///< Tick.
-  std::vector<world::EntityId> order;                                  ///< Scratch: agents to update in this tick.
+  std::vector<world::EntityId> order;                                  ///< Temporary: agents to update in this tick.
   EventList events;
   TickCosts costs;
   world::EntityId last_reported = world::EntityId::kSandbox;
@@ -216,7 +216,7 @@ void Simulation::Impl::OnEndReached(std::string_view end) {
 }
 
 void Simulation::Impl::Report(RunEvent event) {
-  // Nothing is told of an agent before it has joined.
+  // The creation of an agent must be reported before its other events.
   if (event.kind != EventKind::kAgentCreated && !event.agent.empty()) ReportNewAgents();
   event.tick = world.tick();
   event.time_s = world.time_s();
@@ -342,9 +342,10 @@ void Simulation::Impl::ActByScript(world::EntityId id) {
   world::Agent& body = *world.FindAgent(id);
   Minds::Mind* mind = minds->Find(id);
   std::vector<Outcome> outcomes;
-  // One update per command, as the thesis has it; none in a gap.
+  // One update per command, as in the thesis; none without a command.
   for (std::size_t i = 0; i < mind->soar.commands().size(); ++i) {
-    const vocabulary::SaidCommand command = mind->soar.commands()[i];  // A copy: the script may make agents with minds.
+    const vocabulary::SaidCommand command = mind->soar.commands()[i];  // A copy, because the script may create agents
+                                                                       // with minds.
     body.SetLastCommand(command.name);
     ReportCommand(*mind, body, command);
     Outcome outcome;
@@ -399,7 +400,7 @@ std::optional<Outcome> Simulation::Impl::OutcomeOf(const script::CommandAnswer& 
 }
 
 void Simulation::Impl::ContinueByScript(world::EntityId id) {
-  // A copy: the script may make agents with minds.
+  // A copy, because the script may create agents with minds.
   const std::vector<Minds::Mind::UnderWay> under_way = minds->Find(id)->under_way;
   for (const Minds::Mind::UnderWay& command : under_way) {
     Minds::Mind* mind = minds->Find(id);
@@ -426,7 +427,7 @@ void Simulation::Impl::Act(world::EntityId id) {
   if (Minds::Mind* mind = minds->Find(id)) {
     if (mind->by_client) return world.SyncAgent(id);  // Its client acted.
     minds->Await(*mind);
-    // Nobody steers a body whose mind has gone with its kernel: it stops where it is, and falls if it was in the air.
+    // A body whose mind is lost has no controller: it stops, and falls if it is in the air.
     if (!connected || mind->lost) body.SetVelocity({0, std::min(body.Velocity().y, 0.0f), 0});
     if (mind->is_scripted && !mind->by_sandbox) {
       ContinueByScript(id);
@@ -532,7 +533,7 @@ void Simulation::Tick() {
   // Sense and decide.
   s.minds->Decide();
   watch.Lap(s.costs.decide_s);
-  // Act, and await what scripts' minds decide.
+  // Act, and wait until the minds of scripted bodies have decided.
   s.order.assign(s.world.AgentIds().begin(), s.world.AgentIds().end());
   for (std::size_t i = 0; i < s.order.size(); ++i) {
     s.scripts->Foresee(s.order, i);
@@ -685,7 +686,7 @@ std::size_t Simulation::waiting_inputs() const {
 
 std::vector<WatchedFile> Simulation::Files(bool with_scenario) {
   std::vector<WatchedFile> files;
-  std::map<std::string, std::filesystem::path, std::less<>> found;  // The agents of a crowd share their scripts.
+  std::map<std::string, std::filesystem::path, std::less<>> found;  // Many agents share their scripts.
   const auto add_scripts = [&](world::EntityId id, const std::string& agent) {
     for (const std::string& script : impl_->scripts->FilesOf(id)) {
       const auto [at, is_new] = found.try_emplace(script);

@@ -36,38 +36,38 @@ class ForeignBodies;
 struct MindReport {
   const std::string& agent;
   const mind::EventLog& events;
-  double decide_s = 0;  ///< Real time that it decided for; nothing in a run depends on it.
+  double decide_s = 0;  ///< Real time of its decisions. Nothing in a run depends on it.
 };
 
 struct SimulationSettings {
-  std::uint64_t seed = 1;      ///< Of the world, the scripts and the minds.
-  int screen_width_px = 1280;  ///< What scripts see; the window follows it.
+  std::uint64_t seed = 1;      ///< For the world, the scripts and the minds.
+  int screen_width_px = 1280;  ///< Reported to scripts; a window adjusts its size to it.
   int screen_height_px = 720;
-  bool every_command = false;                  ///< Report each command of each tick, not only news.
-  SoarSettings soar;                           ///< Its seed is taken from `seed`.
+  bool every_command = false;                  ///< Report each command in each tick, not only changes.
+  SoarSettings soar;                           ///< Its seed is ignored; `seed` is used.
   MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() reports.
-  script::WorldLimits limits;                  ///< Of all scripts and minds together.
-  bool typed_by_strangers = false;             ///< Typed commands may do no more than those of a recording.
+  script::WorldLimits limits;                  ///< For all scripts and minds together.
+  bool typed_by_strangers = false;             ///< Typed commands are restricted like those of a recording.
 };
 
-/// What the parts of all ticks so far have taken, in seconds of real time. For benchmarks and panels; nothing in a run
-/// depends on it.
+/// Total real time of each part of all ticks so far, in seconds. For benchmarks and panels. Nothing in a run depends on
+/// it.
 struct TickCosts {
   double events_s = 0;  ///< Debuggers, inputs, custom events.
-  double decide_s = 0;  ///< Minds perceive; those whose bodies no script drives also decide.
-  double act_s = 0;     ///< Commands and scripts of agents, and waiting for the minds of scripts.
+  double decide_s = 0;  ///< Minds perceive; minds without scripted bodies also decide.
+  double act_s = 0;     ///< Commands and scripts of agents; includes waiting for the minds of scripted bodies.
   double move_s = 0;    ///< Physics.
   double rest_s = 0;    ///< Collisions, the sandbox's script, reports.
 };
 
-/// A scenario in motion: the world, its scripts and its minds, advanced tick by tick.
+/// A running scenario: the world, its scripts and its minds, advanced tick by tick.
 ///
-/// All that reaches it from outside comes in by one door, Submit, as values with a tick; whoever watches sees the world
-/// as const. The same scenario, settings and inputs give the same run, bit for bit. Used by one thread at a time.
+/// All inputs from outside enter through Submit, as values with a tick. Observers have const access to the world. The
+/// same scenario, settings and inputs give the same run, bit for bit. Not thread-safe.
 class Simulation {
  public:
-  /// Builds the world and runs the scenario's set-up. Fails only if there is nothing to run at all (the sandbox script
-  /// cannot be read or does not compile, the kernel cannot start); everything else is reported through events.
+  /// Builds the world and runs the scenario's set-up. Fails only if nothing can run: the sandbox script cannot be read
+  /// or compiled, or the kernel cannot start. All other problems are reported as events.
   static Result<std::unique_ptr<Simulation>> Create(const Scenario& scenario, const SimulationSettings& settings);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -75,26 +75,27 @@ class Simulation {
 
   /// Advances the world by one step: events, sense, decide, act, move.
   void Tick();
-  /// Lets attached debuggers have their say; called while the world is paused. Tick does so by itself.
+  /// Serves attached debuggers while the world is paused. Tick does this itself.
   void Idle();
 
-  /// The scenario has reached its end (its file says when, or a script calls os.exit); ticks may go on.
+  /// Whether the scenario has reached its end (a condition in its file, or os.exit in a script). Further ticks are
+  /// possible.
   bool HasEnded() const;
-  /// The exit code that a script asked for (os.exit); 0 if none did.
+  /// The exit code that a script passed to os.exit; 0 if none did.
   int ExitCode() const;
   std::uint64_t tick() const;
   double time_s() const;
   const world::World& world() const;
-  /// Places, items and what actors carry and know, for whoever only looks.
+  /// Places, items, and what actors carry and know, for observers.
   const Arena& arena() const;
   /// Bodies that other simulations own.
   const ForeignBodies& foreign() const;
   world::SceneSnapshot Snapshot() const;
-  /// The same, in place of an earlier one, whose memory it uses again.
+  /// The same. Reuses the memory of `scene`.
   void Snapshot(world::SceneSnapshot& scene) const;
-  /// What overlays also draw.
+  /// The additional data that overlays draw.
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
-  /// Hash of all that decides the world's future (World::Hash, and what the bodies are doing).
+  /// Hash of all state that determines the world's future (World::Hash, and the commands of bodies).
   std::uint64_t StateHash() const;
   /// How many minds there are, those of removed agents included.
   std::size_t soar_agents() const;
@@ -105,15 +106,16 @@ class Simulation {
   const std::string& AgentOfMind(std::size_t index) const;
   /// Whether there is an agent of this name with a Soar mind. False if it was removed.
   bool HasMind(std::string_view agent) const;
-  /// Looks into the mind of an agent; null if there is no such agent with a Soar mind, or its kernel has gone. Valid
+  /// Inspects the mind of an agent. Null if there is no such agent with a Soar mind, or if its kernel is lost. Valid
   /// until the next tick.
   std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
-  /// How much Mind() reports of this agent from the next tick on. The run stays the same. False if it has no Soar mind.
+  /// Sets how much Mind() reports about this agent from the next tick on. Does not change the run. Returns false if it
+  /// has no Soar mind.
   bool NoteMind(std::string_view agent, MindDetail detail);
 
   const TickCosts& costs() const;
 
-  /// What happened since the last call.
+  /// The events since the last call.
   EventList TakeEvents();
 
   /// Takes an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
@@ -121,15 +123,15 @@ class Simulation {
   /// what an input cannot do (no such agent).
   void Submit(Input input);
   void Submit(InputValue value) { Submit(Input{0, std::move(value)}); }
-  /// Carries out a line of the Soar command language for an agent's mind now, between two ticks, and returns what it
-  /// printed. It counts as an input of the next tick, which reports it as an event, so that a record of the inputs
-  /// replays it too.
+  /// Executes a line of the Soar command language for an agent's mind now, between two ticks, and returns its output.
+  /// The line is recorded as an input of the next tick, which also reports it as an event, so that a recording of the
+  /// inputs replays it.
   Result<std::string> Command(const std::string& agent, const std::string& line);
-  /// What came in for the last tick, in the order in which it took effect, including what attached debuggers said to
-  /// the minds. Submitting the same to another simulation of the same scenario and seed gives the same run. Valid until
-  /// the next tick.
+  /// The inputs of the last tick, in the order in which they took effect, including commands of attached debuggers to
+  /// the minds. Submitting the same inputs to another simulation of the same scenario and seed gives the same run.
+  /// Valid until the next tick.
   std::span<const Input> LastInputs() const;
-  /// Inputs that wait for later ticks.
+  /// Number of inputs that are queued for later ticks.
   std::size_t waiting_inputs() const;
 
   /// The files that its minds and scripts were made from. `with_scenario`: the scenario file (TOML), too, as the last
@@ -138,15 +140,15 @@ class Simulation {
   /// Explains the present behaviour of an agent; nothing if there is no such agent with a mind.
   /// `with_operators`: include the operators that are selected now, as reported by commands of any kernel.
   std::optional<explain::WhyNode> Why(std::string_view agent, bool with_operators = true) const;
-  /// Why it does or does not give this command, select this operator or match this rule now.
+  /// Explains why it gives this command, selects this operator or matches this rule now, or why not.
   Result<std::vector<explain::WhyNode>> WhyTopic(std::string_view agent, const std::string& topic);
-  /// What is most likely a slip in these rules of an agent as they run now, as warnings with their places.
+  /// Likely slips in these rules of an agent, as they run now. Returns warnings with positions.
   std::vector<Diagnostic> SlipsOf(std::string_view agent, const std::set<std::string>& rules) const;
-  /// Ends the scripts of all simulations as soon as possible, because the process is about to end. You may call it from
+  /// Ends the scripts of all simulations as soon as possible, because the process is about to exit. Can be called from
   /// a signal handler.
   static void EndScripts();
 
-  /// Runs the scripts' clean-up once; no tick may follow.
+  /// Runs the scripts' clean-up once. Do not call Tick afterwards.
   void Finish();
 
  private:

@@ -21,7 +21,7 @@ std::optional<int> ReadNumber(std::string_view text) {
   return number;
 }
 
-/// "FILE:LINE:COLUMN: SEVERITY: MESSAGE"; the column may be missing.
+/// Parses "FILE:LINE:COLUMN: SEVERITY: MESSAGE"; the column can be missing.
 std::optional<Diagnostic> ReadHeadLine(std::string_view line) {
   for (const auto& [word, severity] : {std::pair{": error: ", Severity::kError}, {": warning: ", Severity::kWarning}}) {
     const std::size_t at = line.find(word);

@@ -25,14 +25,14 @@ std::string AddressOf(const SoarSettings& settings) {
   return settings.remote_host + ":" + std::to_string(settings.remote_port);
 }
 
-/// Our client library can give up a kernel that does not answer; an official Soar in its place waits on.
+/// Our client library can drop a kernel that does not answer; official Soar keeps waiting.
 template <typename Kernel>
 void SetAnswerLimit(Kernel& kernel, int milliseconds) {
   if constexpr (requires { kernel.SetAnswerLimit(milliseconds); }) kernel.SetAnswerLimit(milliseconds);
 }
 
-/// Our own kernel tells what debuggers say, and lets them speak between two ticks only: what they do is then part of
-/// what came in from outside.
+/// Our own kernel reports commands of debuggers, and accepts them only between two ticks, so that they are inputs of
+/// the run.
 template <typename Kernel>
 void Overhear(Kernel& kernel, std::vector<CommandInput>& heard) {
   if constexpr (requires { kernel.HoldIncomingCommands(true); }) {
@@ -46,7 +46,7 @@ void Hold(Kernel& kernel, bool on) {
   if constexpr (requires { kernel.HoldIncomingCommands(on); }) kernel.HoldIncomingCommands(on);
 }
 
-/// Rule files are a stranger's: our own kernel keeps their commands within the scenario's folders.
+/// Rule files may come from strangers: our own kernel restricts their commands to the scenario's folders.
 template <typename Kernel>
 void PutUpFence(Kernel& kernel, const SoarSettings& settings) {
   if constexpr (requires { kernel.FenceFiles(std::vector<std::string>(), false); }) {
@@ -56,13 +56,13 @@ void PutUpFence(Kernel& kernel, const SoarSettings& settings) {
   }
 }
 
-/// What an agent perceives goes to a kernel in another process as one message before each of its decisions, not as one
-/// message per element.
+/// Percepts are sent to a kernel in another process as one message before each decision, not as one message per
+/// element.
 void WriteInTurns(::sml::Kernel& kernel) {
   kernel.SetAutoCommit(false);
 }
 
-/// A recording is a stranger's, too. Other kernels know no fence and get nothing of it.
+/// A recording may also come from a stranger. Other kernels have no fence, so they get none of its commands.
 template <typename Kernel>
 const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent) {
   if constexpr (requires { kernel.ExecuteRecordedCommandLine(line, agent); })
@@ -70,7 +70,7 @@ const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent)
   return nullptr;
 }
 
-/// What our own kernel warns of in rules that it has loaded; an official Soar says nothing.
+/// Warnings of our own kernel about loaded rules. Official Soar has no such warnings.
 template <typename Agent>
 const char* LoadWarnings(const Agent& agent) {
   if constexpr (requires { agent.GetLoadWarnings(); }) return agent.GetLoadWarnings();
@@ -112,7 +112,7 @@ std::string ErrorText(::sml::ClientErrors& source) {
   return text == nullptr ? "no reason given" : text;
 }
 
-/// Collects what an agent prints while its rules are loaded.
+/// Collects the output of an agent while its rules are loaded.
 class PrintCollector {
  public:
   explicit PrintCollector(::sml::Agent& agent)
@@ -165,7 +165,7 @@ SoarHost::SoarHost(std::unique_ptr<::sml::Kernel> kernel, const SoarSettings& se
   PutUpFence(*kernel_, settings_);
   if (IsRemote()) WriteInTurns(*kernel_);
 #ifdef SOARBOX_OWN_KERNEL
-  // Official kernels share what is not theirs alone: several at once in a process crash it.
+  // Official kernels share global data, so that several in one process crash.
   if (!IsRemote() && settings_.port == 0) MakeFurtherKernels();
 #endif
 }
@@ -183,7 +183,7 @@ void SoarHost::MakeFurtherKernels() {
 }
 
 SoarHost::~SoarHost() {
-  // A kernel elsewhere goes on after this run; the next one may want the same names.
+  // A remote kernel continues after this run, and the next run may use the same names.
   if (IsRemote() && IsConnected()) RemoveAgents(*kernel_, agents_);
   kernel_->Shutdown();
   for (const auto& kernel : further_) kernel->Shutdown();
@@ -211,7 +211,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   Loaded loaded;
   loaded.thread = ThreadOf(agents_made_, threads());
   if (beside_world) {
-    // Of four: 1 2 3 0 1 2 3.
+    // With four threads: 1 2 3 0 1 2 3.
     const std::uint64_t turn = made_beside_world_++ % (2 * threads() - 1);
     loaded.thread = (turn + 1) % threads();
   }
@@ -221,7 +221,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
     return NewProblem("the kernel refuses an agent named " + name + ": " + ErrorText(kernel));
   agents_[name] = loaded.thread;
   loaded.agent->ExecuteCommandLine("watch 0");
-  // Each agent draws from a stream of its own, given by the run's seed and its place in the order of creation.
+  // Each agent has its own random stream, which depends on the run's seed and the order of creation.
   const std::uint64_t seed = (settings_.seed * 1000003u + ++agents_made_) & std::numeric_limits<std::int32_t>::max();
   loaded.agent->ExecuteCommandLine(("srand " + std::to_string(seed)).c_str());
 
@@ -276,7 +276,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     return NewProblem("there is no Soar agent '" + agent + "' for the command '" + line + "'",
                       near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
   }
-  // What does not parse changes nothing: the kernel would excise the rule of before first.
+  // Text that does not parse must change nothing, but the kernel would first excise the old rule.
   for (Diagnostic& problem : VetTypedRules(line)) {
     if (problem.severity != Severity::kError) continue;
     problem.hint += std::string(problem.hint.empty() ? "" : "; ") + "nothing was changed";
@@ -290,7 +290,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
     return NewProblem("the command '" + line + "' comes from a recording, and this kernel has no fence");
   std::string answer = text == nullptr ? "" : text;
   if (kernel.GetLastCommandLineResult()) return answer;
-  // Soar adds these to whatever failed, also where no file is being read: they help nobody who typed a line.
+  // Soar adds these texts to every failure, even if no file is read. They do not help a user who typed a line.
   constexpr std::string_view kSourcing = "Error while sourcing file";
   constexpr std::string_view kDetails = "command failed (see return string for details)";
   for (const std::string_view tail : {kSourcing, kDetails}) {
@@ -305,8 +305,8 @@ bool SoarHost::IsConnected() const {
   return !IsRemote() || !kernel_->IsConnectionClosed();
 }
 
-/// One call for a kernel, on a thread of its own: an address that swallows packets would hold up the world for minutes.
-/// The thread shares this, so that a host that ends meanwhile need not wait for it.
+/// An attempt to connect to a kernel, on a separate thread, because an address that drops packets would block the world
+/// for minutes. The thread shares ownership, so that the host can be destroyed without waiting for it.
 class SoarHost::Attempt {
  public:
   static std::shared_ptr<Attempt> Start(const SoarSettings& settings) {
@@ -319,14 +319,14 @@ class SoarHost::Attempt {
     return attempt;
   }
 
-  /// The kernel once the call has ended, with its error if nobody answered; null before.
+  /// The kernel after the attempt has ended, with its error if it failed; null before.
   std::unique_ptr<::sml::Kernel> Take() {
     const std::lock_guard lock(mutex_);
     return std::move(kernel_);
   }
   bool IsOld() const { return std::chrono::steady_clock::now() - begun_ >= std::chrono::seconds(1); }
 
-  bool ended = false;  ///< Its outcome has been taken; the next attempt is due when this one is old.
+  bool ended = false;  ///< The result was taken. The next attempt is made after some time.
 
  private:
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
@@ -345,7 +345,7 @@ bool SoarHost::Reconnect() {
   PutUpFence(*kernel_, settings_);
   WriteInTurns(*kernel_);
   attempt_.reset();
-  // If it is the same kernel, and only the connection broke, the agents of before are still there.
+  // If it is the same kernel and only the connection was lost, the old agents still exist.
   RemoveAgents(*kernel_, agents_);
   agents_.clear();
   agents_made_ = made_beside_world_ = 0;

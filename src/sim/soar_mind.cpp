@@ -21,11 +21,11 @@ namespace {
 constexpr std::size_t kMostWritten = 64 * 1024;
 constexpr std::size_t kMostFailures = 100;
 constexpr int kDeepestParameter = 4;
-/// Of one command, whatever is below it, and of all that a mind says in one tick.
+/// Limits for parameters of one command, including everything below it, and of all commands of a mind in one tick.
 constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
 
-/// What stands below an identifier of the output link. Links may go round in circles, and each way through them counts:
-/// `left` is taken down with each element that is read, and nothing is read beyond it.
+/// Reads the elements below an identifier of the output link. Links can form circles, and an object is read once for
+/// each path to it. `left` is decremented for each element; nothing is read when it is 0.
 vocabulary::PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, int depth = 0) {
   vocabulary::PerceptList list;
   for (int i = 0; i < parent.GetNumberChildren(); ++i) {
@@ -50,8 +50,8 @@ vocabulary::PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, in
 
 }  // namespace
 
-/// Our own kernel tells what rules write apart from the traces that a debugger has asked for; of another kernel all
-/// that it prints is taken.
+/// Our own kernel reports the output of rules separately from traces that a debugger has requested. For another kernel,
+/// its entire output is used.
 struct SoarMind::Writing
 #ifdef SOARBOX_OWN_KERNEL
     : MindObserver
@@ -107,7 +107,8 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
       graph_(agent),
       writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
-  // ReadOutput tells by their time tags what is new. A kernel in another process would have to report each decision.
+  // ReadOutput finds new elements by their time tags. With change tracking, a kernel in another process would have to
+  // report each decision.
   agent.SetOutputLinkChangeTracking(false);
   if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
   if (settings.imagines) {
@@ -158,7 +159,7 @@ void SoarMind::Decide(bool has_run) {
   answer_ = agent_->RunSelfTilOutput();
 #ifdef SOARBOX_OWN_KERNEL
   const std::uint64_t after = MindFirings(*agent_);
-  fired_ = after < before ? after : after - before;  // Less: a rule has initialised it.
+  fired_ = after < before ? after : after - before;  // It is smaller if a rule has executed init-soar.
 #endif
   ReadOutput();
 }
@@ -210,15 +211,15 @@ void SoarMind::NoteSaid(const vocabulary::SaidCommand& said) {
   log_.NoteCommand(said.tag, said.name, said.parameters);
 }
 
-/// The command itself; null if it is no identifier or is gone: somebody at a debugger may have run the agent since it
-/// was read.
+/// The command's identifier; null if it is not an identifier or was removed, because a debugger may have run the agent
+/// since it was read.
 sml::Identifier* SoarMind::FindWord(const Standing& command) const {
   sml::Identifier* link = agent_->GetOutputLink();
   if (link == nullptr) return nullptr;
   const auto is_it = [&](sml::WMElement* child) {
     return child != nullptr && static_cast<std::uint64_t>(child->GetTimeTag()) == command.tag;
   };
-  // Where it stood, nearly always.
+  // Nearly always at the same index as before.
   sml::WMElement* found = link->GetChild(command.place);
   for (int i = 0; !is_it(found); ++i) {
     if (i == link->GetNumberChildren()) return nullptr;
@@ -302,7 +303,7 @@ bool SoarMind::Halted() const {
 }
 
 std::string_view SoarMind::Breakdown() const {
-  // The client API gives texts only: this is what `run` answers (cli/run_text.cpp).
+  // The client API returns only text: this is the output of `run` (cli/run_text.cpp).
   constexpr std::string_view kBeforeCause = "The agent ran out of memory: ";
   const std::size_t begin = answer_.find(kBeforeCause);
   if (begin == std::string::npos) return {};
@@ -330,7 +331,7 @@ std::string SoarMind::BusiestRule() const {
 }
 
 void SoarMind::AllowMatches(std::uint64_t most) {
-  // Powers of two, so that it seldom changes.
+  // Rounded to powers of two, so that the limit changes rarely.
   const auto rounded = static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(most, 1, 1u << 30)));
   if (rounded == match_limit_) return;
   const std::uint32_t present = MindMatchLimit(*agent_);
@@ -341,7 +342,7 @@ void SoarMind::AllowMatches(std::uint64_t most) {
 }
 
 void SoarMind::AllowMemory(std::size_t bytes) {
-  // A power of two, so that it seldom changes.
+  // Rounded to a power of two, so that the limit changes rarely.
   constexpr std::size_t kLargest = std::numeric_limits<std::size_t>::max() / 2 + 1;
   const std::size_t rounded = std::bit_ceil(std::clamp<std::size_t>(bytes, 1, kLargest));
   if (rounded != std::exchange(memory_limit_, rounded)) SetMindMemoryLimit(*agent_, rounded);

@@ -20,16 +20,16 @@ fs::path Normal(const fs::path& path) {
   return fs::absolute(path, error).lexically_normal();
 }
 
-/// The word after `command`, if the line is that command; nothing otherwise. Quotes and braces are taken off.
+/// The word after `command`, without quotes and braces, if the line is that command; else nothing.
 std::optional<std::string> WordAfter(std::string_view command, std::string_view line) {
   if (!line.starts_with(command)) return std::nullopt;
   line.remove_prefix(command.size());
   if (!line.empty() && kBlanks.find(line.front()) == std::string_view::npos && line.front() != ';') return std::nullopt;
-  // NameSourcedBy takes words apart; it wants its own command before them.
+  // NameSourcedBy parses words after its own command.
   return NameSourcedBy("source" + std::string(line));
 }
 
-/// Follows the commands of one file that change the folder.
+/// Follows the commands of a file that change the current folder.
 class Folders {
  public:
   const fs::path& current() const { return folders_.back(); }
@@ -48,7 +48,7 @@ class Folders {
   std::vector<fs::path> folders_ = {""};
 };
 
-/// "file x.soar" after `load`.
+/// Parses "file x.soar" after `load`.
 std::string NameLoadedBy(std::string_view line) {
   if (!line.starts_with("load")) return {};
   line.remove_prefix(4);
@@ -63,7 +63,7 @@ bool IsScenarioFolder(const fs::path& folder) {
                              [&](const char* name) { return fs::exists(folder / name, error); });
 }
 
-/// Whether a file that lies directly in `above` sources one below `folder`.
+/// Whether a file directly in `above` sources a file below `folder`.
 bool SourcesBelow(const fs::path& above, const fs::path& folder) {
   constexpr int kMostLooked = 2'000;
   std::error_code error;
@@ -100,7 +100,7 @@ std::vector<SourcedFile> SourcedIn(std::string_view text) {
       } else {
         found.push_back({name, (folders.current() / name).lexically_normal(), number});
       }
-      // Further commands of the line.
+      // Further commands on the line.
       const std::size_t next = line.find(';');
       if (next == std::string_view::npos) break;
       line.remove_prefix(next + 1);

@@ -26,7 +26,7 @@ void AddSourced(const fs::path& file, std::span<const fs::path> readable, std::v
                 std::set<fs::path>& known) {
   if (found.size() >= kMostFiles || !known.insert(file.lexically_normal()).second) return;
   found.push_back(file);
-  // A file names its neighbours by their own names, wherever it is sourced from.
+  // Paths in a file are relative to its folder, whichever file sources it.
   for (const SourcedFile& one : SourcedIn(explain::BlankComments(ReadText(file).value_or("")))) {
     const fs::path sourced = file.parent_path() / one.file;
     if (MayBeRead(sourced, readable)) AddSourced(sourced, readable, found, known);
@@ -63,7 +63,7 @@ std::set<fs::path> WithSourcedFiles(const fs::path& rules, std::span<const fs::p
 
 std::vector<fs::path> ReadableRuleFolders(const Scenario& scenario) {
   if (scenario.rule_folders.empty()) return {};
-  // The rules that come with the program are read as well: agents whose scenario names none get them.
+  // The rules that come with the program can also be read, because agents without named rules use them.
   std::vector<fs::path> folders = scenario.rule_folders;
   folders.insert(folders.end(), scenario.fallback_rule_folders.begin(), scenario.fallback_rule_folders.end());
   return folders;

@@ -14,10 +14,10 @@
 
 namespace soarbox::sim {
 
-/// What readers of TOML files have in common: they name the place of each problem.
+/// Base of the readers of TOML files. Each problem has its position.
 class TableReader {
  public:
-  /// `page` lists what such a file may hold: "docs/missions.md".
+  /// `page` is the document that lists the allowed contents: "docs/missions.md".
   TableReader(std::string file, std::string page, std::vector<Diagnostic>& problems)
       : file_(std::move(file)), page_(std::move(page)), problems_(problems) {}
   virtual ~TableReader() = default;
@@ -31,7 +31,7 @@ class TableReader {
     problem.hint = std::move(hint);
   }
 
-  /// Reports keys that are none of these.
+  /// Reports keys that are not in `known`.
   void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
@@ -49,7 +49,7 @@ class TableReader {
     return otherwise;
   }
 
-  /// The tables of [[key]], at most `most`; `above`: what you write before the key, "dis.".
+  /// The tables of [[key]]; at most `most`. `above` is the prefix of the key in the file: "dis.".
   std::vector<const toml::table*> Tables(const toml::table& root, std::string_view key, std::size_t most,
                                          const std::string& above = {}) {
     std::vector<const toml::table*> tables;
@@ -68,7 +68,7 @@ class TableReader {
   }
 
  protected:
-  /// What to do about a key that is like no known one.
+  /// The hint for an unknown key without a similar known key.
   virtual std::string HintFor(std::string_view, const std::vector<std::string_view>&) const {
     return page_ + " lists what there is";
   }

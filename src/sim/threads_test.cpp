@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Minds decide on several threads; the run is the same on any number of them.
+// Minds decide on several threads; the run does not depend on their number.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -38,14 +38,14 @@ TEST(WorkerPool, WhereNoThreadCanBeStartedTheOwnerDoesAllJobs) {
 
 TEST(WorkerPool, ThoseWhoLookAroundInOneTickAreSpreadOverAllThreads) {
   for (std::size_t threads = 1; threads <= 16; ++threads) {
-    // In three rounds each thread gets one of each third.
+    // In three rounds, each thread gets one of each third.
     std::vector<std::vector<int>> of_third(threads, std::vector<int>(3));
     for (std::uint64_t number = 0; number < 3 * threads; ++number) ++of_third[ThreadOf(number, threads)][number % 3];
     EXPECT_EQ(of_third, std::vector(threads, std::vector<int>(3, 1))) << threads;
   }
 }
 
-/// The hash of every tick.
+/// The state hash of each tick.
 std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t seed, int ticks) {
   const std::string root = SOARBOX_SOURCE_DIR;
   const auto scenario = FindScenario(name, {root + "/scenarios", root + "/media"});
@@ -55,7 +55,7 @@ std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t see
   settings.soar.threads = threads;
   auto simulation = Simulation::Create(scenario.value(), settings);
   EXPECT_TRUE(simulation.ok());
-  // Minds without rules would be the same on any number of threads too.
+  // Minds without rules would also be the same on any number of threads.
   for (const RunEvent& event : (*simulation)->TakeEvents())
     EXPECT_NE(event.diagnostic.severity == Severity::kError && !event.diagnostic.message.empty(), true)
         << Format(event.diagnostic);
@@ -68,20 +68,20 @@ std::vector<std::uint64_t> Play(const char* name, int threads, std::uint64_t see
 }
 
 TEST(Threads, TheRunIsTheSameOnAnyNumberOfThem) {
-  // As many minds as threads share in one crowd, more of them but for fewer ticks in the other: with sanitizers and the
-  // kernel's invariants checked, a decision costs a hundred times what it costs users.
+  // One crowd has as many minds as threads; the other has more, but runs for fewer ticks. With sanitizers and checked
+  // invariants, a decision costs a hundred times as much as for users.
   const std::pair<const char*, int> runs[] = {{"crowd/crowd_10.lua", 60}, {"crowd/crowd_100.lua", 8}, {"thesis", 30}};
   for (const auto& [name, ticks] : runs) {
     const auto one = Play(name, 1, 7, ticks);
     EXPECT_EQ(Play(name, 2, 7, ticks), one) << name;
     EXPECT_EQ(Play(name, 3, 7, ticks), one) << name;
-    // The check can fail.
+    // Checks that a different seed gives different hashes.
     EXPECT_NE(Play(name, 2, 8, ticks), one) << name;
   }
 }
 
-/// Agents that wander in a crowd, and one among them that at first does something else: who comes after it finds its
-/// way in its own turn then.
+/// A crowd that wanders, and one agent in it that first does something else. All agents after it then compute their
+/// directions in their own turn.
 std::vector<std::uint64_t> Stroll(int threads) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("soarbox_stroll_" + std::to_string(threads));
@@ -125,8 +125,8 @@ TEST(Threads, WaysThroughACrowdAreTheSameOnAnyNumberOfThem) {
   EXPECT_EQ(Stroll(5), one);
 }
 
-/// What happens in a world whose scripts make agents with minds while others decide, and whose minds have gaps, halt
-/// and write.
+/// The events of a world whose scripts create agents with minds while others decide, and whose minds are idle, halt and
+/// write.
 std::string Happenings(int threads) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("soarbox_beside_" + std::to_string(threads));

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text without the lines that source files which are there; other lines keep their numbers.
+/// The text without lines that source existing files; other lines keep their numbers.
 std::string WithoutSourced(const std::string& text, const fs::path& file) {
   std::istringstream lines(text);
   std::string rest;
@@ -29,7 +29,8 @@ std::string WithoutSourced(const std::string& text, const fs::path& file) {
   return rest;
 }
 
-/// SplitRules counts braces; where the reader is content and this is not, nobody could tell the rules apart.
+/// SplitRules counts braces. If the parser accepts a text that SplitRules cannot split, its rules could not be
+/// distinguished.
 std::vector<Diagnostic> WithUnclosed(std::vector<Diagnostic> problems, const SplitText& split,
                                      const std::string& name) {
   if (split.unclosed.empty() || HasError(problems)) return problems;
@@ -61,7 +62,7 @@ std::vector<Diagnostic> VetTypedRules(const std::string& line) {
   const std::size_t open = line.find_first_not_of(" \t\r\n", std::min(begin + 2, line.size()));
   if ((command != "sp" && command != "gp") || open == std::string::npos || line[open] != '{') return {};
   const SplitText split = SplitRules(line);
-  // Of a line that ends within its rule all is shown to the reader: it says what is missing.
+  // For a line that ends within its rule, the entire line is parsed, so that the parser reports what is missing.
   return WithUnclosed(CheckRuleText(split.unclosed.empty() ? split.only_rules : line, ""), split, "");
 }
 

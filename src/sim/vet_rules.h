@@ -10,15 +10,15 @@
 
 namespace soarbox::sim {
 
-// The one test that every edit of rules passes before it reaches a running mind: a file that was saved, the text in the
-// Edit panel, and a typed `sp`. A kernel excises a rule before it reads the new text, as Soar does; so what does not
-// parse must not get there.
+// The check that every edit of rules must pass before it reaches a running mind: a saved file, the text in the Edit
+// panel, and a typed `sp`. Like Soar, a kernel excises a rule before it parses the new text. Therefore it must never
+// get a text that does not parse.
 
-/// What is wrong with a whole file of rules that is to replace what runs, with lines. Leaves out the files that it
-/// sources: they are edited, and vetted, by themselves.
+/// The errors of a file of rules that is to replace the running one, with lines. Files that it sources are not checked,
+/// because they are edited and checked separately.
 std::vector<Diagnostic> VetRuleFile(const std::string& text, const std::filesystem::path& file);
 
-/// What is wrong with a typed line that gives rules (sp, gp), with places in that line. Empty for other commands.
+/// The errors of a typed command that contains rules (sp, gp), with positions in its line. Empty for other commands.
 std::vector<Diagnostic> VetTypedRules(const std::string& line);
 
 bool HasError(const std::vector<Diagnostic>& problems);

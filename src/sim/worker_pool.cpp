@@ -9,7 +9,7 @@ WorkerPool::WorkerPool(std::size_t threads) : wanted_(threads) {
   try {
     for (std::size_t number = 1; number < threads; ++number) threads_.emplace_back([this, number] { Work(number); });
   } catch (const std::system_error&) {
-    // Too many threads, or a platform without threads.
+    // There are too many threads, or the platform has no threads.
   }
 }
 

@@ -11,35 +11,36 @@
 
 namespace soarbox::sim {
 
-/// Which of `threads` threads gets the job of this number: they take turns. Agents look around in every third tick, by
-/// their number: where that would pick the same threads each time, each round begins one thread later.
+/// The thread that runs job `number` of `threads` threads. Agents read their surroundings in every third tick,
+/// depending on their number. If the number of threads is a multiple of three, each round starts one thread later, so
+/// that the same threads are not used each time.
 constexpr std::size_t ThreadOf(std::uint64_t number, std::size_t threads) {
   return static_cast<std::size_t>((threads % 3 == 0 ? number + number / threads : number) % threads);
 }
 
-/// A few threads that do one job together, again and again. The thread that owns the pool is one of them. If fewer
-/// threads can be started, it does the work of the missing ones.
+/// Threads that execute a job together, repeatedly. The thread that owns the pool is one of them. If some threads
+/// cannot be started, the owner does their work.
 class WorkerPool {
  public:
-  /// `threads`: how many take part, the owner included; at least 1.
+  /// `threads`: number of threads including the owner; at least 1.
   explicit WorkerPool(std::size_t threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Calls job(0), job(1), ... job(threads - 1), each on a thread of its own, and returns when all have returned. The
-  /// owner's is job(0). A job must not throw.
+  /// Calls job(0), job(1), ... job(threads - 1), each on its own thread, and returns when all have returned. The owner
+  /// executes job(0). A job must not throw.
   void Run(const std::function<void(std::size_t)>& job);
-  /// The same in two halves, between which the owner does something else: job(1), job(2), ... begin; the owner's own
-  /// job is up to the owner. Jobs of missing threads are done before Begin returns. `job` must live until Join, which
-  /// returns when all have returned, at once if nothing was begun.
+  /// The same in two calls, between which the owner can do other work. Begin starts job(1), job(2), ...; job(0) is not
+  /// called. Begin executes the jobs of missing threads before it returns. Join returns when all have returned, at once
+  /// if nothing was begun. `job` must live until then.
   void Begin(const std::function<void(std::size_t)>& job);
   void Join();
 
  private:
   void Work(std::size_t number);
 
-  std::size_t wanted_;  ///< Threads, the owner and missing ones included.
+  std::size_t wanted_;  ///< Includes the owner and missing threads.
   std::mutex mutex_;
   std::condition_variable begun_, ended_;
   const std::function<void(std::size_t)>* job_ = nullptr;

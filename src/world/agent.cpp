@@ -231,7 +231,7 @@ std::uint64_t Agent::MakeHashOfProperties() const {
   hash.Add(std::string_view(team_));
   hash.Add(static_cast<std::uint64_t>(Number(leader_)));
   hash.Add(static_cast<std::uint64_t>(HasBody()));
-  // Path steering goes on along the old points after RemovePath, so they count either way.
+  // Path steering continues along the old points after RemovePath, so they are always part of the hash.
   hash.Add(static_cast<std::uint64_t>(has_path_));
   for (const Vec3 point : path_.points()) hash.Add(point);
   return hash.value();

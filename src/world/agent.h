@@ -23,7 +23,7 @@ class AgentStore;
 struct Neighbourhood;
 enum class BodyId : std::uint32_t;
 
-/// Who an agent is; what it is made of comes from AgentDefaults.
+/// The identity of an agent. Its physical properties come from AgentDefaults.
 struct AgentDef {
   std::string name;    ///< Shown in labels; "agent-<id>" if empty.
   std::string kind;    ///< "lua", "soar seeking", ...
@@ -43,7 +43,7 @@ class Agent {
   Agent& operator=(const Agent&) = delete;
 
   EntityId id() const { return id_; }
-  /// Its scene node: parent of its looks. Follows the body when World::SyncAgent is called.
+  /// Its scene node, the parent of its drawables. It is moved to the body by World::SyncAgent.
   NodeId node() const { return node_; }
   const std::string& name() const { return name_; }
   void set_name(std::string name) {
@@ -57,49 +57,49 @@ class Agent {
 
   // Motion.
   Vec3 Position() const { return motion().position; }
-  /// Moves body and node; the velocity stays.
+  /// Moves body and node; does not change the velocity.
   bool SetPosition(Vec3 position);
   Vec3 Forward() const { return motion().forward; }
   Vec3 Left() const { return motion().left; }
   Vec3 Up() const { return motion().up; }
   Quat Orientation() const { return motion().orientation; }
-  /// Faces along forward (any length; may tilt). Zero and vertical vectors are refused.
+  /// Sets the direction in which it faces (any length; may tilt). Refuses zero and vertical vectors.
   bool SetForward(Vec3 forward);
-  /// m/s, vertical part included. Without a body: forward times the stored speed.
+  /// In m/s, including the vertical part. Without a body: forward times the stored speed.
   Vec3 Velocity() const { return motion().velocity; }
-  /// Without a body it only stores the horizontal speed.
+  /// Without a body, only stores the horizontal speed.
   bool SetVelocity(Vec3 velocity);
   /// Horizontal speed in m/s.
   float Speed() const { return motion().speed; }
   /// Has no effect while the agent has a body.
   bool SetSpeed(float speed);
-  /// Position after that many seconds (at least 0) at the present velocity.
+  /// Position after `seconds` (at least 0) at the present velocity.
   Vec3 PredictFuturePosition(float seconds) const;
-  /// Newtons at the centre of mass, for the next step only; forces add up. Ignored without a body.
+  /// Applies a force in newtons at the centre of mass, for the next step only; forces add up. Ignored without a body.
   bool ApplyForce(Vec3 force_n);
-  /// Removes the body for good: after that, nothing touches or moves the agent but SetPosition and SetForward.
+  /// Removes the body for good. Afterwards the agent does not collide, and only SetPosition and SetForward move it.
   void RemovePhysics();
   bool HasBody() const;
 
   // Properties. Lengths, speeds and forces are clamped to >= 0.
   float Height() const { return height_m_; }
-  /// Rebuilds the capsule about the same centre: velocity and forces are lost.
+  /// Rebuilds the capsule around the same centre. Velocity and forces are lost.
   bool SetHeight(float height_m);
   float Radius() const { return motion().radius; }
-  /// Rebuilds the capsule likewise.
+  /// Rebuilds the capsule as SetHeight does.
   bool SetRadius(float radius_m);
   float Mass() const { return mass_kg_; }
   /// The body gets max(0, mass); 0 makes it immovable.
   bool SetMass(float mass_kg);
   float MaxForce() const { return max_force_n_; }
   bool SetMaxForce(float newtons);
-  /// Not enforced: scripts clamp the velocity themselves.
+  /// Not enforced: scripts must clamp the velocity themselves.
   float MaxSpeed() const { return max_speed_mps_; }
   bool SetMaxSpeed(float mps);
   float Health() const { return health_; }
-  /// Not clamped; health <= 0 makes others stop avoiding the agent, nothing else.
+  /// Not clamped. If it is <= 0, others stop avoiding the agent; nothing else changes.
   bool SetHealth(float health);
-  /// In a game, if it takes part in one. Nothing in the world depends on it.
+  /// Its score, if it takes part in a game. Nothing in the world depends on it.
   std::optional<float> Score() const { return score_; }
   bool SetScore(float score);
   const std::string& Team() const { return team_; }
@@ -117,10 +117,10 @@ class Agent {
     PropertyChanged();
   }
 
-  // What its mind is doing, for labels and panels only.
+  // State of its mind, only for labels and panels.
   const std::string& LastCommand() const { return last_command_; }
   void SetLastCommand(std::string_view command) { SetLabel(command, last_command_); }
-  /// What its script shows of its state. Nothing in the world depends on it.
+  /// What its script shows of its state (Agent.Show). Nothing in the world depends on it.
   const ShownState& Shown() const { return shown_; }
   void Show(std::string_view topic, std::vector<ShownRow> rows, std::uint64_t tick) {
     if (shown_.Show(topic, std::move(rows), tick)) ++texts_;
@@ -132,39 +132,39 @@ class Agent {
   bool IsGone() const { return motion().gone; }
 
   // Path.
-  /// The tube's radius is the agent's radius at this moment. Points that are not finite are skipped.
+  /// The radius of the path's tube is the present radius of the agent. Points that are not finite are skipped.
   void SetPath(std::span<const Vec3> points, bool cyclic);
-  /// HasPath becomes false, but the path forces keep steering along the old points (spec 17, quirk 5).
+  /// HasPath becomes false, but the path forces still steer along the old points (spec 17, quirk 5).
   void RemovePath() {
     has_path_ = false;
     PropertyChanged();
   }
   bool HasPath() const { return has_path_; }
-  /// Points for scripts: empty if HasPath is false.
+  /// Points for scripts; empty if HasPath is false.
   std::span<const Vec3> PathPoints() const;
-  /// These three: nothing without a path or with a path of no points.
+  /// The following three return nothing without a path, or if the path has no points.
   std::optional<Vec3> NearestPointOnPath(Vec3 point) const;
   std::optional<float> DistanceAlongPath(Vec3 point) const;
   std::optional<Vec3> PointOnPath(float distance_m) const;
 
-  // Steering (spec 7). Each returns a vector for the caller to scale; none is limited to MaxForce unless it says so.
-  // Look-ahead times are raised to at least 0.1 s.
+  // Steering (spec 7). Each function returns a vector that the caller scales. Only functions that say so limit it to
+  // MaxForce. Look-ahead times are raised to at least 0.1 s.
   static constexpr float kDefaultLookAhead_s = 0.1f;
   Vec3 ForceToPosition(Vec3 target) const;
   Vec3 ForceToFleePosition(Vec3 danger) const;
-  /// Seeks (flees) where the quarry will be after the time needed to reach it, at most max_prediction_s ahead.
+  /// Seeks (flees) the quarry's position after the time needed to reach it, at most max_prediction_s ahead.
   Vec3 ForceToPursue(EntityId quarry, float max_prediction_s) const;
   Vec3 ForceToEvade(EntityId menace, float max_prediction_s) const;
-  /// Along forward, limited to MaxForce.
+  /// Along forward; limited to MaxForce.
   Vec3 ForceToTargetSpeed(float speed_mps) const;
-  /// Draws two numbers from the agent's stream. The sandbox hands over milliseconds, which saturates (quirk 4).
+  /// Draws two numbers from the agent's stream. The sandbox passes milliseconds as `delta`, which saturates (quirk 4).
   Vec3 ForceToWander(float delta);
   Vec3 ForceToFollowPath(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToStayOnPath(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToAvoidAgents(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToAvoidObjects(float look_ahead_s = kDefaultLookAhead_s) const;
-  /// Group forces: unit vectors, or zero without neighbours. The agent itself and unknown ids are skipped. Handing over
-  /// World::AgentIds() itself (not a copy) lets short distances use the spatial index; the result is the same.
+  /// Group forces: unit vectors, or zero without neighbours. The agent itself and unknown ids are skipped. If `agents`
+  /// is World::AgentIds() itself (not a copy), short distances use the spatial index; the result is the same.
   Vec3 ForceToSeparate(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
   Vec3 ForceToCombine(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
   Vec3 ForceToAlign(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
@@ -183,8 +183,8 @@ class Agent {
     ++texts_;
     return true;
   }
-  /// Of all that decides its future, except its motion, its random stream and what it wanders by. Kept until one of
-  /// them changes, which each setter reports.
+  /// Hash of all properties that determine its future, except its motion, random stream and wandering state. Cached
+  /// until a setter calls PropertyChanged.
   std::uint64_t HashOfProperties() {
     if (!properties_are_known_) properties_ = MakeHashOfProperties();
     properties_are_known_ = true;
@@ -212,11 +212,11 @@ class Agent {
   EntityId leader_ = kNoEntity;
   std::string last_command_;
   ShownState shown_;
-  std::uint32_t texts_ = 1;  ///< Changes with name, team, last command and what is shown.
+  std::uint32_t texts_ = 1;  ///< Changes with name, team, last command and shown state.
   bool failed_ = false;
   bool removal_requested_ = false;
   bool has_path_ = false;
-  bool is_node_placed_ = false;  ///< Where the body is now.
+  bool is_node_placed_ = false;  ///< The node is at the present position of the body.
   Path path_;
   WanderState wander_;
   std::uint64_t properties_ = 0;

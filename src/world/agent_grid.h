@@ -21,56 +21,57 @@ namespace soarbox::world {
 /// threads may ask at a time, after Update.
 class AgentGrid {
  public:
-  /// The number of agents or all their positions have changed.
+  /// Call it after the number of agents or all their positions have changed.
   void Invalidate() { valid_ = false; }
-  /// One agent has moved.
+  /// Call it after one agent has moved.
   void Moved(std::uint32_t index);
   /// Brings the grid up to date; call it before Query and Visit.
   void Update(std::span<const AgentMotion> agents);
-  /// Appends the indices of all agents within range_m of center to found, each once; order unspecified but
+  /// Appends the indices of all agents within range_m of center to `found`, each once. The order is unspecified but
   /// reproducible.
   void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
-  /// Calls visit(index) for all agents within range_m of center, those around it first. `visit` returns how far is
-  /// still of interest, so that it sees only a few of a crowd. Agents farther away than that may be left out from then
-  /// on.
+  /// Calls visit(index) for all agents within range_m of center, the nearest cells first. `visit` returns the range
+  /// that is still of interest; agents beyond it may be skipped from then on. In a crowd, it is therefore called for a
+  /// few agents only.
   template <class Visitor>
   void Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const;
 
  private:
   struct Entry {
-    float x_m, z_m;  ///< Not finite for a stray.
+    float x_m, z_m;  ///< NaN or infinite for a stray.
     std::uint32_t agent;
   };
   static constexpr float kCell_m = 4.0f;
-  // Positions are limited (PhysicsWorld::kMaxCoordinate_m); agents without a body are limited likewise.
+  // Positions of all agents are limited to PhysicsWorld::kMaxCoordinate_m.
   static std::int32_t CellOf(float coordinate) {
-    // Rounds down without a call: a call takes as long as looking at an agent.
+    // Rounds down without calling std::floor, which would cost as much as testing an agent.
     const float cell = coordinate / kCell_m;
     const auto towards_0 = static_cast<std::int32_t>(cell);
     return towards_0 - (static_cast<float>(towards_0) > cell ? 1 : 0);
   }
 
   void Rebuild(std::span<const AgentMotion> agents);
-  /// Chooses between rows and hashes; returns the number of buckets.
+  /// Chooses between rows and hashes. Returns the number of buckets.
   std::size_t LayOut(std::span<const AgentMotion> agents);
   std::uint32_t Bucket(std::int32_t x, std::int32_t z) const;
 
   bool valid_ = false;
   bool in_rows_ = false;
-  std::int32_t first_x_ = 0, first_z_ = 0;  ///< Of the rows.
+  std::int32_t first_x_ = 0, first_z_ = 0;  ///< First cell of the rows.
   std::int32_t width_ = 0, rows_ = 0;       ///< In cells.
   std::vector<Entry> entries_;              ///< Sorted by bucket.
-  std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; one more than there are buckets.
+  std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; has one more element than there are
+                                            ///< buckets.
   std::vector<std::uint32_t> strays_;
   std::vector<std::uint32_t> places_;  ///< Of each agent in entries_; kNoPlace for those that have gone.
 };
 
 template <class Visitor>
 void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const {
-  // Rounding errs on the side of looking at one agent too many.
+  // Slightly larger than exact, so that rounding never excludes an agent.
   const auto squared = [](float range) { return range * range * 1.0001f + 0.001f; };
   float range = range_m, range_squared = squared(range);
-  // A batch at a time, so that the memory of all of them is under way when the first is looked at.
+  // Processes batches, so that the memory of all agents of a batch is prefetched before the first is visited.
   std::array<std::uint32_t, 32> batch;
   const auto scan = [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
@@ -95,7 +96,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
     const std::int32_t x_last = CellOf(center.x + range), z_last = CellOf(center.z + range);
     for (std::int32_t z = CellOf(center.z - range); z <= z_last; ++z) {
       for (std::int32_t x = CellOf(center.x - range); x <= x_last; ++x) {
-        // Cells may share a bucket: the positions of their agents tell them apart.
+        // Several cells may share a bucket; the positions of the agents distinguish them.
         const std::uint32_t bucket = Bucket(x, z);
         for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
           if (CellOf(entries_[i].x_m) == x && CellOf(entries_[i].z_m) == z) scan(i, i + 1);
@@ -112,7 +113,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
     const std::uint32_t* const starts = &starts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_)];
     if (from <= to) scan(starts[from], starts[to + 1]);
   };
-  // First the cell of the place and those around it; then the rows, from there outwards, without these.
+  // First the cell of the position and its neighbours, then the remaining cells of the rows from there outwards.
   const std::int32_t own_x = CellOf(center.x), own_z = CellOf(center.z);
   for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) scan_row(z, own_x - 1, own_x + 1);
   const auto first_x = [&] { return CellOf(center.x - range); };
@@ -121,7 +122,7 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
     scan_row(z, first_x(), own_x - 2);
     scan_row(z, own_x + 2, last_x());
   }
-  // How far it is to the next rows on both sides.
+  // Distances to the next rows on both sides.
   float below_m = center.z - static_cast<float>(own_z - 1) * kCell_m;
   float above_m = static_cast<float>(own_z + 2) * kCell_m - center.z;
   for (std::int32_t step = 2; below_m <= range || above_m <= range; ++step) {

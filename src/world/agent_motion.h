@@ -5,10 +5,10 @@
 
 namespace soarbox::world {
 
-/// How an agent stands and moves, as steering sees it. Invariants: forward, left and up are the rotated z, x and y
+/// Position and motion of an agent, as steering uses them. Invariants: forward, left and up are the rotated z, x and y
 /// axes; speed is the horizontal length of velocity, or the stored speed of an agent without a body.
 ///
-/// What others look at in each step comes first, within one line of the processor's cache.
+/// The members that other agents read in each step come first and fit in one cache line.
 struct alignas(64) AgentMotion {
   Vec3 position;
   Vec3 velocity;  ///< m/s

@@ -12,7 +12,7 @@
 #include "world/steer_seek.h"
 #include "world/steer_speed.h"
 
-// Hands the steering forces what they need to know about this agent and the others.
+// Collects the inputs of the steering forces: this agent and the others.
 namespace soarbox::world {
 namespace {
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
-/// Different numbers: those that are dense enough are marked in a row of bits, which takes a third of the time.
+/// Sorts distinct numbers. If they are dense enough, marks them in a bit set, which takes a third of the time.
 void Sort(std::vector<std::uint32_t>& numbers) {
   constexpr std::size_t kFew = 12, kBits = 64, kMostWords = 64;
   if (numbers.size() < kFew) return std::sort(numbers.begin(), numbers.end());

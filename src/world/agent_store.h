@@ -25,7 +25,7 @@ class AgentStore {
   AgentStore(const WorldSettings& settings, PhysicsWorld& physics, Scene& scene)
       : seed_(settings.seed), physics_(physics), scene_(scene) {}
 
-  /// The store that an agent belongs to.
+  /// The store that contains an agent.
   static AgentStore& Of(const Agent& agent) { return agent.store_; }
 
   Agent& Create(EntityId id, NodeId node, const AgentDef& def);
@@ -37,10 +37,10 @@ class AgentStore {
   Agent& agent(std::size_t index) const { return *agents_[index]; }
   std::size_t size() const { return agents_.size(); }
 
-  /// After a physics step: motions take over what happened to the bodies.
+  /// Updates the motions from the bodies after a physics step.
   void ReadBodies();
 
-  /// PhysicsWorld::IsClearToEither.
+  /// See PhysicsWorld::IsClearToEither.
   bool IsClearToEither(Vec3 from, Vec3 to, Vec3 other, const Agent& viewer, const Agent& target,
                        const BodiesAround* around) const {
     return physics_.IsClearToEither(from, to, other, viewer.body_, target.body_, around);
@@ -57,19 +57,20 @@ class AgentStore {
   float max_speed() const { return max_speed_; }
   float max_radius() const { return max_radius_; }
 
-  /// AgentGrid::Visit.
+  /// See AgentGrid::Visit.
   template <class Visitor>
   void VisitNear(Vec3 center, float range_m, Visitor visit) {
     grid_.Update(motions_);
     grid_.Visit(motions_, center, range_m, visit);
   }
-  /// Indices of a superset of the agents within range_m in ascending order; valid until the next call of it or Indices.
+  /// Indices of a superset of the agents within range_m, in ascending order. Valid until the next call of this function
+  /// or of Indices.
   std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
-  /// Until an agent moves or comes, several threads may call CopyNear at a time.
+  /// Afterwards several threads may call CopyNear, until an agent moves or is created.
   void PrepareCopyNear() { grid_.Update(motions_); }
-  /// Replaces `found` by what NearInOrder finds.
+  /// Replaces `found` by the result of NearInOrder.
   void CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
-  /// Indices of agents by id, in order; ids of others are left out.
+  /// Indices of the agents with these ids, in the same order; skips ids of other things.
   std::span<const std::uint32_t> Indices(std::span<const EntityId> ids);
 
  private:
@@ -79,7 +80,7 @@ class AgentStore {
   std::vector<std::unique_ptr<Agent>> agents_;
   std::vector<EntityId> ids_;
   std::vector<AgentMotion> motions_;
-  std::vector<std::uint32_t> index_by_id_;  ///< kNoIndex for ids that are not agents'.
+  std::vector<std::uint32_t> index_by_id_;  ///< kNoIndex for ids of other things.
   AgentGrid grid_;
   std::vector<std::uint32_t> scratch_;
   float max_speed_ = 0;

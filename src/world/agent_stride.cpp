@@ -8,9 +8,9 @@
 namespace soarbox::world {
 namespace {
 
-constexpr double kWeakest = 0.1;  // The square of the length below which a steering direction says nothing.
+constexpr double kWeakest = 0.1;  // Square of the length below which a steering direction is ignored.
 constexpr double kBlend = 0.4;    // The share of a new acceleration in the smoothed one.
-constexpr double kTurn = 0.2;     // The share of the way to a new heading that one step turns.
+constexpr double kTurn = 0.2;     // Fraction of the rotation to a new heading that is made in one step.
 
 float Blend(float value, float change) {
   return static_cast<float>(static_cast<double>(value) + static_cast<double>(change) * kBlend);

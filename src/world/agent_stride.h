@@ -3,27 +3,28 @@
 
 #include "world/agent.h"
 
-// From steering to motion: what nearly every script does with an agent in every step. The arithmetic is that of the
-// scripts which did this in Lua: numbers are double, vectors single precision.
+// Conversion of steering forces to motion, which nearly every script does in every step. The arithmetic is that of the
+// scripts that did this in Lua: scalars are double, vectors are single precision.
 namespace soarbox::world {
 
-/// Pushes with all of the agent's strength along the ground towards `force`, for the next step of that length, and
-/// turns the agent towards where it will move. Does nothing to agents without mass. False if the force is not finite.
+/// Applies a force of MaxForce along the ground in the direction of `force`, for the next step of `step_s` seconds, and
+/// turns the agent towards its motion. Does nothing if the agent has no mass. Returns false if the force is not finite.
 bool PushAlongGround(Agent& agent, Vec3 force, double step_s);
 
-/// Changes the velocity instead, smoothly: `acceleration` remembers from step to step. Does nothing to agents without
-/// mass, or for forces that are next to nothing. False if the force is not finite.
+/// Changes the velocity smoothly instead of applying a force. `acceleration` is kept between steps by the caller. Does
+/// nothing if the agent has no mass or the force is almost zero. Returns false if the force is not finite.
 bool PushSmoothly(Agent& agent, Vec3 force, Vec3& acceleration, double step_s);
 
-/// Lowers the horizontal speed to the agent's top speed; leaves jumps and falls alone.
+/// Limits the horizontal speed to MaxSpeed. Does not change the vertical speed, so that jumps and falls are not
+/// affected.
 void ClampHorizontalSpeed(Agent& agent);
 
-/// How an agent that walks gives way to others and to things.
+/// How a walking agent avoids others and things.
 struct GivingWay {
   float look_ahead_s = 1.5f;
-  float weight = 3;  ///< Beside the wish to get to the goal.
+  float weight = 3;  ///< Relative to the force towards the goal.
 };
-/// The force that takes the agent to a place, around agents and movable objects that are in the way.
+/// The force that moves the agent to a position, around agents and movable objects in the way.
 Vec3 ForceToWalk(const Agent& agent, Vec3 goal, const GivingWay& giving_way);
 
 }  // namespace soarbox::world

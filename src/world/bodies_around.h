@@ -11,16 +11,16 @@ namespace soarbox::world {
 
 class PhysicsWorld;
 
-/// What somebody may look at from a place: whatever is above or below.
+/// The area that an observer looks at from a position. Its height is not limited.
 struct View {
   Vec3 place;
   float range_m = 0;      ///< On the ground.
-  Vec3 forward;           ///< Zero: it looks to all sides.
-  float angle_deg = 360;  ///< From side to side, about forward.
+  Vec3 forward;           ///< Zero: all directions.
+  float angle_deg = 360;  ///< Field of view from side to side, centred on forward.
 };
 
-/// The bodies that may hide something in a view, for many lines of sight there. Valid until something moves, comes or
-/// goes.
+/// The bodies that may block the view, for many lines of sight from the same position. Valid until a body moves, is
+/// added or is removed.
 class BodiesAround {
  public:
   BodiesAround(const PhysicsWorld& physics, const View& view);
@@ -28,7 +28,7 @@ class BodiesAround {
   BodiesAround& operator=(BodiesAround&&) noexcept;
   ~BodiesAround();
 
-  /// World::RayCast from the view's place to one within the view.
+  /// Like World::RayCast, from the view's position to a point in the view.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
 
  private:

@@ -12,15 +12,15 @@ namespace soarbox::world {
 /// What a mesh with a skeleton looks like.
 enum class BodyLook : std::uint8_t { kSoldier, kDarkSoldier, kRifle };
 
-/// A mesh with a skeleton: one table for the world, which moves it, and for whoever draws it.
+/// A mesh with a skeleton. The world uses this table to animate it, and viewers to draw it.
 struct BodyMesh {
   std::string_view name;
   BodyLook look;
   const Rig& (*rig)();
-  MeshBounds bounds;  ///< Around the usual poses.
+  MeshBounds bounds;  ///< Contains the usual poses.
 };
 
-/// The sandbox's names and ours.
+/// Includes the names that the sandbox uses and our own names.
 inline constexpr std::array<BodyMesh, 6> kBodyMeshes{{
     {"models/futuristic_soldier/futuristic_soldier_anim.mesh",
      BodyLook::kSoldier,

@@ -6,15 +6,16 @@
 
 namespace soarbox::world {
 
-/// A size or a mass that a body can have, and what to say to whoever asked for another.
+/// A valid size or mass of a body, and a message if another value was requested.
 struct BodyValue {
-  float value = 0;      ///< What the body gets.
-  std::string problem;  ///< "a width of -3 m is none that a body can have: 0.001 m is taken"; empty if all is well.
+  float value = 0;      ///< The value to use.
+  std::string problem;  ///< "a width of -3 m is none that a body can have: 0.001 m is taken"; empty if the value was
+                        ///< valid.
 };
 
-/// From a millimetre to 100 km. Less, and what is not a number, becomes the least. `what`: "width", "radius".
+/// Clamps a size to a millimetre to 100 km. NaN is replaced by the minimum. `what`: "width", "radius".
 BodyValue BodySize(std::string_view what, float metres);
-/// 0 (fixed) to a million tonnes. Less, and what is not a number, becomes 0.
+/// Clamps a mass to 0 (fixed) to a million tonnes. NaN is replaced by 0.
 BodyValue BodyMass(float kg);
 
 }  // namespace soarbox::world

@@ -5,7 +5,7 @@
 
 namespace soarbox::world {
 
-/// The one camera: scripts give it orders, the viewer's free look moves it, both see the same pose. Looks along its -z.
+/// The camera of a world. Scripts set its pose, and the user moves it in the viewer. It looks along its -z axis.
 class Camera {
  public:
   Vec3 Position() const { return state_.position; }
@@ -17,22 +17,23 @@ class Camera {
   /// Degrees; the sandbox's rotation vector.
   Vec3 RotationVector() const;
 
-  // Orders of scripts. Values that are not finite are refused.
+  // Setters for scripts. They refuse values that are not finite.
   bool SetPosition(Vec3 position);
   bool SetOrientation(Quat orientation);
   bool SetRotationVector(Vec3 degrees);
-  /// Sandbox.SetCameraForward: takes camera-space +z to direction, so that the camera looks along -direction (quirk 3).
+  /// Sandbox.SetCameraForward: rotates the camera's +z axis to `direction`, so that it looks along -direction (quirk
+  /// 3).
   bool SetBackward(Vec3 direction);
 
-  /// Whether the viewer should stay with it rather than follow agents.
+  /// Whether the viewer should keep this pose instead of following agents.
   void SetFixed(bool fixed) { is_fixed_ = fixed; }
   bool is_fixed() const { return is_fixed_; }
 
-  /// The viewer reports where its free look has moved the camera; not an order.
+  /// Reports the pose to which the user has moved the camera. Does not count as a setter of scripts.
   void FollowViewer(Vec3 position, Quat orientation);
 
   const CameraSnapshot& state() const { return state_; }
-  /// Counts the orders of scripts.
+  /// Number of calls of setters by scripts.
   std::uint32_t moves() const { return moves_; }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace soarbox::world {
 
-/// Two bodies that overlapped after the last step; one per pair of bodies and step. World coordinates.
-/// For the callbacks of b, swap a and b and the points, and negate the normal (spec 4.3).
+/// Two bodies that overlapped after the last step. There is one entry per pair and step, in world coordinates. For the
+/// callbacks of b, swap a and b and the points, and negate the normal (spec 4.3).
 struct Collision {
   EntityId a = kNoEntity;
   EntityId b = kNoEntity;

@@ -19,7 +19,7 @@ struct UnitSphere {
   std::vector<std::pair<Vec3, Vec3>> edges;
 };
 
-// An icosahedron with each face split in four: 42 corners, 80 faces, 120 edges.
+// An icosahedron with each face split into four: 42 vertices, 80 faces, 120 edges.
 UnitSphere MakeUnitSphere() {
   const float g = std::numbers::phi_v<float>;
   const std::array<Vec3, 12> corners{{{-1, g, 0},
@@ -34,7 +34,7 @@ UnitSphere MakeUnitSphere() {
                                       {g, 0, 1},
                                       {-g, 0, -1},
                                       {-g, 0, 1}}};
-  // The edges of this icosahedron have length 2; three corners that are pairwise so far apart make a face.
+  // The edges of this icosahedron have length 2. Three vertices at this distance from each other form a face.
   const auto adjacent = [&corners](std::size_t a, std::size_t b) {
     return std::abs(Distance(corners[a], corners[b]) - 2.0f) < 0.01f;
   };
@@ -87,7 +87,7 @@ void DebugDraw::Triangle(Vec3 a, Vec3 b, Vec3 c, Vec3 color) {
 }
 
 void DebugDraw::Circle(Vec3 center, float radius_m, Vec3 color) {
-  // A circle whose farthest point is finite has nothing that is not; nor has a sum, if it is finite.
+  // The sum is finite if and only if all values are finite.
   const float sum = std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + radius_m + std::abs(color.x) +
                     std::abs(color.y) + std::abs(color.z);
   if (!(radius_m > 0) || !(sum <= std::numeric_limits<float>::max())) return;

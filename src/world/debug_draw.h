@@ -7,20 +7,20 @@
 
 namespace soarbox::world {
 
-/// Lines that last for one tick: BeginTick clears them (spec 13). Colours are 0..1 per channel. Shapes with values that
-/// are not finite are ignored.
+/// Lines and shapes that scripts draw for one tick; BeginTick removes them (spec 13). Colours are 0..1 per channel.
+/// Shapes with values that are not finite are ignored.
 class DebugDraw {
  public:
   void Line(Vec3 from, Vec3 to, Vec3 color);
-  /// Horizontal; ignored if radius_m <= 0.
+  /// Horizontal. Ignored if radius_m <= 0.
   void Circle(Vec3 center, float radius_m, Vec3 color);
-  /// Wire sphere; filled adds translucent triangles. Ignored if radius_m <= 0.
+  /// A wireframe sphere; `filled` adds translucent triangles. Ignored if radius_m <= 0.
   void Sphere(Vec3 center, float radius_m, Vec3 color, bool filled = false);
-  /// Horizontal; side is the full length.
+  /// Horizontal; side_m is the full length.
   void Square(Vec3 center, float side_m, Vec3 color, bool filled = false);
   void Clear();
 
-  /// Of lines and triangles.
+  /// Number of lines and triangles.
   std::size_t size() const { return lines_.size() + kLinesOfCircle * circles_.size() + triangles_.size(); }
   const std::vector<LineSnapshot>& lines() const { return lines_; }
   const std::vector<CircleSnapshot>& circles() const { return circles_; }

@@ -5,18 +5,18 @@
 
 namespace soarbox::world {
 
-/// The sandbox itself (0), an agent or an object. Agents and objects draw from one counter that starts at 1 and never
-/// gives a number twice; scripts see the number.
+/// The sandbox (0), an agent or an object. Agents and objects share one counter, which starts at 1. Numbers are never
+/// reused; scripts see the number.
 enum class EntityId : std::uint32_t { kSandbox = 0 };
 inline constexpr EntityId kNoEntity{0xffffffffu};
 
-/// A node of the scene tree. Numbers are never given twice; scripts see handles only.
+/// A node of the scene tree. Numbers are never reused; scripts see only handles.
 enum class NodeId : std::uint32_t { kNone = 0, kRoot = 1 };
 
-/// A user-interface component. Numbers are never given twice.
+/// A user-interface component. Numbers are never reused.
 enum class UiId : std::uint32_t { kNone = 0 };
 
-/// One movement of one body. Numbers are never given twice.
+/// One animation of one body. Numbers are never reused.
 enum class AnimationId : std::uint32_t { kNone = 0 };
 
 inline constexpr std::uint32_t Number(EntityId id) {

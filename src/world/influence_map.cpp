@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kMaxPasses = 20;
 constexpr float kNegligible = 0.01f;
-/// Of a triangle against a cell.
+/// Maximum number of tests of a triangle against a cell.
 constexpr double kMaxTests = 20e6;
-constexpr Color kOutline{0, 0, 0, 0.08f};  // Neighbours draw it twice.
+constexpr Color kOutline{0, 0, 0, 0.08f};  // Drawn twice, by both neighbours.
 constexpr float kLift_m = 0.03f;
 constexpr float kBelow_cells = 0.001f;
 
@@ -26,7 +26,7 @@ Diagnostic Fault(std::string message, std::string hint) {
   return NewProblem(std::move(message), std::move(hint));
 }
 
-/// Whole cells, and for the rest of the way as many more as it has metres, rounded up: the first sandbox's count.
+/// The number of complete cells, plus the rest in metres, rounded up. The first sandbox counted in this way.
 double CellCount(float extent, float size) {
   const double whole = std::floor(double{extent} / size);
   return std::max(1.0, whole + std::ceil(extent - whole * size));
@@ -50,7 +50,7 @@ Result<InfluenceMap> InfluenceMap::Create(const NavigationMesh& mesh, const Infl
   InfluenceMap map;
   map.width_m_ = config.cell_width_m;
   map.height_m_ = config.cell_height_m;
-  // A little lower, so that floors do not lie on the border between two cells and use both.
+  // Slightly lower, so that floors are not on the border between two cells and use both.
   map.min_ = mesh.min() + config.min_offset - Vec3{0, kBelow_cells * map.height_m_, 0};
   const Vec3 extent = mesh.max() + config.max_offset + Vec3{map.width_m_, map.height_m_, map.width_m_} - map.min_;
   const double counts[3] = {CellCount(extent.x, map.width_m_), CellCount(extent.y, map.height_m_),

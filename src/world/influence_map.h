@@ -21,51 +21,52 @@ struct InfluenceConfig {
   Vec3 max_offset;          ///< Added to its upper corner.
 };
 
-/// Values from -1 to 1 in the cells of a grid over a navigation mesh, in ten independent layers: where danger is, who
-/// holds what. Cells that no part of the mesh touches hold nothing.
+/// Values from -1 to 1 in the cells of a grid over a navigation mesh, in ten independent layers, for example of danger
+/// or control. Cells that do not touch the mesh are unused.
 ///
-/// It is made once from a mesh; later changes of the mesh do not reach it. It ignores layers and cells out of range,
-/// and values that are not numbers. Structure of arrays: only cells in use have a number, and each layer is one array
-/// by it.
+/// It is created once from a mesh; later changes of the mesh have no effect. Calls with invalid layers or positions,
+/// and values that are NaN, are ignored. Structure of arrays: only used cells have a number, and each layer is one
+/// array indexed by it.
 class InfluenceMap {
  public:
   static constexpr int kLayers = 10;
-  static constexpr double kMaxCells = 1e6;  ///< Of the whole grid.
+  static constexpr double kMaxCells = 1e6;  ///< Maximum number of cells of the entire grid.
   static constexpr int kMaxUsedCells = 100'000;
 
   static Result<InfluenceMap> Create(const NavigationMesh& mesh, const InfluenceConfig& config);
 
-  /// Overwrites the cell at the position; clamped to -1..1. False if no cell in use is there.
+  /// Sets the value of the cell at the position, clamped to -1..1. Returns false if no used cell is there.
   bool Set(int layer, Vec3 position, float value);
-  /// 0 where no cell in use is.
+  /// The value of the cell at the position; 0 if no used cell is there.
   float Get(int layer, Vec3 position) const;
   void Clear(int layer);
-  /// How much of an influence is lost per cell, 0..1; 0 at first.
+  /// Sets how much of an influence is lost per cell, 0..1; initially 0.
   void SetFalloff(int layer, float falloff);
-  /// How much of its value a cell keeps in each pass, 0..1; 0 at first.
+  /// Sets how much of its value a cell keeps in each pass, 0..1; initially 0.
   void SetInertia(int layer, float inertia);
-  /// Lets the influences of a layer flow over the cells: at most 20 passes, fewer where the falloff makes more useless.
+  /// Spreads the influences of a layer to neighbouring cells, in at most 20 passes; fewer if the falloff makes more
+  /// useless.
   void Spread(int layer);
 
-  /// Colours the cells by the values of a layer, as they are now, until it is called again.
+  /// Sets the colours of the cells from the present values of a layer. They stay until the next call.
   void Draw(int layer, Color positive, Color neutral, Color negative);
   void SetVisible(bool visible) { visible_ = visible; }
   void FillSnapshot(SceneSnapshot& snapshot) const;
-  /// Colours the cells of the first layer that holds anything: blue above 0, orange below.
+  /// Draws the cells of the first layer that is not empty: blue above 0, orange below.
   void FillOverlay(OverlaySnapshot& overlays) const;
 
   int used_cells() const { return static_cast<int>(corners_.size()); }
   std::array<int, 3> grid_size() const { return size_; }
-  /// Of all values and settings.
+  /// Hash of all values and settings.
   std::uint64_t Hash() const;
 
  private:
   struct Layer {
-    std::vector<float> values;  ///< By used cell; empty as long as all are 0.
+    std::vector<float> values;  ///< By used cell; empty while all values are 0.
     float falloff = 0;
     float inertia = 0;
   };
-  /// A neighbour of a cell in use; kind 0 shares a side, 1 an edge, 2 a corner.
+  /// A neighbour of a used cell; kind 0 shares a side, 1 an edge, 2 a corner.
   struct Neighbor {
     std::int32_t cell;
     std::int32_t kind;
@@ -73,7 +74,7 @@ class InfluenceMap {
 
   InfluenceMap() = default;
   std::int32_t CellAt(Vec3 position) const;
-  /// Returns how many cells it looked at.
+  /// Returns the number of cells that were tested.
   double MarkTriangle(const std::array<Vec3, 3>& triangle, std::vector<bool>& used) const;
   void FindNeighbors();
   std::size_t Index(int x, int y, int z) const;
@@ -82,12 +83,12 @@ class InfluenceMap {
   Vec3 min_;
   float width_m_ = 1, height_m_ = 1;
   std::array<int, 3> size_{};
-  std::vector<std::int32_t> cells_;           ///< Of the whole grid: the number among the cells in use, or -1.
+  std::vector<std::int32_t> cells_;           ///< For each cell of the grid: its number among the used cells, or -1.
   std::vector<Vec3> corners_;                 ///< By used cell: its lower corner.
-  std::vector<std::int32_t> first_neighbor_;  ///< By used cell, and one more: where its neighbours start.
+  std::vector<std::int32_t> first_neighbor_;  ///< By used cell: index of its first neighbour. Has one more element.
   std::vector<Neighbor> neighbors_;
   std::array<Layer, kLayers> layers_;
-  std::vector<float> next_;    ///< Of a pass.
+  std::vector<float> next_;    ///< Values of the next pass.
   std::vector<Color> colors_;  ///< By used cell; empty until Draw.
   bool visible_ = true;
 };

@@ -11,7 +11,7 @@
 namespace soarbox::world {
 namespace {
 
-/// Over a floor of 20 by 20 m: cells of 2 by 2 m, 1 m high.
+/// A map over a floor of 20 by 20 m: cells of 2 by 2 m, 1 m high.
 class InfluenceMapTest : public testing::Test {
  protected:
   InfluenceMapTest() {

@@ -6,7 +6,8 @@
 #include "world/math.h"
 #include "world/physics_world.h"
 
-// For the world's own .cpp files: keeps what scripts hand in within what physics can bear. Values are finite.
+// For the world's own .cpp files: clamps values from scripts to what the physics can compute with. Values must be
+// finite.
 namespace soarbox::world {
 
 inline Vec3 Limit(Vec3 v, float limit) {

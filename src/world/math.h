@@ -36,7 +36,7 @@ inline float Length(Vec3 a) {
 inline float Distance(Vec3 a, Vec3 b) {
   return Length(b - a);
 }
-/// The unit vector along a; the zero vector stays zero.
+/// The unit vector along a; the zero vector is returned unchanged.
 inline Vec3 Normalized(Vec3 a) {
   const float length = Length(a);
   return length > 0 ? a / length : Vec3{};
@@ -48,7 +48,7 @@ struct Quat {
   friend bool operator==(Quat a, Quat b) = default;
 };
 
-/// Hamilton's product: the rotation b, then the rotation a.
+/// Hamilton product: first the rotation b, then the rotation a.
 inline Quat operator*(Quat a, Quat b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};

@@ -10,7 +10,7 @@
 namespace soarbox::world {
 namespace {
 
-// What the sandbox's scripts may name without loading anything of their own (spec 11).
+// The names that the sandbox's scripts can use without loading resources (spec 11).
 constexpr const char* kMaterials[] = {
     "White", "Red", "Green", "Blue", "RedGlow", "GreenGlow", "BlueGlow", "TransparentRed", "TransparentGreen",
     "TransparentBlue", "TransparentYellow", "TransparentWhite", "Ground", "Ground2", "NobiaxModular", "base_material",
@@ -30,7 +30,7 @@ constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
 std::string Hint(std::string_view name, const std::vector<std::string_view>& known, std::string_view otherwise) {
   const std::string_view meant = Suggest(name, known);
   if (meant.empty()) {
-    constexpr std::size_t kMostNamed = 100;  // There are hundreds of meshes; a list of those helps nobody.
+    constexpr std::size_t kMostNamed = 100;  // A list of hundreds of meshes would not help.
     if (known.size() > kMostNamed) return std::string(otherwise) + "; docs/lua/names.md lists them";
     std::string all;
     for (const std::string_view one : known) all += (all.empty() ? "" : ", ") + std::string(one);

@@ -12,17 +12,17 @@
 
 namespace soarbox::world {
 
-/// The box around a mesh, in m, in the mesh's own space; its origin is the centre of mass of objects made of it.
+/// The bounding box of a mesh in m, in its own coordinates. The origin is the centre of mass of objects made from it.
 struct MeshBounds {
   Vec3 min{-0.5f, -0.5f, -0.5f};
   Vec3 max{0.5f, 0.5f, 0.5f};
 };
 
-/// The names that scripts may use for meshes, materials, skies and particle templates, and the size of each mesh.
+/// The names of meshes, materials, skies and particle templates that scripts may use, and the size of each mesh.
 ///
-/// A new catalog knows what the sandbox's scripts name; an application adds what it ships beyond that. A look-up of an
-/// unknown name queues one warning per name, with a suggestion, and answers with a stand-in: a box of 1 m for meshes,
-/// "White" for materials, nothing for skies and particle templates.
+/// A new catalog contains the names of the sandbox's scripts; an application adds its own. Looking up an unknown name
+/// queues one warning per name, with a suggestion, and returns a replacement: a box of 1 m for meshes, "White" for
+/// materials, nothing for skies and particle templates.
 class MediaCatalog {
  public:
   MediaCatalog();
@@ -39,10 +39,10 @@ class MediaCatalog {
   std::string LookUpMaterial(std::string_view name);
   std::string LookUpSky(std::string_view name);
   std::string LookUpParticle(std::string_view name);
-  /// Core.CacheResource: warns if no resource of any kind has this name; true if one has.
+  /// Core.CacheResource: returns whether a resource of any kind has this name, and warns if none has.
   bool CheckResource(std::string_view name);
 
-  /// Queues a warning unless one with the same message was queued before.
+  /// Queues a warning. Each message is queued only once.
   void Warn(std::string message, std::string hint);
   /// The warnings since the last call, oldest first.
   std::vector<Diagnostic> TakeWarnings();

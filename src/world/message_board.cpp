@@ -17,7 +17,7 @@ void MessageBoard::Forget(std::uint64_t tick, std::uint64_t age_ticks) {
 }
 
 std::size_t MessageBoard::FirstAfter(std::uint32_t number) const {
-  // Numbers have no gaps: the last of them is that of the last message.
+  // Numbers are consecutive: the last one is that of the last message.
   return messages_.size() - std::min<std::size_t>(messages_.size(), posted_ - number);
 }
 

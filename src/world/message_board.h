@@ -12,7 +12,7 @@
 
 namespace soarbox::world {
 
-/// One thing that an agent said to others.
+/// A message from one agent to others.
 struct Message {
   using Value = std::variant<std::int64_t, double, std::string>;
   struct Field {
@@ -23,23 +23,23 @@ struct Message {
   std::uint32_t number = 0;  ///< From 1, in the order of posting.
   std::uint64_t tick = 0;
   EntityId from = kNoEntity;
-  EntityId to = kNoEntity;  ///< kNoEntity: all of `team` but the sender.
+  EntityId to = kNoEntity;  ///< kNoEntity: all members of `team` except the sender.
   std::string team;
   std::string about;
   std::vector<Field> fields;
 };
 
-/// What agents say to each other. Messages are kept for a while and then forgotten.
+/// The messages between agents. Messages are deleted after some time.
 class MessageBoard {
  public:
-  /// Gives the message its number and tick.
+  /// Adds a message and sets its number and tick.
   void Post(Message message, std::uint64_t tick);
-  /// Forgets messages that are older than this many ticks.
+  /// Deletes messages that are older than age_ticks.
   void Forget(std::uint64_t tick, std::uint64_t age_ticks);
   const std::deque<Message>& messages() const { return messages_; }
-  /// The number of the last message that was posted; 0 if there was none.
+  /// The number of the last posted message; 0 if there was none.
   std::uint32_t posted() const { return posted_; }
-  /// The place in messages() of the first one after that number.
+  /// Index in messages() of the first message after that number.
   std::size_t FirstAfter(std::uint32_t number) const;
   static bool IsFor(const Message& message, EntityId agent, std::string_view team);
 

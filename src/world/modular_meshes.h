@@ -8,15 +8,15 @@
 
 namespace soarbox::world {
 
-/// The size of a building piece, in m around its own origin; the piece's body is this box.
+/// The size of a building piece, in m around its origin. The piece's body is this box.
 struct ModularMesh {
   std::string_view name;
   Vec3 min, max;
 };
 
 /// The 34 building pieces of the sandbox, "models/nobiax_modular/<name>.mesh".
-/// Origins near an edge: the cooling unit reaches a little behind its own and stands, the hangar door ends just behind
-/// its own and topples.
+/// Two pieces have their origin near an edge: the cooling unit extends a little behind it and stays upright; the hangar
+/// door ends in front of it and falls over.
 inline constexpr std::array<ModularMesh, 34> kModularMeshes{{
     {"modular_block", {-0.41f, -0.32f, -0.40f}, {0.39f, 0.32f, 0.40f}},
     {"modular_brick_door", {-1.28f, -0.77f, -0.16f}, {1.28f, 1.79f, 0.16f}},
@@ -54,19 +54,18 @@ inline constexpr std::array<ModularMesh, 34> kModularMeshes{{
     {"modular_wall_concrete_5", {-0.63f, -0.31f, -0.16f}, {0.65f, 0.33f, 0.16f}},
 }};
 
-/// The opening of a wall with a door, as shares of its width and height; it begins at the foot.
+/// The opening of a wall with a door, as fractions of its width and height. It begins at the bottom.
 struct Doorway {
   float left = 0.3f, right = 0.7f, top = 0.8f;
 };
 
-/// Whether a mesh is a wall that you can walk through: those named ..._door, except for the hangar's, which is only a
-/// door.
+/// Whether a mesh is a wall with an open doorway: those named ..._door, except the hangar door, which is only a door.
 constexpr bool HasDoorway(std::string_view mesh) {
   const auto is = [mesh](std::string_view name) { return mesh.find(name) != std::string_view::npos; };
   return is("modular_brick_door") || is("modular_concrete_door");
 }
 
-/// The three boxes that are left of a wall with a doorway: two posts and the lintel between them.
+/// The three boxes of a wall around its doorway: two posts and the lintel between them.
 constexpr std::array<ModularMesh, 3> AroundDoorway(Vec3 min, Vec3 max) {
   const Doorway hole;
   const float left = min.x + hole.left * (max.x - min.x), right = min.x + hole.right * (max.x - min.x);

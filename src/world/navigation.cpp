@@ -19,7 +19,7 @@ namespace {
 
 constexpr Color kFill{0, 1, 1, 32.0f / 255};
 constexpr Color kEdge{0, 0.5f, 0.5f, 1};
-/// Above the mesh, so that floors do not shine through.
+/// Drawn above the mesh, so that floors do not cover it.
 constexpr Vec3 kLift_m{0, 0.02f, 0};
 
 std::string Quoted(std::string_view name) {
@@ -71,7 +71,7 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
     return NewProblem("there are " + std::to_string(kMaxMeshes) + " navigation meshes already",
                       "use a name again: the new mesh takes the place of the old one");
   }
-  // One build at a time: many would only slow each other down.
+  // Only one build runs at a time, because several would slow each other down.
   for (auto& [other, entry] : entries_) Finish(entry);
   Vec3 min, max;
   geometry.Bounds(min, max);

@@ -17,9 +17,8 @@ namespace soarbox::world {
 
 struct OverlaySnapshot;
 
-/// The navigation meshes of one world, by name. A mesh is built on a thread of its own as soon as it is asked for.
-/// Whoever asks it something waits until it is ready, so a run does not depend on how long that takes. Owned by the
-/// World; for the world's thread only.
+/// The navigation meshes of one world, by name. Create starts to build a mesh on another thread. Find waits until it is
+/// ready, so a run does not depend on how long that takes. Owned by the World; used only on its thread.
 class Navigation {
  public:
   static constexpr std::size_t kMaxMeshes = 32;
@@ -27,20 +26,20 @@ class Navigation {
   Navigation();
   ~Navigation();
 
-  /// Replaces a mesh of the same name. Fails at once if the configuration or the geometry is unusable; that nothing is
-  /// walkable turns out at the first use. The value says whether parts of the geometry lie too far from the origin and
-  /// are left out.
+  /// Starts to build a mesh; replaces a mesh of the same name. Fails at once if the configuration or the geometry is
+  /// invalid. If nothing is walkable, the first Find fails. Returns whether parts of the geometry are ignored because
+  /// they are too far from the origin.
   Result<bool> Create(std::string_view name, NavigationGeometry geometry, const NavigationConfig& config);
-  /// Waits for the mesh if it is being built. An error names what is wrong: no such mesh, or why it could not be built.
+  /// Waits for the mesh if it is being built. Fails if there is no such mesh, or if it could not be built.
   Result<const NavigationMesh*> Find(std::string_view name);
   std::vector<std::string_view> Names() const;
 
-  /// Shows the mesh in snapshots, or stops showing it. An error if none has this name or it could not be built.
+  /// Shows or hides the mesh in snapshots. Fails if there is no such mesh, or if it could not be built.
   Result<void> Show(std::string_view name, bool show);
   void FillSnapshot(SceneSnapshot& snapshot) const;
-  /// Draws all meshes that are ready, shown or not.
+  /// Draws all meshes that are ready, shown or hidden.
   void FillOverlay(OverlaySnapshot& overlays) const;
-  /// What all meshes were made from. Waits for nothing.
+  /// Hash of the sources of all meshes. Does not wait.
   std::uint64_t Hash() const;
 
  private:

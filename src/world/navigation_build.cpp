@@ -46,7 +46,7 @@ Diagnostic TooLarge(const char* stage) {
                "make a mesh of fewer objects or with a greater CellSize");
 }
 
-/// 0.4 m are 4 cells of 0.1 m, though the quotient of the two floats is a little more.
+/// Rounds up. 0.4 m must be 4 cells of 0.1 m, although the quotient of the two floats is slightly greater.
 int CellsUp(float metres, float cell) {
   return static_cast<int>(std::ceil(metres / cell - 1e-3f));
 }
@@ -54,8 +54,8 @@ int CellsDown(float metres, float cell) {
   return static_cast<int>(std::floor(metres / cell + 1e-3f));
 }
 
-/// The cells lie on one grid over the whole of the space that a mesh can cover; only the part around the geometry is
-/// built. Cells around it keep the ledge filter from meeting the border.
+/// The cells are on a fixed grid over the entire space that a mesh can cover; only the part around the geometry is
+/// built. Additional cells around it keep the ledge filter away from the border.
 rcConfig Grid(const NavigationGeometry& geometry, const NavigationConfig& config) {
   constexpr int kMargin = 2;
   const float cell = config.cell_size_m, origin = -NavigationMesh::kHalfExtent_m;

@@ -13,15 +13,15 @@
 // For the navigation_*.cpp files only.
 namespace soarbox::world {
 
-/// What Recast makes of the geometry, ready for Detour.
+/// The output of Recast, ready for Detour.
 struct BuiltNavigation {
-  /// A tile of Detour's; memory of dtAlloc. Whoever has it owns it.
+  /// A tile of Detour, allocated with dtAlloc. The caller owns it.
   unsigned char* tile = nullptr;
   int tile_size = 0;
   std::vector<std::array<Vec3, 3>> triangles;
 };
 
-/// Names what a mesh is made from: the same hash, the same mesh.
+/// Identifies the source of a mesh. The same hash means the same mesh.
 std::uint64_t SourceHash(const NavigationGeometry& geometry, const NavigationConfig& config);
 Result<BuiltNavigation> BuildNavigation(const NavigationGeometry& geometry, const NavigationConfig& config);
 

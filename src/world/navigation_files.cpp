@@ -26,22 +26,22 @@ namespace {
 namespace fs = std::filesystem;
 using Triangle = std::array<Vec3, 3>;
 
-/// Number of files. Meshes whose sources are equal modulo this number replace each other.
+/// Number of files. A mesh replaces another one if their sources are equal modulo this number.
 constexpr std::uint64_t kFiles = 64;
-/// Larger meshes are not kept.
+/// Larger meshes are not stored.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
-/// The beginning of a file; the tile and the triangles follow.
+/// The beginning of a file. The tile and the triangles follow.
 struct Head {
   std::array<char, 8> magic{'s', 'o', 'a', 'r', 'n', 'a', 'v', '1'};
-  std::uint64_t builder = 0;  ///< The program and its Recast.
+  std::uint64_t builder = 0;  ///< Identifies the program and its version of Recast.
   std::uint64_t source = 0;
   std::uint64_t tile_bytes = 0, triangles = 0;
-  std::uint64_t check = 0;  ///< Hash of what follows.
+  std::uint64_t check = 0;  ///< Hash of the following bytes.
 };
 
 struct Place {
-  fs::path folder;  ///< Empty: nothing is kept.
+  fs::path folder;  ///< Empty: nothing is stored.
   std::uint64_t builder = 0;
 };
 
@@ -54,7 +54,7 @@ fs::path FileOf(std::uint64_t source) {
   return ThePlace().folder / (std::to_string(source % kFiles) + ".mesh");
 }
 
-/// The library that Recast comes from: another one may build another mesh.
+/// Adds the Recast library to a hash, because another version may build another mesh.
 void AddRecast([[maybe_unused]] StateHash& hash) {
 #ifdef __linux__
   Dl_info library{};
@@ -103,7 +103,7 @@ void KeepBuiltNavigation(std::uint64_t source, const BuiltNavigation& built) {
   head.check = CheckOfNavigation(data);
   std::error_code error;
   fs::create_directories(ThePlace().folder, error);
-  // Two programs may write at once: each writes a file of its own, and the last one stays.
+  // Two programs may write at the same time: each writes a separate file, and the last one is kept.
   const fs::path whole = FileOf(source), half = fs::path(whole).concat("." + std::to_string(getpid()));
   std::ofstream out(half, std::ios::binary);
   out.write(reinterpret_cast<const char*>(&head), sizeof head);

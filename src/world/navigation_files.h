@@ -10,13 +10,13 @@ namespace soarbox::world {
 
 // For the navigation_*.cpp files only.
 
-/// Meshes as files, for the next program that builds the same world. There are none until KeepNavigation is called
-/// (shared_navigation.h). A file that is damaged, or was written by another program or with another Recast, is not
-/// read. Safe from any thread; a reader never sees half a file.
+/// A cache of navigation meshes in files, for later programs that build the same world. It is off until KeepNavigation
+/// is called (shared_navigation.h). Files that are damaged, or were written by another program or with another version
+/// of Recast, are ignored. Thread-safe; a reader never sees an incomplete file.
 
-/// The mesh that a file holds for this source; nothing if there is none. The tile is the caller's.
+/// The cached mesh for this source; nothing if there is none. The caller owns the tile.
 std::optional<BuiltNavigation> FindKeptNavigation(std::uint64_t source);
-/// Writes the mesh of this source. Does nothing if that fails: it will be built again.
+/// Writes the mesh of this source. Ignores errors, because the mesh can be built again.
 void KeepBuiltNavigation(std::uint64_t source, const BuiltNavigation& built);
 
 }  // namespace soarbox::world

@@ -31,7 +31,7 @@ void NavigationGeometry::AddBox(Vec3 center, Vec3 half, Vec3 position, Quat orie
                       (corner & 4) ? half.z : -half.z};
     AddVertex(position + Rotate(orientation, center + offset));
   }
-  // Corners by bits: 1 is +x, 2 is +y, 4 is +z.
+  // Bits of a corner's index: 1 is +x, 2 is +y, 4 is +z.
   constexpr int kFaces[6][4] = {{2, 6, 7, 3}, {0, 1, 5, 4}, {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (const auto& face : kFaces) {
     AddTriangle(first + face[0], first + face[1], first + face[2]);
@@ -42,7 +42,7 @@ void NavigationGeometry::AddBox(Vec3 center, Vec3 half, Vec3 position, Quat orie
 void NavigationGeometry::AddCapsule(float radius_m, float height_m, Vec3 position, Quat orientation) {
   const float straight = std::max(0.0f, height_m / 2 - radius_m);
   const auto add = [&](Vec3 v) { return AddVertex(position + Rotate(orientation, v)); };
-  // Rings from the upper pole to the lower one; the two at the widest place are the ends of the straight part.
+  // Rings from the upper pole to the lower one. The two rings at the widest place are the ends of the cylinder.
   std::vector<int> last(kSides, add({0, straight + radius_m, 0}));
   for (int ring = 1; ring <= 2 * kCapRings + 1; ++ring) {
     const bool upper = ring <= kCapRings;

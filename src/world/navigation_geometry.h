@@ -8,16 +8,16 @@
 
 namespace soarbox::world {
 
-/// The triangles that a navigation mesh is made from, in world space: the outer side of each is the one that sees its
-/// corners counterclockwise.
+/// The triangles from which a navigation mesh is built, in world coordinates. Seen from its outer side, the corners of
+/// a triangle are counterclockwise.
 struct NavigationGeometry {
-  std::vector<float> vertices;  ///< x, y, z of each.
-  std::vector<int> triangles;   ///< Three indices of vertices each.
+  std::vector<float> vertices;  ///< x, y, z of each vertex.
+  std::vector<int> triangles;   ///< Three vertex indices each.
 
   bool empty() const { return triangles.empty(); }
-  /// A box of these half extents around its own centre.
+  /// Adds a box with these half extents around `center`, in its own coordinates.
   void AddBox(Vec3 center, Vec3 half, Vec3 position, Quat orientation);
-  /// Upright in its own space; the height includes the caps.
+  /// Adds a capsule, upright in its own coordinates; the height includes the caps.
   void AddCapsule(float radius_m, float height_m, Vec3 position, Quat orientation);
   void Bounds(Vec3& min, Vec3& max) const;
   std::uint64_t Hash() const;

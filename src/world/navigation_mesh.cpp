@@ -70,11 +70,11 @@ struct NavigationMesh::Impl {
   std::unique_ptr<dtNavMeshQuery, QueryFree> query{dtAllocNavMeshQuery()};
   dtQueryFilter filter;
   std::vector<std::array<Vec3, 3>> triangles;
-  std::vector<std::size_t> islands;  ///< Of each polygon; those of one number hang together.
-  std::vector<float> area_sums_m2;   ///< On the map; of each triangle and all before it.
+  std::vector<std::size_t> islands;  ///< By polygon: number of its connected component.
+  std::vector<float> area_sums_m2;   ///< By triangle: horizontal area of it and all triangles before it.
   Vec3 min, max;
   bool keeps_points = false;
-  // Kept from query to query.
+  // Reused by all queries.
   std::vector<dtPolyRef> corridor;
   std::vector<dtPolyRef> crossed;
   std::vector<float> points;
@@ -135,7 +135,8 @@ Result<void> NavigationMesh::Check(const NavigationGeometry& geometry, const Nav
 }
 
 double NavigationMesh::CoveredCells(const NavigationGeometry& geometry, const NavigationConfig& config) {
-  // Each triangle's bounding box on the map, cut to the space that a mesh can cover; half of it is the triangle.
+  // The horizontal bounding box of each triangle, clipped to the space that a mesh can cover. The triangle is half of
+  // it.
   double cells = 0;
   for (std::size_t i = 0; i + 2 < geometry.triangles.size(); i += 3) {
     float min[2] = {kHalfExtent_m, kHalfExtent_m}, max[2] = {-kHalfExtent_m, -kHalfExtent_m};
@@ -245,7 +246,7 @@ Vec3 NavigationMesh::RandomPoint(RandomStream& random) const {
   const auto found = std::upper_bound(impl_->area_sums_m2.begin(), impl_->area_sums_m2.end(), wanted);
   const auto index =
       std::min(static_cast<std::size_t>(found - impl_->area_sums_m2.begin()), impl_->triangles.size() - 1);
-  // Folding the far half of a parallelogram over gives each place in the triangle the same chance.
+  // Reflecting the far half of the parallelogram gives a uniform distribution over the triangle.
   float u = random.Unit(), v = random.Unit();
   if (u + v > 1) {
     u = 1 - u;

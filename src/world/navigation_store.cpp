@@ -17,20 +17,20 @@ namespace soarbox::world {
 namespace {
 
 constexpr std::size_t kMostMeshes = 64;
-constexpr std::size_t kBytes = std::size_t{64} << 20;  ///< Taken from the machine only as far as they are used.
+constexpr std::size_t kBytes = std::size_t{64} << 20;  ///< Only pages that are used need physical memory.
 using Triangle = std::array<Vec3, 3>;
 
-/// One mesh. Its state is set last, and read first.
+/// One mesh. Its state is written last and read first.
 struct Slot {
   std::atomic<std::uint32_t> is_whole;
   std::uint64_t source, check;
   std::size_t at, tile_bytes, triangles;
 };
 
-/// At the beginning of the memory that all processes share.
+/// The beginning of the memory that all processes share.
 struct Head {
-  std::atomic<std::size_t> used;   ///< Bytes behind the head.
-  std::atomic<std::size_t> slots;  ///< Taken ones.
+  std::atomic<std::size_t> used;   ///< Number of used bytes after the head.
+  std::atomic<std::size_t> slots;  ///< Number of used slots.
   std::array<Slot, kMostMeshes> slot;
 };
 static_assert(std::atomic<std::size_t>::is_always_lock_free, "processes share it");
@@ -90,7 +90,7 @@ void OfferNavigation(std::uint64_t source, const BuiltNavigation& built) {
   if (bytes > room || shared->used.load() > room - bytes || shared->slots.load() >= kMostMeshes) return;
   const std::size_t at = shared->used.fetch_add(bytes);
   const std::size_t number = shared->slots.fetch_add(1);
-  if (at > room - bytes || number >= kMostMeshes) return;  // Another process took the rest meanwhile.
+  if (at > room - bytes || number >= kMostMeshes) return;  // Another process has used the rest in the meantime.
   std::byte* data = DataOf(*shared) + at;
   std::memcpy(data, built.tile, tile_bytes);
   std::memcpy(data + tile_bytes, built.triangles.data(), triangle_bytes);

@@ -12,20 +12,20 @@ namespace soarbox::world {
 
 // For the navigation_*.cpp files only.
 
-/// Meshes that this process and those forked from it have built. Nothing is shared until ShareNavigation is called
-/// (shared_navigation.h); each process builds again what does not fit.
+/// A cache of the meshes that this process and its forks have built. Nothing is shared until ShareNavigation is called
+/// (shared_navigation.h). Each process builds meshes that do not fit itself.
 ///
-/// The same source gives the same mesh, so nobody can tell whether it was built or found. Safe from any thread and any
-/// of these processes; one that is killed while it writes leaves nothing behind.
+/// The same source gives the same mesh, so the cache does not change results. Thread-safe and safe across these
+/// processes. A process that is killed while it writes leaves no incomplete mesh.
 
-/// The checksum of a mesh's bytes: its tile, then its triangles.
+/// Checksum of a mesh's bytes: its tile, then its triangles.
 std::uint64_t CheckOfNavigation(std::string_view bytes);
-/// A mesh from these bytes, which it copies; nothing if there is no memory. The tile is the caller's.
+/// A mesh with a copy of these bytes; nothing if memory is exhausted. The caller owns the tile.
 std::optional<BuiltNavigation> CopyNavigation(std::string_view bytes, std::size_t tile_bytes);
 
-/// What was made from this source; nothing if nobody has built it yet. The tile is the caller's.
+/// The mesh for this source; nothing if no process has built it yet. The caller owns the tile.
 std::optional<BuiltNavigation> FindSharedNavigation(std::uint64_t source);
-/// Offers what was made from this source to the others.
+/// Adds the mesh of this source to the cache.
 void OfferNavigation(std::uint64_t source, const BuiltNavigation& built);
 
 }  // namespace soarbox::world

@@ -34,7 +34,7 @@ float LengthOf(const std::vector<Vec3>& path) {
   return length;
 }
 
-/// A floor of 20 by 20 m, its top at y = 0, and a wall across it that leaves a gap of 4 m at one end.
+/// A floor of 20 by 20 m with its top at y = 0, and a wall across it with a gap of 4 m at one end.
 class NavigationTest : public testing::Test {
  protected:
   NavigationTest() {
@@ -74,7 +74,7 @@ TEST_F(NavigationTest, PathsLeadThroughTheGapAndKeepTheRadiusFromTheWall) {
 }
 
 TEST_F(NavigationTest, APlaceWithinWallsIsOutOfReachAndOnlyThat) {
-  // A pen of 4 by 4 m behind the wall.
+  // An enclosure of 4 by 4 m behind the wall.
   AddFixedBox(world_, {4.5f, 2, 0.5f}, {-6, 1, 4});
   AddFixedBox(world_, {4.5f, 2, 0.5f}, {-6, 1, 8});
   AddFixedBox(world_, {0.5f, 2, 4.5f}, {-8, 1, 6});
@@ -107,7 +107,7 @@ TEST_F(NavigationTest, WiderAgentsDoNotFitThroughTheGap) {
   EXPECT_TRUE(Make(config_).FindPath({-5, 0, -5}, {-5, 0, 5}).empty());
 }
 
-/// Closes the gap with posts and this building piece, and tells how many corners the way across has.
+/// Closes the gap with posts and this building piece. Returns the number of corners of the path to the other side.
 std::size_t CornersThrough(World& world, const char* piece, float middle_y) {
   AddFixedBox(world, {1, 2, 1}, {6.3f, 1, 0});
   AddFixedBox(world, {1, 2, 1}, {9.7f, 1, 0});
@@ -123,7 +123,7 @@ std::size_t CornersThrough(World& world, const char* piece, float middle_y) {
 
 TEST_F(NavigationTest, WaysLeadThroughDoorsAndNotThroughWalls) {
   EXPECT_GE(CornersThrough(world_, "modular_brick_door", 0.77f), 2u);
-  // What the mesh lets through, the body does too: nothing in the opening, a lintel above and a post beside it.
+  // The body has the same opening as the mesh: no obstacle in it, a lintel above and a post beside it.
   EXPECT_FALSE(world_.RayCast({8, 1, -2}, {8, 1, 2}));
   EXPECT_TRUE(world_.RayCast({8, 2.3f, -2}, {8, 2.3f, 2}));
   EXPECT_TRUE(world_.RayCast({7.1f, 1, -2}, {7.1f, 1, 2}));
@@ -224,7 +224,7 @@ TEST(SharedNavigation, AMeshThatAnotherProcessBuiltIsTheOneThatWouldBeBuiltHere)
   EXPECT_EQ(found->triangles, built->triangles);
   dtFree(found->tile);
   dtFree(built->tile);
-  // A mesh made of it answers; another source is another mesh.
+  // A mesh built from it works; another source gives another mesh.
   const Result<std::unique_ptr<NavigationMesh>> mesh = NavigationMesh::Build(geometry, config);
   ASSERT_TRUE(mesh.ok());
   EXPECT_GE((*mesh)->FindPath({0, 0, 2}, {6, 0, 2}).size(), 2u);
@@ -254,7 +254,7 @@ TEST(KeptNavigation, AMeshInAFileIsTheOneThatWouldBeBuiltHere) {
   KeepNavigation(folder, "another program");
   EXPECT_FALSE(FindKeptNavigation(source).has_value());
   KeepNavigation(folder, "this program");
-  // One file, and nothing half written beside it.
+  // There is exactly one file, without an incomplete one.
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   ASSERT_EQ(files.size(), 1u);

@@ -18,12 +18,12 @@ enum class BodyId : std::uint32_t;
 /// Shapes that objects come in. Sizes: see World::Create*.
 enum class ObjectKind : std::uint8_t { kBox, kCapsule, kPlane, kMesh, kPhysicsCapsule, kPhysicsSphere, kSensor };
 
-/// One sandbox object: a body and a scene node that wears its looks (empty for the physics-only kinds).
+/// One object of the sandbox: a body and a scene node with its drawable (no drawable for the physics-only kinds).
 ///
-/// Owned by the World; found by id (World::FindObject), gone after World::RemoveObject and the next BeginTick. Made at
-/// the origin, 1 kg, dynamic (planes: fixed). Mass 0 means fixed: it does not move but collides and can be teleported.
-/// Each setter and force wakes the body. Values that are not finite are refused: the call returns false and changes
-/// nothing.
+/// Owned by the World; found by id (World::FindObject); destroyed in the first BeginTick after World::RemoveObject.
+/// Created at the origin with 1 kg, dynamic (planes: fixed). Mass 0 means fixed: the object does not move by itself,
+/// but collides and can be teleported. Each setter and force wakes the body. Setters refuse values that are not finite:
+/// they return false and change nothing.
 class Object {
  public:
   Object(const Object&) = delete;
@@ -35,7 +35,7 @@ class Object {
 
   /// World position of the centre of mass (meshes: of the mesh's origin).
   Vec3 Position() const;
-  /// Moves body and node at once; the velocity stays.
+  /// Moves body and node at once; does not change the velocity.
   bool SetPosition(Vec3 position);
   Quat Orientation() const;
   bool SetOrientation(Quat orientation);
@@ -44,18 +44,19 @@ class Object {
   Vec3 AngularVelocity() const;
   bool SetAngularVelocity(Vec3 radians_per_s);
 
-  /// kg; 0 for fixed bodies.
+  /// In kg; 0 for fixed bodies.
   float Mass() const;
-  /// Negative counts as 0. Recomputes the inertia; 0 makes the body fixed, a positive value dynamic again.
+  /// Negative values count as 0. Recomputes the inertia. 0 makes the body fixed, a positive value makes it dynamic
+  /// again.
   bool SetMass(float mass_kg);
-  /// m/s^2; replaces the world's gravity for this object.
+  /// In m/s^2; replaces the world's gravity for this object.
   bool SetGravity(Vec3 gravity);
 
-  /// Newtons at the centre of mass, for the next step only; forces add up.
+  /// Applies a force in newtons at the centre of mass, for the next step only; forces add up.
   bool ApplyForce(Vec3 force_n);
-  /// The sandbox's impulse is such a force for one step (spec 17, quirk 1): 15000 on 15 kg gives 33.3 m/s.
+  /// The sandbox's impulse is a force that acts for one step (spec 17, quirk 1): 15000 on 15 kg gives 33.3 m/s.
   bool ApplyImpulse(Vec3 force_n) { return ApplyForce(force_n); }
-  /// N m s; changes the angular velocity at once.
+  /// In N m s; changes the angular velocity at once.
   bool ApplyAngularImpulse(Vec3 impulse);
 
   /// From now on it turns about an axis only. `other`: the object that has the axis; null: the axis stays where it is.
@@ -65,10 +66,10 @@ class Object {
 
   /// Half the diagonal of the body's axis-aligned bounding box, collision margins included; huge for a plane.
   float Radius() const;
-  /// The lowest and highest corner of the box around the body in its own frame, collision margins included.
+  /// The minimum and maximum corner of the body's bounding box in its own frame, including collision margins.
   std::pair<Vec3, Vec3> LocalBox() const;
   bool IsSleeping() const;
-  /// RemoveObject was called; it goes at the next BeginTick.
+  /// Whether RemoveObject was called. The object is destroyed in the next BeginTick.
   bool removal_requested() const { return removal_requested_; }
 
  private:

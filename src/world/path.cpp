@@ -48,7 +48,7 @@ Vec3 Path::PointAt(float distance_along_m) const {
   }
   if (!(distance > 0)) return points_.front();
   if (distance >= length) return points_.back();
-  // The first point that lies beyond; it has a predecessor because distance > 0.
+  // The first point after the distance. It has a predecessor, because distance > 0.
   const auto next = std::upper_bound(distances_.begin(), distances_.end(), distance);
   const auto i = static_cast<std::size_t>(next - distances_.begin());
   const float segment = distances_[i] - distances_[i - 1];

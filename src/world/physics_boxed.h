@@ -10,40 +10,40 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// A body with the box in which the broad phase keeps it, outside of which rays do not find it, and with what it fills,
-/// seen from above.
+/// A body with its bounding box in the broadphase, outside of which rays do not find it, and with its extent seen from
+/// above.
 struct BoxedBody {
   btDbvtVolume box;
   const btCollisionObject* body = nullptr;
-  btScalar x = 0, z = 0, radius = 0;  ///< It fills no more than this circle.
-  /// The ends of the axis of an upright capsule, which fills all of the circle between them and is round above and
-  /// below; low > high for other bodies, and if the box lags behind the body.
+  btScalar x = 0, z = 0, radius = 0;  ///< A circle that contains the body, seen from above.
+  /// For an upright capsule: the vertical range of the ends of its axis. The capsule fills its entire circle between
+  /// them and has hemispheres above and below. low > high for other bodies, and if the box is not up to date.
   btScalar low = 1, high = 0;
 
   bool IsPillar() const { return low <= high; }
 };
 
-/// Whether it leans by no more than rounding.
+/// Whether the body is exactly upright.
 inline bool Stands(const btCollisionObject& body) {
   return body.getWorldTransform().getBasis()[1][1] == 1;
 }
 
-/// More than what rounding can take away of distances about a place: nearer to its limit than this, nothing is certain.
-/// `reach_m`: how far what is looked at lies away at most.
+/// An upper bound of the rounding errors of distances near `place`. Results closer to a limit than this are not
+/// certain. `reach_m`: maximum distance of the bodies that are tested.
 inline btScalar SlackAbout(const btVector3& place, btScalar reach_m) {
   constexpr btScalar kLeast_m = 0.005f, kShare = 4e-6f;
   return kLeast_m + kShare * (std::abs(place.x()) + std::abs(place.y()) + std::abs(place.z()) + 4 * reach_m);
 }
 
-/// A static plane as it lies in the world.
+/// A static plane in world coordinates.
 struct WorldPlane {
   btVector3 normal;
   btScalar constant;
-  /// Metres; negative on its other side.
+  /// Distance from the plane in metres; negative on its back.
   btScalar HeightOf(const btVector3& place) const { return normal.dot(place) - constant; }
 };
 
-/// Nothing if the body is no plane.
+/// Nothing if the body is not a plane.
 inline std::optional<WorldPlane> PlaneOf(const btCollisionObject& body) {
   if (body.getCollisionShape()->getShapeType() != STATIC_PLANE_PROXYTYPE) return std::nullopt;
   const auto& plane = static_cast<const btStaticPlaneShape&>(*body.getCollisionShape());

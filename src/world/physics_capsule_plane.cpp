@@ -42,7 +42,7 @@ class CapsulePlaneAlgorithm final : public btCollisionAlgorithm {
   }
   btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
                                  btManifoldResult*) override {
-    return 1;  // Nobody asks: what is fast is swept by the world itself.
+    return 1;  // Not used: DynamicsWorld sweeps fast bodies itself.
   }
   void getAllContactManifolds(btManifoldArray& manifolds) override {
     if (manifold_ != nullptr) manifolds.push_back(manifold_);
@@ -53,7 +53,7 @@ class CapsulePlaneAlgorithm final : public btCollisionAlgorithm {
   bool plane_is_first_;
 };
 
-/// m_swapped: the plane comes first.
+/// m_swapped: the plane is the first body.
 struct CapsulePlaneMaker final : btCollisionAlgorithmCreateFunc {
   explicit CapsulePlaneMaker(bool plane_is_first) { m_swapped = plane_is_first; }
   btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
@@ -67,7 +67,7 @@ struct CapsulePlaneMaker final : btCollisionAlgorithmCreateFunc {
 }  // namespace
 
 void FindCapsulesOnPlanes(btCollisionDispatcher& dispatcher) {
-  // Without state; the dispatchers of all worlds point to them.
+  // Stateless; the dispatchers of all worlds share them.
   static CapsulePlaneMaker capsule_first(false), plane_first(true);
   dispatcher.registerCollisionCreateFunc(CAPSULE_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &capsule_first);
   dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CAPSULE_SHAPE_PROXYTYPE, &plane_first);

@@ -6,8 +6,9 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Finds by a formula where capsules touch planes, the contact of everybody who stands on the ground. The point is the
-/// same as Bullet finds with its search for any convex shape: the lowest one of the capsule.
+/// Computes the contacts of capsules with planes by a formula. This is the contact of every agent that stands on the
+/// ground. The contact point is the one that Bullet's general algorithm for convex shapes finds: the lowest point of
+/// the capsule.
 void FindCapsulesOnPlanes(btCollisionDispatcher& dispatcher);
 
 }  // namespace soarbox::world

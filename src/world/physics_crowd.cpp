@@ -5,20 +5,21 @@ namespace soarbox::world {
 namespace {
 
 constexpr int kMostPairs = 60'000;
-/// A body that is refused more pairs than this at a time goes aside.
+/// A body with more refused pairs than this is set aside.
 constexpr int kMostRefused = 500;
-/// So many come back after each step, to see whether they have got out of the heap.
+/// Number of bodies that are returned after each step, to find out whether they have left the crowd.
 constexpr int kBackPerStep = 20;
 
-// Marks on Bullet's objects: the second index is 1 for those that are aside, the third counts refusals.
+// Marks on Bullet's objects: the second index is 1 for those that are set aside, the third is the number of refusals.
 constexpr int kAside = 1, kPresent = -1;
 
 btCollisionObject& ObjectOf(const btBroadphaseProxy& proxy) {
   return *static_cast<btCollisionObject*>(proxy.m_clientObject);
 }
 
-/// Bounding boxes of who walks reach ahead by so many half widths of the body, so that they last for some steps. Those
-/// of things that roll and rest, and of what was put elsewhere, do not: they would go on meeting what is not there.
+/// The bounding boxes of walking bodies are extended forward by this number of half widths, so that they stay valid for
+/// some steps. Those of rolling or resting things, and of bodies that were moved by a script, are not: they would
+/// continue to overlap bodies that they do not touch.
 btScalar BoxAhead(const btBroadphaseProxy& proxy, const btVector3& low) {
   constexpr btScalar kWalker = 2, kFarthestStep_m = 0.5f;
   const btRigidBody* body = btRigidBody::upcast(&ObjectOf(proxy));
@@ -32,7 +33,7 @@ bool PairLimit::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy*
   const bool wanted = (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
                       (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
   if (!wanted || pairs.getNumOverlappingPairs() < kMostPairs) return wanted;
-  // What is fixed carries the others, as long as that can be borne.
+  // Fixed bodies support the others, so their pairs have a higher limit.
   const bool is_fixed = ObjectOf(*a).isStaticObject() || ObjectOf(*b).isStaticObject();
   if (is_fixed && pairs.getNumOverlappingPairs() < 3 * kMostPairs) return true;
   reached = true;
@@ -54,7 +55,7 @@ void CrowdBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& low, co
   } else {
     aside_.update(leaf->second, where);
   }
-  // Far out, each at a point of its own.
+  // Far away, each at a separate point.
   constexpr btScalar kBegin_m = 2e6f, kApart_m = 16;
   const btVector3 point(kBegin_m + kApart_m * static_cast<btScalar>(proxy->m_uniqueId), 0, 0);
   btDbvtBroadphase::setAabb(proxy, point, point, dispatcher);
@@ -104,7 +105,7 @@ void CrowdControl::Forget(btCollisionObject& body) {
 void CrowdControl::CheckAll() {
   if (!limit_.reached) return;
   const btCollisionObjectArray& bodies = world_.getCollisionObjectArray();
-  // The last ones go first, and each that goes is one that the others are refused no more.
+  // Sets the last bodies aside first. Each one that is set aside reduces the refusals of the others.
   int gone = 0;
   for (int i = bodies.size() - 1; i >= 0; --i) {
     if (!IsAside(*bodies[i]) && bodies[i]->getUserIndex3() - gone > kMostRefused) {

@@ -10,7 +10,7 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Receives Bullet's wireframes and bounding boxes as lines; leaves out those of endless shapes.
+/// Collects Bullet's wireframes and bounding boxes as lines. Skips those of infinite shapes.
 class PhysicsLineCollector final : public btIDebugDraw {
  public:
   explicit PhysicsLineCollector(std::vector<LineSnapshot>& lines) : lines_(lines) {}

@@ -12,22 +12,23 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Circles about somebody who looks around, by the directions in which they lie, seen from above: a line of sight among
-/// hundreds of bodies looks at the few of its own direction.
+/// An index of circles around a viewer by direction, seen from above. A line of sight among hundreds of bodies needs to
+/// test only the few in its direction.
 class Directions {
  public:
-  /// Makes room for so many circles, whose numbers are below this.
+  /// Removes all circles and reserves memory for circles with numbers below `count`.
   void Reset(std::size_t count) {
     words_ = (count + kBits - 1) / kBits;
     marks_.assign((kDirections + 1) * words_, 0);
   }
 
-  /// A circle about that place, from the viewer.
+  /// Adds a circle. x and z are relative to the viewer.
   void Add(std::size_t number, btScalar x, btScalar z, btScalar radius) {
     const btScalar away = std::sqrt(x * x + z * z);
     constexpr btScalar kInside = 0.999f;
     if (!(radius < away * kInside)) return Mark(kDirections, number);
-    // No less than the angle from its middle to its edge; turns are no faster than angles.
+    // An upper bound of the angle between the directions to its centre and its edge. A turn never grows faster than the
+    // angle.
     constexpr btScalar kNarrow = 0.5f, kOfNarrow = 1.05f, kOfAny = 1.571f, kSlack = 1e-3f;
     const btScalar ratio = radius / away, half = ratio * (ratio < kNarrow ? kOfNarrow : kOfAny) + kSlack;
     const btScalar turn = TurnOf(x, z) + kFull;
@@ -36,8 +37,8 @@ class Directions {
       Mark(n % kDirections, number);
   }
 
-  /// Calls visit with the number of each circle that a line in that direction may enter, and perhaps of others, until
-  /// it answers false; returns whether it never did.
+  /// Calls visit(number) for each circle that a line in this direction may enter, and possibly for others, until it
+  /// returns false. Returns whether no call returned false.
   template <class Visit>
   bool VisitAlong(btScalar x, btScalar z, const Visit& visit) const {
     const std::size_t n = static_cast<std::size_t>(TurnOf(x, z) * kOfTurn) % kDirections;
@@ -53,7 +54,7 @@ class Directions {
   static constexpr std::size_t kBits = 64, kDirections = 64;
   static constexpr btScalar kFull = 4, kOfTurn = kDirections / kFull;
 
-  /// Grows with the angle, from 0 to 4.
+  /// A monotonic function of the angle, from 0 to 4.
   static btScalar TurnOf(btScalar x, btScalar z) {
     const btScalar sum = std::abs(x) + std::abs(z);
     if (!(sum > 0)) return 0;
@@ -63,8 +64,9 @@ class Directions {
     marks_[direction * words_ + number / kBits] |= 1ull << (number % kBits);
   }
 
-  std::size_t words_ = 0;             ///< Of each direction.
-  std::vector<std::uint64_t> marks_;  ///< By direction; those around the viewer lie in all of them and come last.
+  std::size_t words_ = 0;             ///< Words per direction.
+  std::vector<std::uint64_t> marks_;  ///< By direction; the last row is for circles around the viewer, which are in all
+                                      ///< directions.
 };
 
 }  // namespace soarbox::world

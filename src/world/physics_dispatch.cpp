@@ -10,7 +10,7 @@ int ShapeOf(const btBroadphaseProxy& proxy) {
   return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getShapeType();
 }
 
-/// Whether to look for its contacts again changes nothing but its list of contacts.
+/// Whether updating the contacts of a pair changes only its own manifold.
 bool IsAlone(const btBroadphasePair& pair) {
   if (pair.m_algorithm == nullptr) return false;
   const int one = ShapeOf(*pair.m_pProxy0), other = ShapeOf(*pair.m_pProxy1);
@@ -26,7 +26,7 @@ void PairDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, co
   others_.clear();
   btBroadphasePairArray& all = pairs->getOverlappingPairArray();
   for (int i = 0; i < all.size(); ++i) (IsAlone(all[i]) ? known_ : others_).push_back(&all[i]);
-  // The last ones first, as Bullet has them.
+  // The last ones first, as in Bullet.
   std::sort(others_.begin(), others_.end(), [](const btBroadphasePair* a, const btBroadphasePair* b) {
     const int a_0 = a->m_pProxy0->m_uniqueId, b_0 = b->m_pProxy0->m_uniqueId;
     return a_0 != b_0 ? a_0 > b_0 : a->m_pProxy1->m_uniqueId > b->m_pProxy1->m_uniqueId;

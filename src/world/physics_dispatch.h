@@ -9,10 +9,11 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Finds contacts on all threads. Bullet goes through the pairs of boxes that overlap, sorted, on one.
+/// Computes contacts on several threads. Bullet processes the overlapping pairs in order on one thread.
 ///
-/// The order matters only for pairs that make new contact lists or may do so: these come in Bullet's order, one by one.
-/// All others, those of capsules that have met before or stand on a plane, change nothing but their own list.
+/// The order matters only for pairs that may create new contact manifolds. They are processed one by one, in Bullet's
+/// order. All other pairs (capsules that have touched before, or that stand on a plane) change only their own manifold
+/// and are processed in parallel.
 class PairDispatcher final : public btCollisionDispatcher {
  public:
   using btCollisionDispatcher::btCollisionDispatcher;
@@ -24,7 +25,7 @@ class PairDispatcher final : public btCollisionDispatcher {
 
  private:
   const Workers* workers_ = nullptr;
-  std::vector<btBroadphasePair*> known_, others_;  ///< Scratch.
+  std::vector<btBroadphasePair*> known_, others_;  ///< Temporary.
 };
 
 }  // namespace soarbox::world

@@ -4,7 +4,7 @@
 namespace soarbox::world {
 namespace {
 
-/// It keeps its rotation in this step and needs no sweep.
+/// Whether the body keeps its rotation in this step and needs no continuous collision detection.
 bool OnlyMoves(const btRigidBody& body, btScalar step_s) {
   return body.getAngularFactor().isZero() && body.getAngularVelocity().isZero() &&
          body.getLinearVelocity().length2() * step_s * step_s <= body.getCcdSquareMotionThreshold();

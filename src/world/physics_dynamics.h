@@ -6,9 +6,9 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Bullet's world, with a shortcut for what most bodies of a crowd do: stand upright, never turn, and move too little
-/// in a step to need a sweep. Where such a body is a step later is a sum; Bullet takes its rotation apart and puts it
-/// together again three times per step.
+/// Bullet's world with a fast path for most bodies of a crowd: those that stay upright, do not rotate, and move too
+/// little in a step to need continuous collision detection. Their next position is a simple sum. Bullet would decompose
+/// and recompose their rotation three times per step.
 class DynamicsWorld final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -18,7 +18,7 @@ class DynamicsWorld final : public btDiscreteDynamicsWorld {
   void createPredictiveContacts(btScalar step_s) override;
   void integrateTransforms(btScalar step_s) override;
 
-  btAlignedObjectArray<btRigidBody*> others_;  ///< Scratch: bodies that Bullet itself moves.
+  btAlignedObjectArray<btRigidBody*> others_;  ///< Temporary: bodies that Bullet moves itself.
 };
 
 }  // namespace soarbox::world

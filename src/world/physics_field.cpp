@@ -7,7 +7,7 @@ namespace soarbox::world {
 namespace {
 
 constexpr btScalar kCell_m = 2, kLargestCell_m = 8;
-constexpr btScalar kWide_m = 1.5f;  ///< From the middle to the end of the box.
+constexpr btScalar kWide_m = 1.5f;  ///< From the centre to the end of the box.
 constexpr std::size_t kMostWide = 128;
 
 btScalar HalfWidthOf(const btDbvtVolume& box) {
@@ -49,7 +49,7 @@ void BodyField::Build(const CrowdBroadphase& bodies) {
     if (cell_m_ >= kLargestCell_m) return;
   columns_ = static_cast<std::size_t>((high_x - low_x) / cell_m_) + 1;
   rows_ = static_cast<std::size_t>((high_z - low_z) / cell_m_) + 1;
-  // More than what rounding can take away, here and in questions.
+  // An upper bound of rounding errors, here and in queries.
   constexpr btScalar kSlack_m = 0.02f, kSlack = 1e-5f;
   const btScalar farthest = std::max(std::max(-low_x, high_x), std::max(-low_z, high_z));
   reach_m_ = widest + kSlack_m + kSlack * std::max(farthest, btScalar{0});
@@ -63,7 +63,7 @@ void BodyField::Build(const CrowdBroadphase& bodies) {
   }
   for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
   bodies_.resize(scratch_.size());
-  // Each start moves on to the next one's place while its cell fills, and back again.
+  // Filling a cell moves its start to the start of the next cell; the second loop moves the starts back.
   for (std::size_t i = 0; i < scratch_.size(); ++i) bodies_[starts_[cells_[i]]++] = scratch_[i];
   for (std::size_t cell = starts_.size() - 1; cell > 0; --cell) starts_[cell] = starts_[cell - 1];
   starts_[0] = 0;

@@ -9,30 +9,30 @@
 
 #include "world/physics_boxed.h"
 
-// Where all bodies are, for the physics_*.cpp files only.
+// A spatial index of all bodies; for the physics_*.cpp files only.
 namespace soarbox::world {
 
 class CrowdBroadphase;
 
-/// All bodies in a grid over the ground plane, row by row, for the many short questions of a crowd between two steps:
-/// each reads a few cells instead of going down the broad phase's trees. Bodies that are wider than a cell are on a
-/// list that every question reads.
+/// All bodies in a grid over the ground plane, stored row by row. It serves the many short queries of a crowd between
+/// two steps: a query reads a few cells instead of traversing the trees of the broadphase. Bodies that are wider than a
+/// cell are in a list that every query scans.
 ///
-/// Invariant: while it is known, it holds each body of the trees with the box that it has there. Whoever changes a box
-/// calls Forget. Several threads may ask at a time.
+/// Invariant: while is_known(), it contains each body of the trees with the same bounding box. Code that changes a box
+/// must call Forget. Several threads may query at a time.
 class BodyField {
  public:
-  /// Not known afterwards if so few cells or so many wide bodies would make it slower than the trees.
+  /// Builds the grid. Leaves it unknown if it would be slower than the trees: too few cells, or too many wide bodies.
   void Build(const CrowdBroadphase& bodies);
   void Forget() { is_known_ = false; }
   bool is_known() const { return is_known_; }
-  static constexpr btScalar kLongest_m = 8;  ///< What is longer is found as fast by the trees.
+  static constexpr btScalar kLongest_m = 8;  ///< Longer queries are equally fast with the trees.
 
-  /// Calls visit(const BoxedBody&) for each body whose box touches this one, and perhaps for others.
+  /// Calls visit(const BoxedBody&) for each body whose box overlaps this box, and possibly for others.
   template <class Visit>
   void VisitBox(const btVector3& low, const btVector3& high, const Visit& visit) const;
-  /// The same for each body whose box the segment meets, until visit answers false. Returns whether it never did. The
-  /// segment: no longer than kLongest_m.
+  /// The same for each body whose box intersects the segment, until visit returns false. Returns whether no call
+  /// returned false. The segment must not be longer than kLongest_m.
   template <class Visit>
   bool VisitAlong(const btVector3& from, const btVector3& to, const Visit& visit) const;
 
@@ -54,13 +54,14 @@ class BodyField {
 
   bool is_known_ = false;
   btScalar cell_m_ = 0, corner_x_m_ = 0, corner_z_m_ = 0;
-  btScalar reach_m_ = 0;  ///< From the middle of a body in the grid to the end of its box at most, with some slack.
+  btScalar reach_m_ = 0;  ///< Maximum distance from the centre of a body in the grid to the end of its box, with some
+                          ///< slack.
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<BoxedBody> wide_;
-  std::vector<BoxedBody> bodies_;    ///< By cell.
-  std::vector<std::size_t> starts_;  ///< First body of each cell; one more than there are cells.
+  std::vector<BoxedBody> bodies_;    ///< Sorted by cell.
+  std::vector<std::size_t> starts_;  ///< First body of each cell; has one more element than there are cells.
   std::vector<BoxedBody> scratch_;
-  std::vector<std::size_t> cells_;  ///< Scratch: of each body there.
+  std::vector<std::size_t> cells_;  ///< Temporary: the cell of each body in scratch_.
 };
 
 template <class Visit>
@@ -82,7 +83,7 @@ bool BodyField::VisitAlong(const btVector3& from, const btVector3& to, const Vis
   const btVector3 along = to - from;
   const std::size_t last = Row(std::max(from.z(), to.z()) + reach_m_);
   for (std::size_t row = Row(std::min(from.z(), to.z()) - reach_m_); row <= last; ++row) {
-    // The part of the segment from which it can meet bodies of this row.
+    // The part of the segment that can intersect bodies of this row.
     btScalar begin = 0, end = 1;
     if (along.z() != 0) {
       const btScalar low_m = corner_z_m_ + static_cast<btScalar>(row) * cell_m_ - reach_m_ - from.z();

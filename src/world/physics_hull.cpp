@@ -27,7 +27,7 @@ ConvexHull HullAround(std::span<const Vec3> points) {
       hull.edges.push_back({number(edge.getSourceVertex()), number(edge.getTargetVertex())});
   }
   for (int i = 0; i < computer.faces.size(); ++i) {
-    // A fan from the first corner.
+    // A triangle fan from the first corner.
     const btConvexHullComputer::Edge* const first = &computer.edges[computer.faces[i]];
     for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != first->getSourceVertex();
          edge = edge->getNextEdgeOfFace()) {

@@ -10,15 +10,15 @@
 
 namespace soarbox::world {
 
-/// A convex body as wire and skin. Numbers count `points` from 0.
+/// A convex polyhedron as edges and faces, which are indices of `points`.
 struct ConvexHull {
   std::vector<Vec3> points;
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< Each once; none between two faces that lie in one plane.
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< Triangles; of a flat body both sides, of a line none.
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< Each edge once; edges between two coplanar faces are omitted.
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< Triangles. A flat hull has both sides; a line has none.
 };
 
-/// The convex hull of some points. Of one point: itself; of points on a line: that line. Points that are not finite
-/// are left out.
+/// The convex hull of some points. The hull of one point is the point; the hull of points on a line is the line.
+/// Ignores points that are not finite.
 ConvexHull HullAround(std::span<const Vec3> points);
 
 }  // namespace soarbox::world

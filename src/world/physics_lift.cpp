@@ -9,7 +9,7 @@ namespace {
 constexpr btScalar kDeep_m = 0.1f;
 constexpr int kPatience_steps = 10;
 constexpr btScalar kLift_m = 0.05f;
-/// Touching so deep is no obstacle to standing there.
+/// A contact of this depth does not prevent a body from standing there.
 constexpr btScalar kTouch_m = 0.01f;
 
 bool IsUpright(const btRigidBody* body) {
@@ -23,7 +23,7 @@ btScalar DeepestDistance(const btPersistentManifold& manifold) {
   return deepest;
 }
 
-/// Whether a body that stands there would be inside of a fixed one.
+/// Whether a body at this position would be inside a fixed one.
 struct Obstruction final : btCollisionWorld::ContactResultCallback {
   Obstruction() { m_collisionFilterMask = btBroadphaseProxy::StaticFilter; }
   btScalar addSingleResult(btManifoldPoint& contact, const btCollisionObjectWrapper*, int, int,
@@ -46,7 +46,7 @@ void SunkenBodies::Forget(const btRigidBody& body) {
 }
 
 btRigidBody* SunkenBodies::Look(const btPersistentManifold& manifold) {
-  // Hardly any contact is that deep.
+  // Few contacts are that deep.
   if (DeepestDistance(manifold) > -kDeep_m) return nullptr;
   auto* body = const_cast<btRigidBody*>(btRigidBody::upcast(manifold.getBody0()));
   const btCollisionObject* other = manifold.getBody1();

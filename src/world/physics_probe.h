@@ -7,10 +7,11 @@
 #include "world/physics_bullet.h"
 #include "world/physics_ray.h"
 
-// A segment as bodies are tested against it, for the physics_*.cpp files only.
+// Tests of a segment against bodies; for the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// The segment as bounding boxes are tested against it. Four numbers at a time: the fourth is no coordinate.
+/// A segment prepared for tests against bounding boxes. It computes with vectors of four numbers, of which the fourth
+/// is unused.
 class Probe {
  public:
   Probe(const btVector3& from, const btVector3& to) {
@@ -20,7 +21,7 @@ class Probe {
     for (int axis = 0; axis < 3; ++axis) from_[axis] = from[axis];
   }
 
-  /// Whether the segment up to this share meets the box.
+  /// Whether the segment, from its start to the fraction `share`, intersects the box.
   bool Meets(const btDbvtVolume& box, btScalar share) const {
     const Four a = (Load(box.Mins()) - from_) * inverse_, b = (Load(box.Maxs()) - from_) * inverse_;
     const Four enter = a < b ? a : b, leave = a < b ? b : a;
@@ -45,7 +46,8 @@ struct FirstHit {
   RayEntry entry;
 };
 
-/// Takes the body for the first hit if it is entered no later; of several at one point the one of the smallest owner.
+/// If the segment enters the body before the first hit so far, makes it the first hit. If it enters both at the same
+/// point, the body with the smaller owner wins.
 inline void TakeIfFirst(const btCollisionObject& body, const btVector3& from, const btVector3& to, FirstHit& first,
                         btScalar& share) {
   const auto entry = EntryOf(body, from, to);

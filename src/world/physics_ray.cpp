@@ -8,7 +8,8 @@
 namespace soarbox::world {
 namespace {
 
-// Doubles: the differences of squares below would lose most of a float's digits at some hundred metres.
+// Doubles, because the differences of squares below would lose most of a float's digits at a distance of some hundred
+// metres.
 struct Vector {
   double x, y, z;
 };
@@ -19,7 +20,7 @@ Vector Along(const Vector& from, const Vector& direction, double share) {
   return {from.x + direction.x * share, from.y + direction.y * share, from.z + direction.z * share};
 }
 
-/// A segment as a shape sees it: about the shape's centre, along its axes.
+/// A segment in the coordinates of a shape.
 struct LocalSegment {
   Vector from, along;
 };
@@ -39,8 +40,8 @@ RayEntry EntryAt(const btTransform& place, double fraction, const Vector& local_
   return {static_cast<btScalar>(fraction), place.getBasis() * normal};
 }
 
-/// The share at which a segment that begins outside enters a circle or sphere about the origin: the smaller root of
-/// a * t * t + 2 * b * t + c = 0. Nothing if it is not on the segment.
+/// The fraction at which a segment from outside enters a circle or sphere around the origin: the smaller root of a * t
+/// * t + 2 * b * t + c = 0. Nothing if it is not on the segment.
 std::optional<double> FirstRoot(double a, double b, double c) {
   if (b >= 0) return std::nullopt;
   const double inside = b * b - a * c;
@@ -66,7 +67,7 @@ std::optional<RayEntry> EnterCapsule(const btCapsuleShape& capsule, const btTran
   const double half_m = static_cast<double>(capsule.getHalfHeight());
   const double outside = segment.from.x * segment.from.x + segment.from.z * segment.from.z - radius * radius;
   if (outside <= 0) {
-    // It begins above, below or between the ends of the axis; there it is inside.
+    // The start is above, below or between the ends of the axis. Between them, it is inside.
     if (std::abs(segment.from.y) <= half_m) return std::nullopt;
     return EnterBall(segment, place, radius, std::copysign(half_m, segment.from.y));
   }
@@ -74,7 +75,7 @@ std::optional<RayEntry> EnterCapsule(const btCapsuleShape& capsule, const btTran
                                segment.from.x * segment.along.x + segment.from.z * segment.along.z, outside);
   if (!share) return std::nullopt;
   const Vector point = Along(segment.from, segment.along, *share);
-  // Who passes the side above its end can only come in through the cap there.
+  // A segment that crosses the cylinder beyond the end of the axis can only enter through that cap.
   if (std::abs(point.y) > half_m) return EnterBall(segment, place, radius, std::copysign(half_m, point.y));
   return EntryAt(place, *share, {point.x / radius, 0, point.z / radius});
 }
@@ -102,7 +103,7 @@ std::optional<RayEntry> EnterBox(const btBoxShape& box, const btTransform& place
     last = std::min(last, (towards - from_m[axis]) / along_m[axis]);
     if (first > last) return std::nullopt;
   }
-  if (first < 0) return std::nullopt;  // It begins inside, or behind.
+  if (first < 0) return std::nullopt;  // It starts inside, or the box is behind it.
   double normal[3] = {};
   normal[side] = along_m[side] > 0 ? -1 : 1;
   return EntryAt(place, first, {normal[0], normal[1], normal[2]});

@@ -5,16 +5,17 @@
 
 #include "world/physics_bullet.h"
 
-// Where segments meet the shapes of bodies, exactly, for the physics_*.cpp files only: Bullet casts a point against
-// every convex shape by iterating, which costs thousands of instructions for each.
+// Exact intersections of segments with the shapes of bodies; for the physics_*.cpp files only. Bullet computes them
+// iteratively for every convex shape, which costs thousands of instructions each.
 namespace soarbox::world {
 
 struct RayEntry {
-  btScalar fraction = 1;  ///< 0 at the segment's beginning, 1 at its end.
-  btVector3 normal;       ///< Of the surface there, in the world.
+  btScalar fraction = 1;  ///< 0 at the start of the segment, 1 at its end.
+  btVector3 normal;       ///< Normal of the surface at that point, in world coordinates.
 };
 
-/// Where the segment enters the body; nothing if it misses it or begins inside. A plane is entered from both sides.
+/// The point at which the segment enters the body; nothing if it misses the body or starts inside. A plane can be
+/// entered from both sides.
 std::optional<RayEntry> EntryOf(const btCollisionObject& body, const btVector3& from, const btVector3& to);
 
 }  // namespace soarbox::world

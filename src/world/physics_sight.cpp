@@ -12,7 +12,8 @@
 namespace soarbox::world {
 namespace {
 
-/// Each body whose bounding box the segment meets up to `share`, which visit may lessen; ends when visit answers false.
+/// Calls visit for each body whose bounding box the segment intersects up to `share`, which visit may reduce. Stops
+/// when visit returns false.
 template <class Visit>
 bool VisitBodies(const AllBodies& bodies, const btVector3& from, const btVector3& to, btScalar& share,
                  const Visit& visit) {
@@ -26,13 +27,13 @@ bool VisitBodies(const AllBodies& bodies, const btVector3& from, const btVector3
       [&](const btDbvtVolume&, const btCollisionObject& body) { return visit(body); });
 }
 
-/// Whether the segment enters the body before `share` of it.
+/// Whether the segment enters the body before the fraction `share`.
 bool IsEnteredBefore(const btCollisionObject& body, const btVector3& from, const btVector3& to, btScalar share) {
   const auto entry = EntryOf(body, from, to);
   return entry && entry->fraction < share;
 }
 
-/// The edges of a view, seen from above.
+/// The borders of a view, seen from above.
 class Edges {
  public:
   explicit Edges(const View& view) {
@@ -43,7 +44,7 @@ class Edges {
     if (!(length > kLeast) || !(angle < std::numbers::pi_v<float>)) return;
     const float x = view.forward.x / length, z = view.forward.z / length;
     const float sine = std::sin(angle), cosine = std::cos(angle);
-    // Into the view from its left edge, and from its right one.
+    // Unit vectors into the view from its left and its right border.
     left_x_ = sine * x - cosine * z;
     left_z_ = sine * z + cosine * x;
     right_x_ = sine * x + cosine * z;
@@ -52,7 +53,7 @@ class Edges {
     is_open_ = false;
   }
 
-  /// Whether a circle about that place, from the viewer, is outside of the view.
+  /// Whether a circle at this position relative to the viewer is outside the view.
   bool AreBeside(btScalar x, btScalar z, btScalar radius) const {
     const bool left = x * left_x_ + z * left_z_ < -radius, right = x * right_x_ + z * right_z_ < -radius;
     return !is_open_ && (is_wide_ ? left && right : left || right);
@@ -63,15 +64,15 @@ class Edges {
   bool is_wide_ = false, is_open_ = true;
 };
 
-/// The part of the segment in front of the target's surface; all of it if there is none.
+/// The part of the segment before the target's surface; the entire segment if there is no target.
 btScalar ShareInFrontOf(const btCollisionObject* target, const btVector3& from, const btVector3& to) {
   if (target == nullptr) return 1;
-  // What stands behind the target's surface, or leans into it, hides nothing.
+  // Bodies behind the target's surface, or that overlap it, hide nothing.
   const auto surface = EntryOf(*target, from, to);
   return surface ? surface->fraction : 1;
 }
 
-/// How far the target reaches from above or below that place, to any side.
+/// An upper bound of the horizontal extent of the target around that point.
 btScalar ReachOf(const btCollisionObject* target, const btVector3& place) {
   if (target == nullptr) return 0;
   const btCollisionShape& shape = *target->getCollisionShape();
@@ -101,7 +102,7 @@ FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVe
 
 bool EntersNothing(const AllBodies& bodies, const btVector3& from, const btVector3& to) {
   if (!bodies.AreInField(from, to)) return FindFirstHit(bodies, from, to).body == nullptr;
-  // Most bodies about a short segment are beside it, seen from above.
+  // Seen from above, most bodies near a short segment are beside it.
   const btVector3 along = to - from;
   const btScalar length = std::sqrt(along.x() * along.x() + along.z() * along.z());
   const btScalar slack_m = SlackAbout(from, length);
@@ -138,7 +139,7 @@ NearBodies::NearBodies(const AllBodies& bodies, const View& view)
     directions_.Add(i, bodies_[i].x, bodies_[i].z, bodies_[i].radius + slack_m_);
 }
 
-/// A line of sight to two places above each other, seen from above.
+/// A line of sight to two points, one above the other, seen from above.
 struct NearBodies::Line {
   Line(const btVector3& from, const btVector3& to, const btVector3& other)
       : start(from),
@@ -148,7 +149,7 @@ struct NearBodies::Line {
         eyes(from.y()),
         rise{to.y() - from.y(), other.y() - from.y()} {}
 
-  /// Whether one of the two may cross it.
+  /// Whether one of the two lines may cross the plane.
   bool MayCross(const WorldPlane& plane, btScalar slack_m) const {
     const btScalar above = plane.HeightOf(start);
     const btScalar level = above + plane.normal.x() * x + plane.normal.z() * z;
@@ -161,8 +162,8 @@ struct NearBodies::Line {
   btScalar rise[2];
 };
 
-/// Calls visit for each body that the line may enter, with how far its middle is along the line and beside it, both
-/// times the line's length, until it answers false; returns whether it never did.
+/// Calls visit for each body that the line may enter, with the positions of its centre along and beside the line, both
+/// multiplied by the line's length. Stops when visit returns false. Returns whether no call returned false.
 template <class Visit>
 bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
   for (const Plane& plane : planes_)
@@ -177,8 +178,8 @@ bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
   });
 }
 
-/// Whether it certainly hides all that is farther away than `before`, a share of the line: the line passes through it
-/// where it comes nearest to its axis.
+/// Whether a body certainly hides everything beyond the fraction `before`: the line passes through it at the point
+/// nearest to its axis.
 bool NearBodies::HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before,
                                  btScalar along, btScalar beside) const {
   const btScalar length_2 = line.length * line.length;
@@ -186,7 +187,7 @@ bool NearBodies::HidesForCertain(const BoxedBody& each, const Line& line, btScal
   const btScalar radius = each.radius - slack_m_, off = beside / line.length, share = along / length_2;
   const btScalar height = line.eyes + rise * share;
   const btScalar past = std::max({each.low - height, height - each.high, btScalar{0}});
-  // The eyes are outside of it.
+  // The eyes are outside the body.
   const btScalar away = along / line.length, outer = each.radius + slack_m_;
   return radius > 0 && off * off + past * past < radius * radius && off * off + away * away > outer * outer;
 }
@@ -213,9 +214,9 @@ FirstHit NearBodies::FindFirst(const btVector3& from, const btVector3& to) const
 bool NearBodies::IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,
                                  const btCollisionObject* viewer, const btCollisionObject* target) const {
   const Line line(from, to, other);
-  // No nearer to its end than this share of it does the line enter the target.
+  // The line enters the target only after this fraction.
   const btScalar before = line.length > 0 ? 1 - (ReachOf(target, to) + slack_m_) / line.length : 0;
-  // Most are hidden by one or by none, for certain; what else may be between is tested as any segment is.
+  // Usually the result is certain. Other bodies that may be between are tested like any segment.
   std::array<const BoxedBody*, 32> between;
   std::size_t count = 0;
   bool is_hidden[2] = {};

@@ -8,33 +8,34 @@
 #include "world/physics_probe.h"
 #include "world/physics_trees.h"
 
-// What is on a segment, for the physics_*.cpp files only. Changes nothing, so that several threads may ask at a time.
+// Queries along segments; for the physics_*.cpp files only. They change nothing, so several threads may query at a
+// time.
 namespace soarbox::world {
 
-/// The first body that the segment enters; of several at one point, the one with the smallest owner.
+/// The first body that the segment enters. If it enters several at the same point, the one with the smallest owner.
 FirstHit FindFirstHit(const AllBodies& bodies, const btVector3& from, const btVector3& to);
 
-/// Whether the segment enters no body: FindFirstHit finds none.
+/// Whether the segment enters no body, that is, FindFirstHit finds none.
 bool EntersNothing(const AllBodies& bodies, const btVector3& from, const btVector3& to);
 
-/// Whether nothing but these two is on the segment in front of the target. The target may be null.
+/// Whether no body except these two is on the segment before the target. The target may be null.
 bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target);
 
-/// The bodies around somebody who looks, for many segments from there: each looks at those of its own direction that it
-/// comes near, seen from above.
+/// The bodies around a viewer, for many segments from the same position. A query tests only bodies in the direction of
+/// the segment and close to it, seen from above.
 class NearBodies {
  public:
   NearBodies(const AllBodies& bodies, const View& view);
 
-  /// Whether the segment to one of two places above each other, within the view, is clear (IsClear).
+  /// Whether the segment to at least one of two points, one above the other and within the view, is clear (IsClear).
   bool IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,
                        const btCollisionObject* viewer, const btCollisionObject* target) const;
-  /// FindFirstHit of a segment from there to a place within the view.
+  /// Like FindFirstHit, for a segment from the viewer to a point within the view.
   FirstHit FindFirst(const btVector3& from, const btVector3& to) const;
 
  private:
-  /// A plane is on all lines seen from above, but few cross it.
+  /// Seen from above, a plane is on every line, but few lines cross it.
   struct Plane {
     BoxedBody body;
     WorldPlane plane;
@@ -47,10 +48,10 @@ class NearBodies {
   bool HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before, btScalar along,
                        btScalar beside) const;
 
-  btScalar slack_m_;               ///< SlackAbout the viewer.
-  std::vector<BoxedBody> bodies_;  ///< Their circles are about the viewer.
+  btScalar slack_m_;               ///< SlackAbout the viewer's position.
+  std::vector<BoxedBody> bodies_;  ///< Their circles are relative to the viewer.
   std::vector<Plane> planes_;
-  Directions directions_;  ///< Of the bodies.
+  Directions directions_;  ///< Index of bodies_.
 };
 
 }  // namespace soarbox::world

@@ -7,12 +7,12 @@
 #include "world/physics_crowd.h"
 #include "world/physics_field.h"
 
-// Where bodies are looked for, for the physics_*.cpp files only. Reading changes nothing, so that several threads may
-// do it at a time.
+// Searches in the trees of bodies; for the physics_*.cpp files only. They change nothing, so several threads may search
+// at a time.
 namespace soarbox::world {
 
-/// Calls visit(box, body) for each body below a node whose bounding box `meets` accepts, like those of all nodes above
-/// it. Ends when visit answers false; returns whether it never did.
+/// Calls visit(box, body) for each body in the tree whose bounding box, and those of all its ancestors, `meets`
+/// accepts. Stops when visit returns false. Returns whether no call returned false.
 template <class Meets, class Visit>
 bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
   std::array<const btDbvtNode*, 64> waiting;
@@ -28,7 +28,7 @@ bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
       if (count < waiting.size()) {
         waiting[count++] = child;
       } else if (!VisitTree(child, meets, visit)) {
-        return false;  // A tree this deep is rare: it continues on a list of its own.
+        return false;  // Deep trees are rare; this part continues with a new stack.
       }
     }
   }
@@ -42,18 +42,18 @@ bool VisitTrees(const CrowdBroadphase& bodies, const Meets& meets, const Visit& 
   return true;
 }
 
-/// The broad phase's trees, and the field while it is known.
+/// All bodies: the trees of the broadphase, and the grid while it is known.
 struct AllBodies {
   const CrowdBroadphase& trees;
   const BodyField& field;
 
-  /// Whether the field finds what is on a segment, as fast as it can be; else the trees do.
+  /// Whether the grid can answer a query along this segment efficiently; otherwise the trees are searched.
   bool AreInField(const btVector3& from, const btVector3& to) const {
     return field.is_known() && (to - from).length2() < BodyField::kLongest_m * BodyField::kLongest_m;
   }
 };
 
-/// Calls visit(const BoxedBody&) for each body whose box touches this one.
+/// Calls visit(const BoxedBody&) for each body whose box overlaps this box.
 template <class Visit>
 void VisitTouching(const AllBodies& bodies, const btVector3& low, const btVector3& high, const Visit& visit) {
   const btDbvtVolume wanted = btDbvtVolume::FromMM(low, high);

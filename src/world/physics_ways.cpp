@@ -13,7 +13,7 @@
 namespace soarbox::world {
 namespace {
 
-/// As a bit; there may be more groups than bits.
+/// The group as a bit. Several groups can share a bit.
 std::uint64_t GroupOf(std::size_t n) {
   return 1ull << (n % 64);
 }
@@ -51,7 +51,7 @@ bool LevelWays::IsOwn(const btCollisionObject& body) const {
   return owner == static_cast<int>(Number(walker_.self)) || owner == static_cast<int>(Number(walker_.through));
 }
 
-/// Whether it is a plane that no way comes near: the ground.
+/// Whether the body is a plane that no path comes near, such as the ground.
 bool LevelWays::IsPlaneAfar(const BoxedBody& each) const {
   constexpr btScalar kLarge_m = 1e6f;
   if (each.radius < kLarge_m) return false;
@@ -97,12 +97,12 @@ bool LevelWays::IsNear(const Circle& circle, const Way& way) const {
                           along <= circle.outer + way.length_m);
 }
 
-/// Whether a body is certainly entered by one of the segments. If not, `groups` becomes those of the fours that hold
-/// bodies which may be entered.
+/// Whether one of the segments certainly enters a body. If not, sets `groups` to the groups of four with bodies that
+/// may be entered.
 bool LevelWays::IsBlockedForCertain(const Way& way, std::uint64_t& groups) const {
   groups = 0;
   for (std::size_t n = 0; n < circles_.size(); ++n) {
-    // How far each circle's middle is along the way and beside it.
+    // Positions of the circles' centres along and beside the path.
     const Circles& four = circles_[n];
     const Four along = four.x * way.x + four.z * way.z, beside = four.x * way.z - four.z * way.x;
     const Four reach = four.outer + walker_.half_width_m, past = along - way.length_m;
@@ -122,8 +122,8 @@ bool LevelWays::IsBlockedForCertain(const Way& way, std::uint64_t& groups) const
   return false;
 }
 
-/// Calls visit for each body of the groups that one of the segments may enter, until it answers false; returns whether
-/// it never did.
+/// Calls visit for each body of the groups that one of the segments may enter, until it returns false. Returns whether
+/// no call returned false.
 template <class Visit>
 bool LevelWays::VisitNear(const Way& way, std::uint64_t groups, const Visit& visit) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -160,7 +160,7 @@ bool LevelWays::IsOpen(Vec3 direction, float length_m) const {
   return true;
 }
 
-/// Whether the segment enters nothing, or one of the walker's own bodies first.
+/// Whether the segment enters no body, or first one of the walker's own bodies.
 bool LevelWays::IsOwnFirst(const Way& way, const Segment& segment) const {
   FirstHit first;
   btScalar share = 1;

@@ -9,21 +9,21 @@
 #include "world/physics_probe.h"
 #include "world/ways_around.h"
 
-// Which level ways are open among bodies, for the physics_*.cpp files only.
+// Which horizontal paths are free among bodies; for the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// The bodies that a walker may meet, whatever its direction. Of most it is certain from above whether they are in the
-/// way, four at a time: they stand upright and fill a circle. The others are tested as rays are (EntryOf), so that the
-/// answer is that of rays.
+/// The bodies that may block a walker in any direction. Most of them stand upright and fill a circle; whether they
+/// block the path is certain from above and is computed for four bodies at a time. The others are tested like rays
+/// (EntryOf), so that the answer is the same as with rays.
 class LevelWays {
  public:
-  /// `reach_m`: how far from the walker's place its ways and their sides may extend.
+  /// `reach_m`: maximum distance from the walker's position of all points of its paths, including their sides.
   LevelWays(const Walker& walker, float reach_m);
 
-  /// The box outside of which no body matters.
+  /// The box that contains all bodies that matter.
   const btVector3& low() const { return low_; }
   const btVector3& high() const { return high_; }
-  /// Takes each body whose box touches that one, once.
+  /// Adds a body. Call it once for each body whose box overlaps that box.
   void Consider(const BoxedBody& each);
 
   bool IsOpen(Vec3 direction, float length_m) const;
@@ -32,15 +32,16 @@ class LevelWays {
   static constexpr std::size_t kLanes = 4;
   using Four [[gnu::vector_size(16)]] = btScalar;
   using Mask [[gnu::vector_size(16)]] = int;
-  /// Circles seen from above, about the place. No segment that stays outside of the outer one enters the body; each
-  /// that goes into the inner one from outside of the outer one does. The inner one is empty if that is not certain.
+  /// Two concentric circles per body, seen from above, relative to the walker's position. A segment that stays outside
+  /// the outer circle does not enter the body. A segment from outside the outer circle into the inner one does. The
+  /// inner circle is empty if that is not certain.
   struct Circles {
     Four x{}, z{}, outer{}, inner{};
   };
   struct Circle {
     btScalar x, z, outer, inner;
   };
-  /// One of the three segments of a way.
+  /// One of the three segments of a path.
   struct Segment {
     btVector3 from, to;
     Probe probe;
@@ -51,7 +52,7 @@ class LevelWays {
   bool IsOwn(const btCollisionObject& body) const;
   Circle CircleOf(const BoxedBody& each) const;
   bool IsPlaneAfar(const BoxedBody& each) const;
-  /// Whether the walker stands in the middle of the body, so that it never enters it.
+  /// Whether the walker is inside the body, so that its paths never enter it.
   bool StandsIn(const BoxedBody& each) const;
   bool IsNear(const Circle& circle, const Way& way) const;
   bool IsBlockedForCertain(const Way& way, std::uint64_t& groups) const;
@@ -61,11 +62,11 @@ class LevelWays {
 
   Walker walker_;
   float reach_m_;
-  btScalar slack_m_;  ///< SlackAbout its place.
+  btScalar slack_m_;  ///< SlackAbout the walker's position.
   btVector3 low_, high_;
-  std::vector<BoxedBody> own_;  ///< What is not in the walker's way but may hide what is.
+  std::vector<BoxedBody> own_;  ///< Bodies that do not block the walker, but may hide others.
   std::vector<BoxedBody> bodies_;
-  std::vector<Circles> circles_;  ///< Of the bodies.
+  std::vector<Circles> circles_;  ///< Circles of bodies_.
 };
 
 }  // namespace soarbox::world

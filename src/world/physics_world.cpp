@@ -25,24 +25,25 @@
 namespace soarbox::world {
 namespace {
 
-// Half a body's length per step is as far as it may go without being swept (spec 6).
+// A body that moves more than half its length per step needs continuous collision detection (spec 6).
 constexpr float kSweepThreshold_m = 0.5f;
-// Bullet strings its pools of contacts together one by one before the first step: 4 MB by default, a quarter of a short
-// run. What does not fit into a pool comes from the heap.
+// Bullet links its pools of contacts before the first step. The default is 4 MB, which takes a quarter of a short run.
+// Contacts that do not fit into a pool come from the heap.
 constexpr int kPoolOfContacts = 512;
 constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;
-// The solver ends before its last iteration once no contact changes a velocity by more than 1e-5 m/s.
+// The solver stops early when no contact changes a velocity by more than 1e-5 m/s.
 constexpr float kSolvedEnough = 1e-10f;
 
-/// Contacts never turn it.
+/// Whether contacts never rotate the body.
 bool CannotTurn(const btCollisionObject* object) {
   const btRigidBody* body = btRigidBody::upcast(object);
   return body == nullptr || body->isStaticObject() || body->getAngularFactor().isZero();
 }
 
 btScalar ProductOfRollingFrictions(const btCollisionObject* a, const btCollisionObject* b) {
-  // Three rows for the solver that would change nothing: most contacts of a crowd are those of agents with the ground.
+  // Avoids three rows of the solver that would have no effect: most contacts of a crowd are those of agents with the
+  // ground.
   if (CannotTurn(a) && CannotTurn(b)) return 0;
   return a->getRollingFriction() * b->getRollingFriction();
 }
@@ -52,13 +53,13 @@ bool IsUpright(const btCollisionObject& object) {
   return turn[0][1] == 0 && turn[2][1] == 0;
 }
 
-// Bullet has one rule for all worlds of the process; the sandbox's constants want the product.
+// Bullet has one friction rule for all worlds of a process. The sandbox's constants assume the product.
 void InstallFrictionRule() {
   static std::once_flag once;
   std::call_once(once, [] { gCalculateCombinedRollingFrictionCallback = ProductOfRollingFrictions; });
 }
 
-/// False for what is not finite, too.
+/// False for values that are not finite.
 bool IsWithin(const btVector3& v, btScalar limit) {
   return std::abs(v.x()) <= limit && std::abs(v.y()) <= limit && std::abs(v.z()) <= limit;
 }
@@ -84,9 +85,9 @@ struct PhysicsWorld::Body {
   bool sensor = false;
   std::vector<EntityId> inside;  ///< Of a sensor, after the last step, in ascending order.
   BodyId id = BodyId::kNone;
-  std::uint64_t hash = 0;  ///< Its part of the hash of all; 0 until it is known.
+  std::uint64_t hash = 0;  ///< Its part of the total hash; 0 if it is not known.
   static constexpr std::size_t kKnown = ~std::size_t{0};
-  std::size_t to_hash_at = kKnown;  ///< Among those whose part is to be made anew.
+  std::size_t to_hash_at = kKnown;  ///< Index in the list of bodies whose part must be recomputed.
 
   std::uint64_t Hash() const {
     StateHash made;
@@ -111,9 +112,9 @@ struct PhysicsWorld::Impl {
         step_s(settings.step_s) {
     InstallFrictionRule();
     FindCapsulesOnPlanes(dispatcher);
-    // Finds several corners of a box on a plane in one step; with one corner per step small boxes rock for ever.
+    // Finds several corners of a box on a plane in one step. With one corner per step, small boxes rock forever.
     configuration.setPlaneConvexMultipointIterations(3, 3);
-    // The scalar solver rows: the vector ones differ from processor to processor.
+    // The scalar solver rows, because the vectorized ones give different results on different processors.
     solver.setConstraintRowSolverGeneric(solver.getScalarConstraintRowSolverGeneric());
     solver.setConstraintRowSolverLowerLimit(solver.getScalarConstraintRowSolverLowerLimit());
     world.setGravity(ToBullet(gravity));
@@ -142,7 +143,7 @@ struct PhysicsWorld::Impl {
     if (!body.rigid->isStaticObject()) body.rigid->setGravity(ToBullet(body.gravity));
   }
 
-  // Keeps bounding boxes right for ray casts between steps, and for fixed bodies altogether.
+  // Updates bounding boxes for ray casts between steps, and for fixed bodies.
   void Moved(Body& body) {
     field.Forget();
     body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
@@ -208,17 +209,17 @@ struct PhysicsWorld::Impl {
   std::vector<Hinge> hinges;
   std::vector<Push> pushes, last_pushes;
   std::vector<BodyId> moved;
-  std::uint64_t hash_sum = 0;  ///< Of the parts of all bodies.
+  std::uint64_t hash_sum = 0;  ///< Sum of the parts of all bodies.
   std::vector<Body*> to_hash;
-  /// Grows whenever a body that is not upright moves, comes, goes or changes its mass.
+  /// Incremented when a body that is not upright moves, is added or removed, or changes its mass.
   std::uint64_t changes = 0;
-  std::uint64_t obstacles_of = ~0ull;  ///< The value of changes that obstacles belong to.
+  std::uint64_t obstacles_of = ~0ull;  ///< The value of `changes` for which `obstacles` is valid.
   std::vector<Obstacle> obstacles;
 };
 
 namespace {
 
-/// Bullet goes on with what its allocator gives it, whatever that is.
+/// Bullet does not check the result of its allocator, so this never returns null.
 void* TakeForBullet(std::size_t size, int alignment) {
   const auto step = static_cast<std::size_t>(alignment);
   void* memory = std::aligned_alloc(step, (size + step - 1) / step * step);
@@ -226,7 +227,7 @@ void* TakeForBullet(std::size_t size, int alignment) {
   return memory;
 }
 
-/// Before Bullet takes any memory.
+/// Must run before Bullet allocates memory.
 const WorldSettings& WithSafeMemory(const WorldSettings& settings) {
   static const bool is_set = [] {
     btAlignedAllocSetCustomAligned(TakeForBullet, std::free);
@@ -377,7 +378,7 @@ void PhysicsWorld::SetOrientation(BodyId id, Quat orientation) {
   body.rigid->getWorldTransform().setRotation(ToBullet(orientation));
   body.rigid->updateInertiaTensor();
   if (was_upright && IsUpright(*body.rigid)) {
-    // A capsule that turns about its own axis fills the same space.
+    // A capsule that rotates about its own axis occupies the same space.
     body.rigid->setInterpolationWorldTransform(body.rigid->getWorldTransform());
     impl_->Wake(body);
     return;
@@ -406,7 +407,7 @@ void PhysicsWorld::SetMass(BodyId id, float mass_kg) {
   const float mass = std::clamp(mass_kg, 0.0f, kMaxMass_kg);
   const bool was_fixed = body.rigid->isStaticObject();
   const bool fixed = mass == 0;
-  // Fixed and dynamic bodies live in different collision groups, so a change between them needs a new entry.
+  // Fixed and dynamic bodies have different collision groups, so a change requires a new entry.
   if (was_fixed != fixed) {
     impl_->crowd.Forget(*body.rigid);
     impl_->world.removeRigidBody(body.rigid.get());
@@ -482,9 +483,9 @@ void PhysicsWorld::Step(float step_s, const Workers& workers) {
   ++impl_->changes;
 }
 
-/// Of those that have moved, which it notes.
+/// Applies to the bodies that have moved, and records them.
 void PhysicsWorld::Impl::KeepInRange() {
-  // What falls asleep loses its velocity then.
+  // A body that falls asleep loses its velocity.
   for (const BodyId id : moved)
     if (const auto& body = bodies[static_cast<std::size_t>(id)]) HashAnew(*body);
   moved.clear();

@@ -28,14 +28,14 @@ enum class BodyShape : std::uint8_t {
   kCapsule,  ///< Upright; size.x = radius, size.y = total height.
   kSphere,   ///< size.x = radius.
   kPlane,    ///< The half-space below y = 0 of the body.
-  kMesh,     ///< The box bounds; the centre of mass is the mesh's origin.
+  kMesh,     ///< The bounding box; the centre of mass is the mesh's origin.
 };
 
 struct BodyDef {
   BodyShape shape = BodyShape::kBox;
   Vec3 size{1, 1, 1};
   MeshBounds bounds;     ///< kMesh only.
-  bool doorway = false;  ///< kMesh only: the wall has an opening at its foot (modular_meshes.h).
+  bool doorway = false;  ///< kMesh only: the wall has a doorway (modular_meshes.h).
   float mass_kg = 1;     ///< 0 = fixed.
   bool upright = false;  ///< Contacts never turn it, and it may not be an obstacle: an agent.
   bool sensor = false;   ///< Fixed. Meets nothing and is met by nothing, rays included; see SensorChanges.
@@ -44,15 +44,14 @@ struct BodyDef {
   EntityId owner = kNoEntity;
 };
 
-/// The rigid bodies of one world, on Bullet; the rest of the module does not see Bullet. Units are SI.
+/// The rigid bodies of one world, implemented with Bullet. No other part of the module includes Bullet. Units are SI.
 ///
-/// Deterministic: bodies, pairs and contacts are visited in an order that follows from the calls alone, the solver is
-/// scalar and keeps its order. Values handed in are finite (callers check); ids must be alive. A body id may be given
-/// again after Remove.
+/// Deterministic: the order of bodies, pairs and contacts depends only on the calls; the solver is scalar and keeps its
+/// order. Callers must pass finite values and valid ids. Ids are reused after Remove.
 class PhysicsWorld {
  public:
   explicit PhysicsWorld(const WorldSettings& settings);
-  /// Whether so many bodies have overlapped at once that further ones passed through each other.
+  /// Whether, at some time, so many bodies overlapped that further ones passed through each other.
   bool IsCrowded() const;
   ~PhysicsWorld();
 
@@ -67,10 +66,10 @@ class PhysicsWorld {
   bool IsSleeping(BodyId body) const;
   /// Half the diagonal of the bounding box.
   float Radius(BodyId body) const;
-  /// The lowest and highest corner of the box around the shape, in the body's own frame.
+  /// The minimum and maximum corner of the bounding box of the shape, in the body's own frame.
   std::pair<Vec3, Vec3> LocalBox(BodyId body) const;
 
-  // All of these wake the body.
+  // All of the following wake the body.
   void SetPosition(BodyId body, Vec3 position);
   void SetOrientation(BodyId body, Quat orientation);
   void SetVelocity(BodyId body, Vec3 velocity);
@@ -89,20 +88,20 @@ class PhysicsWorld {
 
   /// One step. Bodies that leave the range of the numbers are put back at its edge, at rest.
   void Step(float step_s, const Workers& workers = {});
-  /// Those that may have moved by themselves in the last step: those that could move and did not sleep. In a fixed
-  /// order; some may have gone since, and their ids may belong to others.
+  /// The bodies that may have moved in the last step: those that are not fixed and were not asleep. In a fixed order.
+  /// Some may have been removed since, and their ids reused.
   std::span<const BodyId> MovedBodies() const;
   struct Push {
     BodyId body = BodyId::kNone;
     Vec3 force_n;
     Vec3 spin_rad_s{};
   };
-  /// What was applied for the last step, in the order of the calls, the first kMostPushes of them: forces; for
-  /// velocities that were set, the force that would have changed them so; for angular impulses, the change of the
-  /// angular velocity. Nothing in a run depends on it.
+  /// The forces of the last step, in the order of the calls; at most the first kMostPushes. For velocities that were
+  /// set: the force that would have caused the change. For angular impulses: the change of the angular velocity.
+  /// Nothing in a run depends on it.
   const std::vector<Push>& LastPushes() const;
   static constexpr std::size_t kMostPushes = 8192;
-  /// Whether the body is still there, and whose it is.
+  /// The owner of a body; kNoEntity if the body was removed.
   EntityId OwnerOf(BodyId body) const;
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
@@ -110,21 +109,22 @@ class PhysicsWorld {
   /// come first, each kind in ascending order.
   const std::vector<SensorChange>& SensorChanges() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// Makes the questions above and below cheaper until a body moves, comes or goes. Pays off for some for each body.
+  /// Makes the queries above and below cheaper until a body moves, is added or is removed. Worthwhile if there are
+  /// several queries per body.
   void PrepareRays();
-  /// Whether nothing but these two is on one of the segments to two places above each other, in front of the target's
-  /// surface; either may be kNone. Much faster than RayCast where many bodies are on the way. `around`: of a view that
-  /// holds the places, or null.
+  /// Whether a segment from `from` to `to` or to `other`, which are one above the other, is free before the target's
+  /// surface, except for viewer and target. Both may be kNone. Much faster than RayCast if many bodies are near.
+  /// `around`: the bodies of a view that contains the points, or null.
   bool IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target, const BodiesAround* around) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call
   /// that is not const.
   std::span<const Obstacle> Obstacles();
   void AddDebugLines(std::vector<LineSnapshot>& lines);
-  /// Hash of all that decides the future of the bodies that are not upright. Looks only at those that moved or were
-  /// changed since the last call; `anew`: at all of them, which gives the same.
+  /// Hash of all state that determines the future of bodies that are not upright. Reads only those that moved or were
+  /// changed since the last call; with `anew` all of them, which gives the same hash.
   std::uint64_t HashOfThings(bool anew = false);
 
-  // What a body can bear; callers clamp to these.
+  // Limits of bodies. Callers clamp values to these.
   static constexpr float kMaxCoordinate_m = 1e6f;
   static constexpr float kMaxSpeed_mps = 1e5f;
   static constexpr float kMaxForce_n = 1e12f;
@@ -143,7 +143,7 @@ class PhysicsWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether RayCast hits nothing: cheaper than to find what it hits.
+/// Whether RayCast hits nothing. Cheaper than RayCast.
 bool MeetsNothing(const PhysicsWorld& physics, Vec3 from, Vec3 to);
 
 }  // namespace soarbox::world

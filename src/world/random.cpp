@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint64_t kMultiplier = 6364136223846793005ull;
 
-// Spreads neighbouring seeds and stream numbers over all 64 bits (Stafford's mix 13).
+// Spreads similar seeds and stream numbers over all 64 bits (Stafford's mix 13).
 std::uint64_t Mix(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
@@ -34,7 +34,7 @@ std::uint32_t RandomStream::Next() {
 
 std::uint32_t RandomStream::Below(std::uint32_t bound) {
   if (bound == 0) return 0;
-  // Numbers below the remainder of 2^32 / bound would make small results likelier.
+  // Numbers below the remainder of 2^32 / bound would make small results more likely.
   const std::uint32_t remainder = (0u - bound) % bound;
   std::uint32_t number = Next();
   while (number < remainder) number = Next();

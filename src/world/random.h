@@ -5,8 +5,8 @@
 
 namespace soarbox::world {
 
-/// A stream of random numbers (O'Neill's PCG, 64 bits of state, 32 bits of output): the same on every machine and
-/// standard library. Streams with different numbers are independent even if they share a seed.
+/// A stream of random numbers (O'Neill's PCG with 64 bits of state and 32 bits of output). It is the same on every
+/// machine and standard library. Streams with different numbers are independent even with the same seed.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed = 1, std::uint64_t stream = 0);
@@ -17,11 +17,11 @@ class RandomStream {
   std::uint32_t Below(std::uint32_t bound);
   /// [0, 1) with 24 random bits.
   float Unit();
-  /// [0, 1) with 53 random bits; takes two numbers off the stream.
+  /// [0, 1) with 53 random bits. Draws two numbers.
   double UnitDouble();
-  /// Restarts the stream from another seed; the stream's number stays.
+  /// Restarts the stream with another seed; keeps the stream's number.
   void Reseed(std::uint64_t seed);
-  /// All that decides the future of the stream, for the state hash.
+  /// The state that determines all later numbers, for the state hash.
   std::uint64_t state() const { return state_; }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace soarbox::world {
 
-/// Fills a list again in place of what it held, so that its entries' texts and lists keep their memory. Entries that
-/// are left over go at the end.
+/// Refills a list in place, so that texts and lists in its entries keep their allocated memory. The destructor removes
+/// the entries that were not refilled.
 template <typename T>
 class Refill {
  public:
@@ -16,7 +16,7 @@ class Refill {
   Refill(const Refill&) = delete;
   Refill& operator=(const Refill&) = delete;
 
-  /// The next entry, to be assigned to as a whole. Valid until the next call.
+  /// The next entry; the caller must assign all its members. Valid until the next call.
   T& Next() {
     if (used_ == list_.size()) list_.emplace_back();
     return list_[used_++];

@@ -42,7 +42,7 @@ Vec3 ToRotationVector(Quat rotation) {
   const Vec3 x = Rotate(rotation, {1, 0, 0});
   const Vec3 y = Rotate(rotation, {0, 1, 0});
   const Vec3 z = Rotate(rotation, {0, 0, 1});
-  // z.x is sin(y); within rounding of +-1 the outer two angles turn about the same axis.
+  // z.x is sin(y). If it is almost +-1, the two outer rotations have the same axis.
   if (z.x >= 0.9999999f) return {std::atan2(x.y, y.y) * kDegrees, 90, 0};
   if (z.x <= -0.9999999f) return {-std::atan2(x.y, y.y) * kDegrees, -90, 0};
   return {std::atan2(-z.y, z.z) * kDegrees, std::asin(z.x) * kDegrees, std::atan2(-y.x, x.x) * kDegrees};
@@ -56,7 +56,7 @@ Vec3 ToPitchYawRoll(Quat rotation) {
 }
 
 Quat FromAxes(Vec3 x, Vec3 y, Vec3 z) {
-  // The largest of the four components is found first, so that nothing is divided by a small number.
+  // Computes the largest component first, so that no division is by a small number.
   const float trace = x.x + y.y + z.z;
   Quat q;
   if (trace > 0) {

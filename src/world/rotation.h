@@ -5,29 +5,29 @@
 
 namespace soarbox::world {
 
-/// Conversions between quaternions and the rotation vectors of the sandbox's scripts: degrees (x, y, z) that stand for
-/// the matrix Rx(x) * Ry(y) * Rz(z).
+/// Conversions between quaternions and the rotation vectors of the sandbox's scripts. A vector of degrees (x, y, z) is
+/// the rotation matrix Rx(x) * Ry(y) * Rz(z).
 
-/// The rotation that a rotation vector stands for.
+/// Converts a rotation vector to a quaternion.
 Quat FromRotationVector(Vec3 degrees);
 
 /// The inverse: y in -90..90, x and z in -180..180; z = 0 in gimbal lock.
 Vec3 ToRotationVector(Quat rotation);
 
-/// What Core.GetRotation reports (spec 5.2): pitch, yaw, roll in degrees, each read off one rotated axis. Not in
-/// general the inverse of FromRotationVector.
+/// The result of Core.GetRotation (spec 5.2): pitch, yaw and roll in degrees, each computed from one rotated axis. In
+/// general not the inverse of FromRotationVector.
 Vec3 ToPitchYawRoll(Quat rotation);
 
-/// The rotation whose matrix has these columns. They should be orthonormal and right-handed; others give the nearest
-/// unit quaternion that the formula yields, and degenerate ones the identity.
+/// The rotation whose matrix has these columns, which should be orthonormal and right-handed. Other columns give the
+/// unit quaternion that the formula yields; degenerate ones give the identity.
 Quat FromAxes(Vec3 x, Vec3 y, Vec3 z);
 
-/// The rotation along the shortest arc that takes direction from to direction to; lengths do not matter. Opposite
-/// directions turn 180 degrees about an axis perpendicular to from. Zero vectors give the identity.
+/// The rotation along the shortest arc from direction `from` to direction `to`; lengths do not matter. Opposite
+/// directions give a rotation by 180 degrees about an axis perpendicular to `from`. Zero vectors give the identity.
 Quat ShortestArc(Vec3 from, Vec3 to);
 
-/// Agents: z along forward, x horizontal (up cross z). False, and rotation untouched, if forward is zero, vertical or
-/// not finite.
+/// The orientation of an agent: z along forward, x horizontal (up cross z). Returns false and does not change
+/// `rotation` if forward is zero, vertical or not finite.
 bool FacingAlong(Vec3 forward, Quat& rotation);
 
 Quat Normalized(Quat q);

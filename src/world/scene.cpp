@@ -11,7 +11,7 @@
 namespace soarbox::world {
 namespace {
 
-/// Puts a transform within another one. Most move nothing, and many turn nothing.
+/// Applies a parent's transform. Most have no translation or scale, and many no rotation.
 void Hang(WorldTransform& below, const Vec3& position, const Quat& orientation, const Vec3& scale) {
   if (below.position == Vec3{}) {
     below.position = position;
@@ -134,7 +134,7 @@ bool Scene::SetScale(NodeId node, Vec3 scale) {
 }
 
 void Scene::PlaceWorldNode(NodeId node, Vec3 position, Quat orientation) {
-  // The nodes of agents and objects hang under the root, which never moves.
+  // The nodes of agents and objects are children of the root, which never moves.
   if (Node* found = Find(node)) {
     found->position = position;
     found->orientation = orientation;

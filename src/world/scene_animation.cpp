@@ -5,7 +5,7 @@
 #include "world/scene_node.h"
 #include "world/state_hash.h"
 
-// Bodies with a skeleton: their movements, and what hangs on their bones.
+// Bodies with a skeleton: their animations, and nodes attached to their bones.
 namespace soarbox::world {
 
 Animator* Scene::AnimatorOf(NodeId node) {
@@ -66,7 +66,7 @@ bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 positi
   thing->bone = static_cast<int>(bone);
   thing->position = position;
   thing->orientation = Normalized(orientation);
-  // What is carried belongs to the carrier, with all that hangs below it.
+  // A carried node and its descendants belong to the carrier.
   std::vector<Node*> waiting{thing};
   while (!waiting.empty()) {
     Node* next = waiting.back();
@@ -81,7 +81,7 @@ bool Scene::AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 positi
 }
 
 std::optional<BonePose> Scene::BoneInWorld(NodeId node, std::string_view bone) const {
-  // Depth first, without recursion: scripts may hang things on each other as long as they like.
+  // Depth first, without recursion, because chains of attachments can be long.
   std::vector<const Node*> waiting{Find(node)};
   while (!waiting.empty()) {
     const Node* found = waiting.back();

@@ -13,7 +13,7 @@ constexpr float kThin_m = 0.01f;
 constexpr float kTextureRepeat_m = 2.0f;
 constexpr float kLightRange_m = 30.0f;
 
-// Sizes below zero, and those that are no numbers, count as zero.
+// Negative sizes and NaN count as zero.
 float LengthOf(float metres) {
   return std::isfinite(metres) ? std::clamp(metres, 0.0f, 1e6f) : 0.0f;
 }

@@ -8,13 +8,13 @@
 #include "world/scene_node.h"
 #include "world/scene_picture.h"
 
-// What the scene tree looks like in world space.
+// Converts the scene tree to world coordinates.
 namespace soarbox::world {
 namespace {
 
 constexpr int kRingSegments = 32;
 
-// A ring is drawn as lines, in the colour that its material's name stands for.
+// A ring is drawn as lines in the colour of its material.
 Color ColorOf(const std::string& material) {
   if (material.find("Red") != std::string::npos) return {1, 0, 0, 1};
   if (material.find("Green") != std::string::npos) return {0, 1, 0, 1};
@@ -34,7 +34,7 @@ void MakeRing(const WorldTransform& transform, float radius_m, Color color, std:
   }
 }
 
-/// Ids ascend in the lists of nodes.
+/// Ids ascend in lists of nodes.
 template <typename Node>
 void AddOnce(std::vector<const Node*>& list, const Node& node) {
   const auto at =
@@ -85,7 +85,7 @@ void Scene::Forget(Node& node) {
   }
 }
 
-/// Brings one node's part of the picture up to date.
+/// Updates the cached drawable of one node.
 void Scene::Redraw(Node& node) const {
   Picture& picture = *picture_;
   switch (node.content) {
@@ -106,7 +106,7 @@ void Scene::Redraw(Node& node) const {
             node.bone < 0 && node.position == Vec3{} && node.orientation == Quat{} && node.scale == Vec3{1, 1, 1};
         node.has_offset = node.offset != Vec3{} || node.offset_turn != Quat{};
       }
-      // What most bodies look like hangs on them just so.
+      // The drawable of most bodies is a direct child without a transform of its own.
       const Node* const body = node.above;
       const bool is_body = node.is_in_place && body->HasBody() && body->bone < 0 && !body->above->above;
       const WorldTransform transform =
@@ -157,7 +157,7 @@ void Scene::Refresh() const {
     if (!picture.drawables.IsEnd(place) && picture.drawables.At(place).id == Number(id)) picture.drawables.Erase(place);
   }
   picture.gone.clear();
-  // No deeper than kDeepest.
+  // The recursion is limited by kDeepest.
   const auto redraw_all = [&](const auto& self, Node& node) -> void {
     if (std::exchange(node.drawn_in, picture.refreshings) == picture.refreshings) return;
     if (node.content != NodeContent::kNone) Redraw(node);
@@ -168,7 +168,7 @@ void Scene::Refresh() const {
     redraw_all(redraw_all, *node);
   }
   picture.waiting.clear();
-  // Bodies move their bones by themselves.
+  // Animations move bones without a change of nodes.
   for (const NodeId id : animated_) {
     Node& node = const_cast<Node&>(*Find(id));
     if (node.drawn_pose != node.animator->changes()) redraw_all(redraw_all, node);

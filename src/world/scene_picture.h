@@ -10,21 +10,21 @@
 // For the scene*.cpp files only.
 namespace soarbox::world {
 
-/// What there is to see, as the last snapshot showed it, and what has changed since.
+/// The visible content of the last snapshot, and the changes since then.
 ///
-/// Invariants: a node that differs from the picture, or hangs below one that moved, is in `waiting` or below a node
-/// that is, or below a body whose pose has changed; each node is there once. Of removed nodes, nothing is left but the
-/// ids of their drawables in `gone`.
+/// Invariants: each node that differs from the cache, or is a descendant of a node that moved, is in `waiting`, has an
+/// ancestor there, or is below a body whose pose has changed. `waiting` contains each node once. Of removed nodes, only
+/// the ids of their drawables remain, in `gone`.
 struct Scene::Picture {
   std::vector<Node*> waiting;
   std::vector<NodeId> gone;
   SharedList<DrawableSnapshot> drawables;
-  // The few that are all made again when one of them changes, from nodes in creation order.
+  // Contents that are rebuilt together when one of them changes, from nodes in the order of creation.
   std::vector<const Node*> light_nodes, particle_nodes, ring_nodes;
   std::vector<LightSnapshot> lights;
   std::vector<ParticleSnapshot> particles;
   bool few_changed = false;
-  std::uint64_t few_version = 0;  ///< Of lights, particles, ambient light and sky.
+  std::uint64_t few_version = 0;  ///< Version of lights, particles, ambient light and sky.
   std::uint64_t refreshings = 0;
 };
 

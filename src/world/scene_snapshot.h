@@ -14,16 +14,16 @@
 
 namespace soarbox::world {
 
-/// Everything that there is to see at the end of one tick, as plain data: what the viewer draws and the recording
-/// keeps. Whoever takes a snapshot owns it; nothing in it points into the world. Ids stay the same from tick to tick,
-/// so that a reader can keep what it built for an id.
+/// Everything visible at the end of one tick, as plain data. The viewer draws it and recordings store it. A snapshot
+/// does not point into the world; its creator owns it. Ids stay the same from tick to tick, so that a reader can cache
+/// what it built for an id.
 struct Color {
   float r = 1, g = 1, b = 1, a = 1;
   friend bool operator==(Color x, Color y) = default;
 };
 
 enum class ShapeKind : std::uint8_t {
-  // All shapes are centred at the drawable's position; a mesh has its own origin there.
+  // Each shape is centred at the drawable's position; a mesh has its own origin there.
   kMesh,      ///< A named resource, "models/nobiax_modular/modular_block.mesh".
   kBox,       ///< size = full extents in m.
   kCapsule,   ///< Upright; size.x = radius, size.y = total height in m.
@@ -32,22 +32,22 @@ enum class ShapeKind : std::uint8_t {
   kSphere,    ///< size.x = radius in m.
 };
 
-/// One drawable thing, in world coordinates.
+/// One visible object, in world coordinates.
 struct DrawableSnapshot {
-  std::uint32_t id = 0;        ///< Unique among drawables for the life of the world.
+  std::uint32_t id = 0;        ///< Unique among drawables during the life of the world.
   std::uint32_t owner_id = 0;  ///< The sandbox object or agent that it belongs to.
   bool belongs_to_agent = false;
   ShapeKind shape = ShapeKind::kMesh;
   Shared<std::string> mesh;      ///< For kMesh only.
-  Shared<std::string> material;  ///< Empty: the shape's or mesh's own.
+  Shared<std::string> material;  ///< Empty: the default of the shape or mesh.
   Vec3 size;                     ///< See ShapeKind.
   Vec3 texture_repeats{1, 1, 1};
   Vec3 position;
   Quat orientation;
   Vec3 scale{1, 1, 1};
   bool visible = true;
-  BodyBones bones;              ///< Of meshes with a skeleton.
-  bool shows_skeleton = false;  ///< Draw its bones on top.
+  BodyBones bones;              ///< For meshes with a skeleton.
+  bool shows_skeleton = false;  ///< Also draw its bones.
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };
@@ -56,7 +56,7 @@ struct LightSnapshot {
   std::uint32_t id = 0;
   LightKind kind = LightKind::kDirectional;
   Vec3 position;             ///< Point lights.
-  Vec3 direction{0, -1, 0};  ///< Directional lights; the way that the light goes.
+  Vec3 direction{0, -1, 0};  ///< For directional lights: the direction in which the light shines.
   Vec3 diffuse{1, 1, 1};     ///< May exceed 1.
   Vec3 specular{0, 0, 0};
   float range_m = 0;                 ///< Point lights; 0 = unlimited.
@@ -64,13 +64,13 @@ struct LightSnapshot {
   bool casts_shadows = true;
 };
 
-/// A line that lasts for this tick only.
+/// A line that exists for this tick only.
 struct LineSnapshot {
   Vec3 from, to;
   Color color;
 };
 
-/// A horizontal circle that lasts for this tick only. Whoever draws or keeps it makes lines of it (AppendLines).
+/// A horizontal circle that exists for this tick only. Renderers convert it to lines (AppendLines).
 struct CircleSnapshot {
   Vec3 center;
   float radius_m = 0;
@@ -79,21 +79,21 @@ struct CircleSnapshot {
 inline constexpr std::size_t kLinesOfCircle = 10;
 void AppendLines(const std::vector<CircleSnapshot>& circles, std::vector<LineSnapshot>& lines);
 
-/// A filled, translucent triangle of debug drawing that lasts for this tick only. Seen from both sides.
+/// A filled, translucent triangle of debug drawing that exists for this tick only. Visible from both sides.
 struct TriangleSnapshot {
   Vec3 a, b, c;
   Color color;
 };
 
-/// A particle emitter made from a named template.
+/// A particle emitter with a named template.
 struct ParticleSnapshot {
   std::uint32_t id = 0;
-  std::string effect;  ///< "Bullet", "BulletImpact"; empty: unknown to the catalog, draw nothing.
+  std::string effect;  ///< "Bullet", "BulletImpact"; empty if the catalog does not contain the name: draw nothing.
   Vec3 position;
   Quat orientation;
   bool has_direction = false;
-  Vec3 direction{0, 0, 1};     ///< World space; only if has_direction, else the template's own.
-  std::uint32_t restarts = 0;  ///< The effect plays from its start when this number changes.
+  Vec3 direction{0, 0, 1};     ///< In world coordinates; used if has_direction, else the template's own direction.
+  std::uint32_t restarts = 0;  ///< When this number changes, the effect plays from its start.
   bool visible = true;
 };
 
@@ -111,20 +111,22 @@ struct AgentSnapshot {
   float health = 100;
   bool alive = true;
   std::string team;
-  std::string last_command;  ///< What its mind last said; without a mind, what its script says that it does.
-  std::string shown;         ///< What its script shows of its state (world::ReadShown); empty: nothing.
+  std::string last_command;  ///< The last command of its mind; without a mind, the text that its script shows as its
+                             ///< activity.
+  std::string shown;         ///< What its script shows of its state, as text (world::ReadShown); may be empty.
   bool failed = false;       ///< Its script stopped on an error.
   bool has_score = false;
-  float score = 0;          ///< In a game, if it has one.
-  std::uint32_t texts = 0;  ///< Changes with its texts, in one world; for whoever fills a snapshot again.
+  float score = 0;          ///< Its score in a game.
+  std::uint32_t texts = 0;  ///< Changes when its texts change. Allows a caller that refills a snapshot to skip copying
+                            ///< them.
 };
 
 enum class UiFont : std::uint8_t { kSmall, kSmallMono, kMedium, kMediumMono, kLarge, kLargeMono };
 
-/// A two-dimensional box of text on the screen, with an optional gradient behind it. Pixels, origin top left.
+/// A rectangle with text on the screen, with an optional gradient in the background. In pixels, origin at the top left.
 struct UiSnapshot {
   std::uint32_t id = 0;
-  std::uint32_t parent_id = 0;  ///< 0: placed on the screen, else relative to the parent.
+  std::uint32_t parent_id = 0;  ///< 0: positioned relative to the screen, else relative to the parent.
   int layer = 0;
   float x = 0, y = 0, width = 0, height = 0;
   float margin_left = 0, margin_top = 0;
@@ -134,15 +136,16 @@ struct UiSnapshot {
   Color gradient_from, gradient_to;
   UiFont font = UiFont::kSmall;
   Color text_color;
-  bool is_markup = false;  ///< The text holds the sandbox's markup: %0..%9 colours, @nn fonts (spec: UI.SetMarkupText).
+  bool is_markup = false;  ///< The text contains the sandbox's markup: %0..%9 colours, @nn fonts (spec:
+                           ///< UI.SetMarkupText).
   std::string text;
   /// The key of an image (world/asset_store.h) or the name of a material that fills it, if any.
   std::string material;
-  std::string caption;  ///< A plain text in addition to a markup text; empty unless the component has both.
+  std::string caption;  ///< A plain text in addition to the markup text; empty unless the component has both.
   bool gradient_is_diagonal =
       false;              ///< From the top left to the bottom right; gradient_is_vertical does not count then.
   bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
-  Vec3 world_position;    ///< Of the panel's top left corner; only if in_world.
+  Vec3 world_position;    ///< Position of the panel's top left corner; only if in_world.
   Quat world_orientation;
   std::string button;  ///< The name of the button that it is; empty: it is none.
   bool has_bar = false;
@@ -172,7 +175,8 @@ struct CameraSnapshot {
 struct SceneSnapshot {
   std::uint64_t tick = 0;
   double time_s = 0;
-  SharedList<DrawableSnapshot> drawables;  ///< In creation order. Blocks of what stays are those of earlier ticks.
+  SharedList<DrawableSnapshot> drawables;  ///< In the order of creation. Blocks that did not change are shared with
+                                           ///< earlier snapshots.
   std::vector<LightSnapshot> lights;
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
@@ -186,12 +190,12 @@ struct SceneSnapshot {
   Vec3 ambient{0.5f, 0.5f, 0.5f};
   std::string sky;  ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
   Vec3 sky_rotation_deg;
-  CameraSnapshot camera;           ///< Where the scripts want it; `camera_moves` counts their orders.
-  std::uint32_t camera_moves = 0;  ///< The viewer takes over the camera when this number changes.
-  bool camera_is_fixed = false;    ///< It shows what there is to see; the viewer need not look for agents.
+  CameraSnapshot camera;           ///< The pose that scripts have set; `camera_moves` counts their calls.
+  std::uint32_t camera_moves = 0;  ///< When this number changes, the viewer must move its camera to `camera`.
+  bool camera_is_fixed = false;    ///< The viewer should keep this pose and not follow agents.
 
-  /// Which world filled this, and which versions of what seldom changes, so that the same world need not copy what is
-  /// the same when it fills this or a copy of it again. No part of the picture.
+  /// Which world filled this snapshot, and the versions of data that seldom change. When the same world fills this
+  /// snapshot or a copy again, it skips unchanged data. Not part of the scene.
   struct Kept {
     std::uint64_t world = 0;  ///< 0: none.
     std::uint64_t few = 0, ui = 0;

@@ -10,13 +10,13 @@ namespace soarbox::world {
 
 enum class SceneryKind : std::uint8_t { kPine, kOak, kRock };
 
-/// Things that grow or lie about, with their origins on the ground. Their bodies are the boxes of their bounds: trees
-/// are as thin as their trunks there, so that you can pass below the branches.
+/// Plants and rocks, with their origins on the ground. Their bodies are the boxes of `bounds`. The boxes of trees are
+/// as thin as their trunks, so that agents can pass below the branches.
 struct SceneryMesh {
   std::string_view name;
   SceneryKind kind;
-  float size_m;        ///< Height of trees, width of rocks.
-  std::uint32_t seed;  ///< Of its shape.
+  float size_m;        ///< Height of a tree, width of a rock.
+  std::uint32_t seed;  ///< Seed of its shape.
   MeshBounds bounds;
 };
 

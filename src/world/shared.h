@@ -9,8 +9,7 @@
 
 namespace soarbox::world {
 
-/// A text or a list that never changes once it is made, so all who hold it share it, on any thread. Reads like the
-/// value itself.
+/// An immutable text or list whose copies share memory, on any thread. Converts to the value implicitly.
 template <typename T>
 class Shared {
  public:
@@ -39,7 +38,7 @@ class Shared {
   auto begin() const { return value().begin(); }
   auto end() const { return value().end(); }
   const auto& operator[](std::size_t index) const { return value()[index]; }
-  /// They are one in memory, so they are equal without a comparison.
+  /// Whether both share the same memory and are therefore equal.
   bool IsSame(const Shared& other) const { return value_ == other.value_; }
 
   friend bool operator==(const Shared& a, const Shared& b) { return a.value_ == b.value_ || a.value() == b.value(); }
@@ -49,7 +48,7 @@ class Shared {
   }
 
  private:
-  std::shared_ptr<const T> value_;  ///< Null: empty.
+  std::shared_ptr<const T> value_;  ///< Null if empty.
 };
 
 }  // namespace soarbox::world

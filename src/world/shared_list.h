@@ -11,17 +11,17 @@
 
 namespace soarbox::world {
 
-/// A list of things with ascending ids, in blocks that its copies share: a copy costs a pointer per block, and a change
-/// afterwards copies one block. Two lists that hold the same block hold the same things there, without looking.
+/// A list with ascending ids, stored in blocks that copies share. A copy costs a pointer per block; a later change
+/// copies one block. Lists that share a block have equal contents there, without a comparison.
 ///
-/// Copies may live on different threads; each belongs to one at a time. References and iterators are valid until the
-/// list changes.
+/// Copies can be used on different threads; each one by one thread at a time. References and iterators are valid until
+/// the list changes.
 template <typename T>
 class SharedList {
  public:
   static constexpr std::size_t kMostPerBlock = 32;
 
-  /// An entry, or the place after the last one.
+  /// Position of an entry, or the position after the last one.
   struct Place {
     std::size_t block = 0;
     std::size_t index = 0;
@@ -68,7 +68,7 @@ class SharedList {
   const_iterator end() const { return {*this, End()}; }
   const T& front() const { return At({}); }
   const T& back() const { return blocks_.back()->entries.back(); }
-  /// By walking the blocks.
+  /// Walks the blocks: linear in their number.
   const T& operator[](std::size_t index) const {
     std::size_t block = 0;
     for (; index >= blocks_[block]->entries.size(); ++block) index -= blocks_[block]->entries.size();
@@ -81,7 +81,7 @@ class SharedList {
   }
   Place End() const { return {blocks_.size(), 0}; }
   bool IsEnd(Place place) const { return place.block == blocks_.size(); }
-  /// The first entry of this id or a greater one. Quick if it is at the hint or next to it.
+  /// The first entry with this id or a greater one. Fast if it is at the hint or directly after it.
   Place Find(std::uint32_t id, Place hint = {}) const {
     for (int i = 0; i < 2 && hint.block < blocks_.size() && hint.index < blocks_[hint.block]->entries.size(); ++i) {
       if (At(hint).id == id) return hint;
@@ -95,21 +95,21 @@ class SharedList {
     return {static_cast<std::size_t>(block - blocks_.begin()),
             static_cast<std::size_t>(entry - (*block)->entries.begin())};
   }
-  /// Both blocks are one in memory, so their contents are the same without a comparison.
+  /// Whether both blocks share the same memory and are therefore equal.
   bool SharesBlock(std::size_t block, const SharedList& other, std::size_t other_block) const {
     return blocks_[block].get() == other.blocks_[other_block].get();
   }
   std::size_t BlockSize(std::size_t block) const { return blocks_[block]->entries.size(); }
 
-  /// To change an entry, but not its id.
+  /// Access to change an entry. Its id must not be changed.
   T& Edit(Place place) { return Own(place.block).entries[place.index]; }
-  /// Its id must be greater than that of the last entry.
+  /// The id must be greater than that of the last entry.
   void push_back(T value) {
     if (blocks_.empty() || blocks_.back()->entries.size() >= kMostPerBlock) blocks_.emplace_back(new Block);
     Own(blocks_.size() - 1).entries.push_back(std::move(value));
     ++size_;
   }
-  /// Inserts before the entry at a place; returns the place of the new one.
+  /// Inserts before the entry at a position. Returns the position of the new entry.
   Place Insert(Place place, T value) {
     if (IsEnd(place)) {
       push_back(std::move(value));
@@ -121,7 +121,7 @@ class SharedList {
     ++size_;
     return place;
   }
-  /// Returns the place of what followed.
+  /// Returns the position of the following entry.
   Place Erase(Place place) {
     auto& entries = Own(place.block).entries;
     entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(place.index));
@@ -143,7 +143,7 @@ class SharedList {
     std::vector<T> entries;  ///< 1 to kMostPerBlock.
   };
 
-  /// Counts holders so that a list knows, on whatever thread it is now, that a block is its own.
+  /// Counts references, so that a list can tell on any thread whether a block is not shared.
   class Handle {
    public:
     explicit Handle(Block* block) : block_(block) {}
@@ -183,7 +183,7 @@ class SharedList {
     return *own;
   }
 
-  /// Splits a full block into two; returns where the place is then.
+  /// Splits a full block into two. Returns the new position of the entry.
   Place Split(Place place) {
     auto& entries = Own(place.block).entries;
     const std::size_t half = entries.size() / 2;

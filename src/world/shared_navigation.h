@@ -6,13 +6,13 @@
 
 namespace soarbox::world {
 
-/// From here on, this process and those that it forks build each navigation mesh once for all of them: a thousand runs
-/// of one world need its mesh a thousand times. Nobody can tell whether a mesh was built or found.
+/// From now on, this process and its forks build each navigation mesh only once and share it. A thousand runs of one
+/// world otherwise build its mesh a thousand times. The results do not depend on it.
 void ShareNavigation();
 
-/// From here on, this process and those that it forks keep the meshes that they build as files in this folder, at most
-/// 64, and find them there. `program` identifies the program; the files of other programs are built again. To be called
-/// before there is another thread. An empty folder ends it.
+/// From now on, this process and its forks store the meshes that they build as files in this folder, at most 64, and
+/// load them from there. `program` identifies the program; files of other programs are ignored. Call it before there is
+/// another thread. An empty folder turns it off.
 void KeepNavigation(const std::filesystem::path& folder, std::string_view program);
 
 }  // namespace soarbox::world

@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t kLongestText = 200;
 constexpr int kDeepest = 16;
 
-/// A text in one line, without tabs.
+/// The text on one line, without tabs.
 std::string OneLine(std::string_view text) {
   std::string line(text.substr(0, kLongestText));
-  // Not in the middle of a character.
+  // Does not cut within a character.
   while (line.size() < text.size() && !line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xC0) == 0x80)
     line.pop_back();
   std::replace_if(
@@ -22,7 +22,7 @@ std::string OneLine(std::string_view text) {
   return line;
 }
 
-/// The rows of one topic: from its row of depth 0 up to the next.
+/// The rows of one topic, from its row of depth 0 to the next topic.
 struct Part {
   std::size_t begin = 0, end = 0;
 };
@@ -40,7 +40,8 @@ Part FindTopic(std::span<const ShownRow> rows, std::string_view topic) {
   return part;
 }
 
-/// A name for each row that two versions of a topic share: the names above it and its own, and which of several.
+/// A unique path for each row, to compare two versions of a topic: the names of its ancestors, its own name, and a
+/// number if several are equal.
 std::vector<std::string> PathsOf(std::span<const ShownRow> rows) {
   std::vector<std::string> paths, above;
   std::map<std::string, int> seen;

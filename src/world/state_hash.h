@@ -9,7 +9,7 @@
 
 namespace soarbox::world {
 
-/// A 64-bit hash over a sequence of values; order matters, addresses do not. Not for security.
+/// A 64-bit hash of a sequence of values. It depends on their order, not on addresses. Not cryptographic.
 class StateHash {
  public:
   void Add(std::uint64_t value) {

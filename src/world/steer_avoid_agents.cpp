@@ -6,10 +6,10 @@
 namespace soarbox::world {
 namespace {
 
-/// Ways whose directions differ by less than 45 degrees, either way round, run along each other.
+/// Cosine of 45 degrees: smaller angles between two directions, in either sense, count as parallel.
 constexpr float kAlongEachOther = 0.707f;
 
-/// Where somebody is after so long who keeps heading and speed.
+/// The position of an agent after this time at constant velocity.
 Vec3 PlaceIn(const AgentMotion& who, float seconds) {
   return who.position + who.forward * (who.speed * seconds);
 }
@@ -28,7 +28,7 @@ Lookout::Lookout(std::size_t self_index, std::span<const AgentMotion> all, float
 float Lookout::range_m() const {
   if (touching_) return touch_m_;
   const float seconds = meeting_ ? meeting_->in_s : look_ahead_s_;
-  // Farther off than both can run by then, and their bodies' width.
+  // The distance that both can cover in that time, plus the width of their bodies.
   return std::max(touch_m_, max_closing_mps_ * seconds + 2 * self_.radius);
 }
 
@@ -65,8 +65,8 @@ float Lookout::SideFor(const AgentMotion& other, float in_s) const {
   const float agreement = Dot(self_.forward, other.forward);
   const auto away_from = [&](float to_its_left) { return to_its_left > 0 ? -1.0f : 1.0f; };
   const bool along = agreement > kAlongEachOther || agreement < -kAlongEachOther;
-  // Along each other: off from the side where it is, or will be when they pass. Across: behind its back, and only the
-  // faster one need do so.
+  // Parallel paths: step away from the side on which the other is, or will be when they pass. Crossing paths: pass
+  // behind the other; only the faster agent has to.
   if (!along) return other.speed <= self_.speed ? away_from(Dot(self_.left, other.velocity)) : 0;
   const Vec3 place = agreement > 0 ? other.position : PlaceIn(other, in_s);
   return away_from(Dot(place - self_.position, self_.left));

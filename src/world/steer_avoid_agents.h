@@ -9,20 +9,21 @@
 
 namespace soarbox::world {
 
-/// Getting out of each other's way (docs/spec/lua_api.md, ForceToAvoidAgents): an agent that touches another is pushed
-/// off sideways; else it steps aside for the one that it would run into first. The answer does not depend on the order
-/// in which others are looked at: between equals, the lower index counts.
+/// Avoidance of other agents (docs/spec/lua_api.md, ForceToAvoidAgents). An agent that touches another is pushed away
+/// sideways; otherwise it steps aside for the agent that it would collide with first. The result does not depend on the
+/// order of the calls of Look: between equal candidates, the lower index wins.
 class Lookout {
  public:
-  /// No agent of `all` is faster or wider than these limits; self_index is one of them.
+  /// max_speed_mps and max_radius_m are upper bounds for all agents. self_index is an index in `all`.
   Lookout(std::size_t self_index, std::span<const AgentMotion> all, float look_ahead_s, float max_speed_mps,
           float max_radius_m);
 
-  /// Agents whose centre is farther away no longer matter. Shrinks as others are looked at.
+  /// Agents with a centre farther away do not matter any more. Decreases as agents are looked at.
   float range_m() const;
-  /// Takes one agent into account; self and the dead do not count.
+  /// Takes one agent into account. Ignores self and dead agents.
   void Look(std::uint32_t index);
-  /// The force, once all within range have been looked at. Of length 1, or shorter for a push; zero: the way is free.
+  /// The force, after all agents within range have been looked at. It has length 1, or less for a push; zero if the way
+  /// is free.
   Vec3 Force() const;
 
  private:
@@ -30,11 +31,11 @@ class Lookout {
     std::uint32_t index;
     float in_s;
   };
-  /// Sideways off from it; zero if it is straight ahead or behind.
+  /// The force sideways away from it; zero if it is straight ahead or behind.
   Vec3 PushFrom(const AgentMotion& other) const;
-  /// How soon the other's body and its own would overlap; nothing if they would not within the time that counts.
+  /// The time until the two bodies would overlap; nothing if they will not within the look-ahead time.
   std::optional<float> MeetsIn(const AgentMotion& other) const;
-  /// -1: step to the right, 1: to the left, 0: the other one yields.
+  /// -1: step to the right, 1: to the left, 0: the other agent gives way.
   float SideFor(const AgentMotion& other, float in_s) const;
 
   std::span<const AgentMotion> all_;

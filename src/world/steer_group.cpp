@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kAlwaysNearRadii = 3.0f;
 
-// Calls visit(other) for each neighbour, in the order of others; returns how many there were.
+// Calls visit(other) for each neighbour, in the order of `others`. Returns their number.
 template <typename Visit>
 int ForEachNeighbour(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,
                      const Neighbourhood& neighbourhood, Visit visit) {

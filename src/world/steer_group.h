@@ -8,26 +8,26 @@
 
 namespace soarbox::world {
 
-/// Whom a group force counts as a neighbour: anybody nearer than 3 radii of self, and anybody within max_distance_m who
-/// is less than max_angle_deg off self's forward.
+/// Which agents are neighbours for a group force: all nearer than 3 radii of self, and those within max_distance_m
+/// whose direction is less than max_angle_deg off self's forward.
 struct Neighbourhood {
   float max_distance_m = 0;
   float max_angle_deg = 180;
 };
 
-/// The farthest that a neighbour can be.
+/// The maximum distance of a neighbour.
 float NeighbourhoodRange(const AgentMotion& self, const Neighbourhood& neighbourhood);
 
-// The three flocking forces (Reynolds, "Flocks, Herds, and Schools", 1987). others are indices into all, summed up in
-// their order; self_index is skipped. Unit length, or zero without neighbours.
+// The three flocking forces (Reynolds, "Flocks, Herds, and Schools", 1987). `others` are indices into `all`, summed up
+// in this order; self_index is skipped. The result has unit length, or is zero without neighbours.
 
-/// Away from the neighbours, the nearest counting most.
+/// Away from the neighbours; nearer ones count more.
 Vec3 SteerSeparate(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,
                    const Neighbourhood& neighbourhood);
 /// Towards the middle of the neighbours.
 Vec3 SteerCombine(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,
                   const Neighbourhood& neighbourhood);
-/// Towards the neighbours' mean direction.
+/// Towards the mean direction of the neighbours.
 Vec3 SteerAlign(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,
                 const Neighbourhood& neighbourhood);
 

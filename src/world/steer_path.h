@@ -6,12 +6,12 @@
 
 namespace soarbox::world {
 
-/// Zero while the place that self will reach in look_ahead_s lies in the path's tube, else seeks the nearest point of
-/// the path to that place (Reynolds, 1999, path containment).
+/// Zero while the predicted position in look_ahead_s is in the path's tube. Otherwise seeks the point of the path that
+/// is nearest to the predicted position (Reynolds, 1999, path containment).
 Vec3 SteerStayOnPath(const AgentMotion& self, const Path& path, float look_ahead_s);
 
-/// Zero while that place lies in the tube and further along the path than self, else seeks the point of the path that
-/// is look_ahead_s of self's speed ahead of self. Always in the path's direction.
+/// Zero while the predicted position is in the tube and further along the path than self. Otherwise seeks the point of
+/// the path that is ahead of self by the distance covered in look_ahead_s. Always follows the path's direction.
 Vec3 SteerFollowPath(const AgentMotion& self, const Path& path, float look_ahead_s);
 
 }  // namespace soarbox::world

@@ -5,11 +5,11 @@
 
 namespace soarbox::world {
 
-/// Seeks the place where the quarry will be when self could have covered the present distance (Reynolds, 1999), at
-/// most max_prediction_s ahead. A self that stands looks as far ahead as it may.
+/// Seeks the quarry's predicted position after the time that self needs to cover the present distance (Reynolds, 1999),
+/// at most max_prediction_s ahead. If self stands still, max_prediction_s is used.
 Vec3 SteerPursue(const AgentMotion& self, const AgentMotion& quarry, float max_prediction_s);
 
-/// Flees that place.
+/// Flees the same predicted position.
 Vec3 SteerEvade(const AgentMotion& self, const AgentMotion& menace, float max_prediction_s);
 
 }  // namespace soarbox::world

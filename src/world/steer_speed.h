@@ -5,7 +5,7 @@
 
 namespace soarbox::world {
 
-/// Along forward by the missing speed (m/s), within -max_force_n .. max_force_n.
+/// A force along forward that corrects the speed (m/s), clamped to -max_force_n .. max_force_n.
 Vec3 SteerTargetSpeed(const AgentMotion& self, float speed_mps, float max_force_n);
 
 }  // namespace soarbox::world

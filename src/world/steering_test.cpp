@@ -6,7 +6,7 @@
 
 #include "world/world.h"
 
-// Agents without gravity and floor: what each steering force answers in a known situation (spec 7).
+// The steering forces in known situations, for agents without gravity and floor (spec 7).
 namespace soarbox::world {
 namespace {
 
@@ -154,7 +154,7 @@ TEST_F(Steering, TheSpatialIndexAnswersAsALinearSearchWould) {
     EXPECT_EQ(agent.ForceToSeparate(3, 120, world_.AgentIds()), agent.ForceToSeparate(3, 120, copy));
     EXPECT_EQ(agent.ForceToCombine(3, 120, world_.AgentIds()), agent.ForceToCombine(3, 120, copy));
     EXPECT_EQ(agent.ForceToAlign(3, 120, world_.AgentIds()), agent.ForceToAlign(3, 120, copy));
-    // Moving agents between queries must not confuse the index.
+    // Agents that move between queries must not cause errors in the index.
     agent.SetPosition(somewhere());
   }
 }

@@ -7,7 +7,7 @@
 namespace soarbox::world {
 namespace {
 
-/// Their shadows on the axis do not meet.
+/// Whether the projections on the axis do not overlap.
 bool Separates(Vec3 axis, const std::array<Vec3, 3>& corners, Vec3 half) {
   const float a = Dot(axis, corners[0]), b = Dot(axis, corners[1]), c = Dot(axis, corners[2]);
   const float reach = half.x * std::abs(axis.x) + half.y * std::abs(axis.y) + half.z * std::abs(axis.z);

@@ -7,7 +7,7 @@
 
 namespace soarbox::world {
 
-/// True if the triangle and the axis-aligned box around `center` have a point in common (separating axes).
+/// Whether the triangle and the axis-aligned box around `center` intersect (separating axis test).
 bool TriangleTouchesBox(const std::array<Vec3, 3>& triangle, Vec3 center, Vec3 half);
 
 }  // namespace soarbox::world

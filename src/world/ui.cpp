@@ -16,7 +16,7 @@ constexpr int kLayers = 16;
 constexpr std::array<std::string_view, 6> kFontNames{"small",       "small_mono", "medium",
                                                      "medium_mono", "large",      "large_mono"};
 
-// The palette before any script sets its own (spec 10), 0..255.
+// The palette before a script sets another (spec 10), 0..255.
 constexpr std::array<std::array<int, 3>, 10> kPalette{{{255, 255, 255},
                                                        {0, 0, 0},
                                                        {204, 204, 204},
@@ -46,7 +46,7 @@ Ui::Ui() {
   }
 }
 
-/// For whoever changes it.
+/// For changes of the component.
 Ui::Component* Ui::Find(UiId id) {
   ++changes_;
   const auto found = components_.find(id);
@@ -116,7 +116,7 @@ UiPoint Ui::OffsetPosition(UiId id) const {
 
 UiPoint Ui::ScreenPosition(UiId id) const {
   UiPoint sum;
-  // Parents are older than their children, so this ends.
+  // Parents are older than their children, so this terminates.
   for (const Component* at = Find(id); at; at = Find(UiId{at->view.parent_id})) {
     sum.x += at->view.x;
     sum.y += at->view.y;

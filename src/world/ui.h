@@ -13,24 +13,24 @@
 
 namespace soarbox::world {
 
-/// Pixels; origin top left, y down.
+/// In pixels; origin at the top left, y down.
 struct UiPoint {
   float x = 0, y = 0;
 };
 
 enum class UiGradient : std::uint8_t { kNorthSouth, kWestEast, kDiagonal };
 
-/// The user-interface components of scripts: boxes with a background, a plain caption and a markup text (spec 10). Data
-/// only; whoever draws lays the text out. Calls with an unknown component return false or nothing.
+/// The user-interface components of scripts: boxes with a background, a plain caption and a markup text (spec 10). They
+/// are data only; renderers lay out the text. Calls with an unknown component return false or nothing.
 class Ui {
  public:
   Ui();
 
-  /// Layers 0 (lowest) to 15; others give UiId::kNone.
+  /// Layers are 0 (lowest) to 15; other values return UiId::kNone.
   UiId Create(int layer);
   /// A panel in the world: 1 px = 0.005 m, facing +z of its rotation.
   UiId CreateInWorld(Vec3 position);
-  /// Same layer; placed relative to the parent, whose visibility it does not share.
+  /// A component on the same layer, positioned relative to the parent. It does not share the parent's visibility.
   UiId CreateChild(UiId parent);
   /// Removes the component and all its children. False if there is no such component.
   bool Remove(UiId id);
@@ -57,9 +57,9 @@ class Ui {
   bool SetMarkupText(UiId id, std::string_view text);
   bool SetFont(UiId id, UiFont font);
   bool SetFontColor(UiId id, Color color);
-  /// A flat background; channels are clamped to 0..1. Replaces a gradient.
+  /// Sets a flat background, which replaces a gradient. Channels are clamped to 0..1.
   bool SetBackgroundColor(UiId id, Color color);
-  /// Replaces a flat background.
+  /// Sets a gradient, which replaces a flat background.
   bool SetGradientColor(UiId id, UiGradient direction, Color from, Color to);
   bool SetVisible(UiId id, bool visible);
   /// A bar that fills this fraction of the width, clamped to 0..1.
@@ -80,7 +80,7 @@ class Ui {
   bool SetWorldPosition(UiId id, Vec3 position);
   bool SetWorldOrientation(UiId id, Quat orientation);
 
-  /// The palette of the markup's colours 0..9. Indices outside are ignored, and read as white.
+  /// The palette of the markup's colours 0..9. Setting another index is ignored; reading one returns white.
   void SetMarkupColor(int index, Color color);
   Color MarkupColor(int index) const;
 
@@ -88,7 +88,7 @@ class Ui {
   static std::optional<UiFont> FontByName(std::string_view name);
   static std::string_view FontName(UiFont font);
 
-  /// `is_known`: this snapshot has been filled from here before, or is a copy of one that has.
+  /// `is_known`: this snapshot, or the one that it was copied from, was filled from this Ui before.
   void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:

@@ -10,26 +10,26 @@ namespace soarbox::world {
 
 class PhysicsWorld;
 
-/// Who looks for a way.
+/// An agent that searches for a free path.
 struct Walker {
-  Vec3 place;              ///< The height at which bodies are in its way is that of the place.
-  float half_width_m = 0;  ///< Of the way that it needs.
+  Vec3 place;              ///< Bodies block it at the height of this position.
+  float half_width_m = 0;  ///< Half the width of the path that it needs.
   EntityId self = kNoEntity;
-  EntityId through = kNoEntity;  ///< Another body that is not in its way.
+  EntityId through = kNoEntity;  ///< Another body that does not block it.
 };
 
-/// The ways that are open for a walker among the bodies around it. Valid until something moves, comes or goes.
+/// The free horizontal paths of a walker among the bodies around it. Valid until a body moves, is added or is removed.
 class WaysAround {
  public:
-  /// `reach_m`: of the longest way, its width included.
+  /// `reach_m`: length of the longest path, including its width.
   WaysAround(const PhysicsWorld& physics, const Walker& walker, float reach_m);
   WaysAround(WaysAround&&) noexcept;
   WaysAround& operator=(WaysAround&&) noexcept;
   ~WaysAround();
 
-  /// Whether World::RayCast would hit nothing, or one of the walker's two bodies first, from its place and from half
-  /// its width to the left and right of it, each time so far in that direction: a level unit vector, or zero. The
-  /// length: with the width within the reach that was asked for.
+  /// Whether a path of this length and direction is free. It casts rays in `direction` (a horizontal unit vector, or
+  /// zero) from the walker's position and from half its width to the left and right. Each ray must hit nothing, or
+  /// first one of the walker's two bodies. `length_m` plus the width must be within reach_m.
   bool IsOpen(Vec3 direction, float length_m) const;
 
  private:

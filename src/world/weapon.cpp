@@ -20,7 +20,7 @@ std::uint64_t TicksOf(const World& world, float seconds) {
   return static_cast<std::uint64_t>(std::ceil(std::max(0.0f, seconds) / world.settings().step_s));
 }
 
-/// A sum of uniform numbers: near enough to the bell curve, and the same on every machine.
+/// A sum of uniform random numbers approximates the normal distribution, with the same result on every machine.
 float Bell(RandomStream& random) {
   float sum = 0;
   for (int i = 0; i < 6; ++i) sum += random.Unit();

@@ -7,12 +7,12 @@
 
 namespace soarbox::world {
 
-/// Does job(0), job(1), ... job(count - 1), on several threads at a time and in any order, and returns when all are
-/// done. A job must not throw. Empty where there is but one thread.
+/// Executes job(0), job(1), ... job(count - 1) on several threads, in any order, and returns when all are complete. A
+/// job must not throw. Empty if there is only one thread.
 using Workers = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
-/// Cuts `size` things that are alike into few pieces: calls job(begin, end) for each. What is less than a piece is not
-/// worth another thread.
+/// Splits `size` items of equal cost into a few ranges and calls job(begin, end) for each. A range has at least `least`
+/// items, so that an additional thread is worthwhile.
 inline void WorkInPieces(const Workers& workers, std::size_t size, std::size_t least,
                          const std::function<void(std::size_t, std::size_t)>& job) {
   constexpr std::size_t kMost = 64;

@@ -84,7 +84,7 @@ std::uint64_t World::tick() const {
   return impl_->tick;
 }
 int World::step_millis() const {
-  // Whole milliseconds, rounded down; the nudge keeps 0.02 s from becoming 19.
+  // Milliseconds, rounded down. The small offset prevents 0.02 s from giving 19.
   return std::max(1, static_cast<int>(std::floor(impl_->settings.step_s * 1000.0f + 0.001f)));
 }
 double World::time_s() const {
@@ -121,7 +121,7 @@ void World::SyncAgent(EntityId id) {
 }
 
 void World::Step(const Workers& workers) {
-  // Nodes are placed where their bodies went in the step before; what rests stays where it is.
+  // Nodes are moved to the positions of bodies after the previous step. Resting bodies are not moved.
   for (const BodyId body : impl_->physics.MovedBodies())
     if (Object* object = impl_->ObjectOf(body)) object->MoveNode();
   impl_->physics.Step(impl_->settings.step_s, workers);

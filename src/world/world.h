@@ -33,18 +33,18 @@ namespace soarbox::world {
 struct OverlaySnapshot;
 struct OverlayWants;
 
-/// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It knows neither scripts nor
+/// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It does not depend on scripts or
 /// minds.
 ///
 /// One tick, in the order of spec 1.3:
-///   1. BeginTick(): time advances, debug lines of the last tick vanish, removed objects go.
+///   1. BeginTick(): time advances, debug lines of the last tick are removed, removed objects are destroyed.
 ///   2. The caller delivers events, then updates each agent in creation order, each followed by SyncAgent().
 ///   3. Step(): the nodes of objects follow their bodies, physics advances, collisions are gathered.
 ///   4. The caller handles Collisions() and lets the sandbox update.
-///   5. Snapshot(), Hash(): what there is to see, and its hash.
+///   5. Snapshot(), Hash(): the visible scene, and a hash of the state.
 ///
-/// Deterministic: the same settings and the same calls give the same state, bit for bit. A world belongs to one thread
-/// at a time; separate worlds may run on separate threads.
+/// Deterministic: the same settings and the same calls give the same state, bit for bit. A world is used by one thread
+/// at a time; different worlds may run on different threads.
 class World {
  public:
   explicit World(const WorldSettings& settings = {});
@@ -57,18 +57,18 @@ class World {
   // Time.
   /// Ticks begun so far.
   std::uint64_t tick() const;
-  /// Whole milliseconds per tick as scripts see them: 33 for 1/30 s.
+  /// Milliseconds per tick as scripts see them, rounded down: 33 for 1/30 s.
   int step_millis() const;
   /// tick() times step_millis(): the scripts' clock.
   std::uint64_t time_millis() const;
-  /// Physical time: tick() times the step. The scripts' clock falls behind it by 1 % at 1/30 s.
+  /// Physical time: tick() times the step. At 1/30 s, the scripts' clock is 1 % slower.
   double time_s() const;
   /// Removes what has been asked to go, and returns it in ascending id, so that callers can drop what they keep about
   /// it. Calls `before` for each agent of these while all of them are still there.
   std::vector<EntityId> BeginTick(const std::function<void(EntityId agent)>& before = {});
   /// The agent's node follows its body.
   void SyncAgent(EntityId agent);
-  /// The same on any number of threads.
+  /// Advances the physics. The result does not depend on the number of threads.
   void Step(const Workers& workers = {});
   /// The collisions of the last step.
   std::span<const Collision> Collisions() const;
@@ -82,7 +82,7 @@ class World {
   // Agents. A removed one is still found by its id (Agent::IsGone), but it has no body, and nobody perceives it.
   /// Made at the origin with a capsule body, half inside a floor at y = 0; physics lifts it.
   EntityId CreateAgent(const AgentDef& def);
-  /// Null for unknown ids and ids of objects. Stays valid for the life of the world.
+  /// Null for unknown ids and ids of objects. Valid during the life of the world.
   Agent* FindAgent(EntityId id);
   const Agent* FindAgent(EntityId id) const;
   /// The agent goes at the next BeginTick, with everything attached to it. Calling this again is harmless. False if
@@ -94,11 +94,11 @@ class World {
   // Objects.
   EntityId CreateBox(float width_m, float height_m, float length_m, float u_tile = 1, float v_tile = 1);
   EntityId CreateCapsule(float height_m, float radius_m);
-  /// A mesh of the catalog with a body of its size. Unknown meshes: a box of 1 m and a warning.
+  /// A mesh of the catalog with a body of its size. For unknown meshes, a box of 1 m and a warning.
   EntityId CreateObject(std::string_view mesh);
-  /// A visible plane of that size on an infinite, fixed half-space.
+  /// A visible plane of this size on an infinite, fixed half-space.
   EntityId CreatePlane(float length_m, float width_m);
-  /// Bodies without looks.
+  /// Bodies without a drawable.
   EntityId CreatePhysicsCapsule(float height_m, float radius_m);
   EntityId CreatePhysicsSphere(float radius_m);
   /// A box without looks that meets nothing. It notices which bodies that can move are inside (SensorChanges).
@@ -106,30 +106,32 @@ class World {
   /// Null for unknown ids, ids of agents and objects that are gone.
   Object* FindObject(EntityId id);
   const Object* FindObject(EntityId id) const;
-  /// In ascending id, objects that wait for removal included. The span is invalid after the next creation or BeginTick.
+  /// By ascending id, including objects that will be removed. The span is invalid after the next creation or BeginTick.
   std::span<const EntityId> ObjectIds() const;
-  /// The object goes at the next BeginTick; until then it still collides. Asking again is harmless. False if unknown.
+  /// The object is destroyed in the next BeginTick; until then it still collides. Repeated calls are allowed. Returns
+  /// false for unknown ids.
   bool RemoveObject(EntityId id);
 
-  /// The node of the sandbox, an agent or an object, as parent for Scene::Create*; kNone for unknown ids.
+  /// The node of the sandbox, an agent or an object, as a parent for Scene::Create*; kNone for unknown ids.
   NodeId NodeOf(EntityId id) const;
-  /// From now until something moves, comes or goes, several threads may call what is const, and sight.h.
-  /// `for_many_rays`: rays, ways and lines of sight become cheaper until then, which pays off for some for each body.
+  /// From now on, until a body moves, is added or is removed, several threads may call const functions and those of
+  /// sight.h. `for_many_rays`: makes rays, paths and lines of sight cheaper until then. Worthwhile if there are several
+  /// per body.
   void PrepareForReaders(bool for_many_rays = false);
-  /// The first body on the segment, agents and fixed bodies included; a body around its start is not hit.
+  /// The first body on the segment, including agents and fixed bodies. A body that contains its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// The ways on level ground of a walker that goes no farther than `reach_m` on any of them, its width included.
+  /// The free horizontal paths of a walker, whose length is at most `reach_m`, including the width.
   WaysAround Ways(const Walker& walker, float reach_m) const;
 
   // Navigation.
-  /// Starts to build a mesh over all present fixed objects that have looks; leaves out planes. See Navigation::Create.
+  /// Starts to build a mesh over all present fixed objects that have a drawable, except planes. See Navigation::Create.
   Result<bool> CreateNavigationMesh(std::string_view name, const NavigationConfig& config);
-  /// Roughly how many cells such a mesh takes: what it costs.
+  /// Approximate number of cells of such a mesh, which determines its cost.
   double NavigationCells(const NavigationConfig& config) const;
   Navigation& navigation();
   /// Replaces the previous map.
   Result<void> CreateInfluenceMap(std::string_view navigation_mesh, const InfluenceConfig& config);
-  /// Null until there is one.
+  /// Null until CreateInfluenceMap.
   InfluenceMap* influence();
 
   // Parts.
@@ -148,20 +150,21 @@ class World {
   int screen_height() const;
   void SetScreenSize(int width_px, int height_px);
 
-  /// Wireframes and bounding boxes of all bodies in the snapshot's lines.
+  /// Adds wireframes and bounding boxes of all bodies to the lines of snapshots.
   void SetDrawPhysics(bool draw);
   bool draw_physics() const;
 
   /// Whether so many bodies overlap at one place that further ones pass through each other.
   bool IsCrowded() const;
-  /// Warnings since the last call (unknown meshes, materials, ...), each once per name.
+  /// The warnings since the last call (unknown meshes, materials, ...). Each name is reported once.
   std::vector<Diagnostic> TakeWarnings();
-  /// Those about names that the catalog does not know. Whoever used such a name may take them and add the place.
+  /// Warnings about names that the catalog does not contain. The caller that used such a name can take them and add its
+  /// position.
   bool HasMediaWarnings() const;
   std::vector<Diagnostic> TakeMediaWarnings();
 
   SceneSnapshot Snapshot() const;
-  /// The same, in place of an earlier one, whose memory it uses again: it needs next to no new memory.
+  /// The same. Reuses the memory of `snapshot`, so that little is allocated.
   void Snapshot(SceneSnapshot& snapshot) const;
   /// Adds navigation meshes, the influence map and the shapes of bodies, whether scripts show them or not.
   void AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) const;

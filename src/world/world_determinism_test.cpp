@@ -83,7 +83,7 @@ std::vector<std::uint64_t> Hashes(std::uint64_t seed, int agents, int ticks) {
 
 TEST(WorldDeterminism, TheSameSeedGivesTheSameHashesTickByTick) {
   const auto first = Hashes(42, 60, 300);
-  // Memory that is laid out otherwise must not matter.
+  // A different layout of memory must not change the result.
   std::vector<std::unique_ptr<Crowd>> clutter;
   for (int i = 1; i < 4; ++i) clutter.push_back(std::make_unique<Crowd>(static_cast<std::uint64_t>(i), 7 * i));
   EXPECT_EQ(first, Hashes(42, 60, 300));
@@ -111,7 +111,7 @@ TEST(WorldDeterminism, AStepIsTheSameOnAnyNumberOfThreadsInAnyOrder) {
       });
     for (std::thread& each : three) each.join();
   };
-  // So many so close that they bump into each other all the time.
+  // The agents are so close that they collide all the time.
   Crowd alone(6, 500, 12), other(6, 500, 12), third(6, 500, 12);
   std::size_t collisions = 0;
   for (int i = 0; i < 40; ++i) {

@@ -9,7 +9,7 @@ namespace soarbox::world {
 namespace {
 
 TEST(ConvexHull, OfABoxHasItsEightCornersTwelveEdgesAndTwelveTriangles) {
-  std::vector<Vec3> points{{0.5f, 0.5f, 0.5f}, {0.1f, 0.9f, 0.4f}};  // Within it.
+  std::vector<Vec3> points{{0.5f, 0.5f, 0.5f}, {0.1f, 0.9f, 0.4f}};  // Inside the hull.
   for (int corner = 0; corner < 8; ++corner)
     points.push_back({corner & 1 ? 1.0f : 0.0f, corner & 2 ? 1.0f : 0.0f, corner & 4 ? 1.0f : 0.0f});
   const ConvexHull hull = HullAround(points);

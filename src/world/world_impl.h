@@ -17,14 +17,14 @@ namespace soarbox::world {
 struct World::Impl {
   explicit Impl(const WorldSettings& wanted);
 
-  /// The next number of agents and objects.
+  /// The next id for an agent or object.
   EntityId NextEntity() { return EntityId{next_entity++}; }
   Object& AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDef def);
   /// Null for the bodies of agents.
   Object* ObjectOf(BodyId body) const;
   void DeleteObject(EntityId id);
   NavigationGeometry FixedGeometry() const;
-  /// Bodies that walk by themselves take over how their agents move.
+  /// Updates the automatic walking of bodies from the motion of their agents.
   void WalkBodies(const Workers& workers);
 
   WorldSettings settings;
@@ -38,13 +38,13 @@ struct World::Impl {
   PhysicsWorld physics;
   AgentStore agents;
   std::map<EntityId, std::unique_ptr<Object>> objects;
-  std::vector<EntityId> object_ids;  ///< The keys of objects.
-  std::vector<Object*> by_body;      ///< The same by the number of their bodies.
+  std::vector<EntityId> object_ids;  ///< The keys of `objects`.
+  std::vector<Object*> by_body;      ///< The same objects by the number of their bodies.
   std::vector<EntityId> to_remove;   ///< In the order of the requests, each once.
   std::vector<LineSnapshot> physics_lines;
   Navigation navigation;
   std::optional<InfluenceMap> influence;
-  const std::uint64_t number;  ///< No other world of the process has it; nothing in a run depends on it.
+  const std::uint64_t number;  ///< Unique in the process; nothing in a run depends on it.
   std::uint64_t tick = 0;
   std::uint32_t next_entity = 1;
   bool draw_physics = false;

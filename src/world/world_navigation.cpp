@@ -4,7 +4,7 @@
 #include "world/world.h"
 #include "world/world_impl.h"
 
-// What agents can walk on, and what they know of places.
+// Navigation meshes and influence maps of a world.
 namespace soarbox::world {
 
 NavigationGeometry World::Impl::FixedGeometry() const {
@@ -17,7 +17,7 @@ NavigationGeometry World::Impl::FixedGeometry() const {
     const Quat turn = object->Orientation();
     switch (object->kind_) {
       case ObjectKind::kBox:
-      case ObjectKind::kMesh: {  // Their bodies are boxes too.
+      case ObjectKind::kMesh: {  // Their bodies are boxes, too.
         const auto add = [&](Vec3 min, Vec3 max) { geometry.AddBox((min + max) / 2, (max - min) / 2, position, turn); };
         if (!HasDoorway(looks->drawable.mesh.value())) {
           add(looks->bounds.min, looks->bounds.max);

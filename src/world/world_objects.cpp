@@ -4,7 +4,7 @@
 #include "world/world.h"
 #include "world/world_impl.h"
 
-// The kinds of objects: each is a node that wears its looks, and a body.
+// Creation of objects: each has a node with a drawable, and a body.
 namespace soarbox::world {
 
 Object& World::Impl::AddObject(EntityId id, NodeId node, ObjectKind kind, BodyDef def) {

@@ -14,7 +14,7 @@
 #include "world/rotation.h"
 #include "world/world.h"
 
-// The numbers are those measured on the sandbox (spec 6 and 18).
+// The numbers were measured in the sandbox (spec 6 and 18).
 namespace soarbox::world {
 namespace {
 
@@ -148,7 +148,7 @@ TEST(WorldPhysics, AnAngularImpulseSpinsAtOnce) {
   World world;
   Object& box = *world.FindObject(world.CreateBox(1, 1, 1));
   box.ApplyAngularImpulse({0, 1, 0});
-  // A 1 kg cube of 1 m has a moment of inertia of 1/6.
+  // A cube of 1 kg and 1 m has a moment of inertia of 1/6.
   EXPECT_NEAR(box.AngularVelocity().y, 6.0f, 0.01f);
 }
 
@@ -219,7 +219,7 @@ TEST(WorldPhysics, AThrownBlockComesToRest) {
   EXPECT_LT(block.Position().y, 0.42f);
 }
 
-// A walker that seeks five points in turn, driven as the sandbox's steering helper drives it (spec 16.5).
+// A walker that seeks five points in turn, steered like the sandbox's steering helper (spec 16.5).
 TEST(WorldPhysics, AWaypointWalkerNeedsTwentyThreeSecondsPerRound) {
   World world;
   world.CreatePlane(200, 200);
@@ -266,7 +266,7 @@ TEST(WorldPhysics, RaysHitTheNearestBodyFromOutsideOnly) {
   EXPECT_FALSE(world.RayCast({nan, 1, 0}, {0, 1, 0}).has_value());
 }
 
-/// Where the segment first is inside a shape, by walking along it in small steps; 2 if it never is.
+/// The first point of the segment inside a shape, searched in small steps; 2 if there is none.
 float FirstInside(Vec3 from, Vec3 to, const std::function<bool(Vec3)>& is_inside) {
   constexpr int kSteps = 4000;
   for (int i = 0; i <= kSteps; ++i) {
@@ -320,7 +320,7 @@ TEST(WorldPhysics, RaysEnterShapesWhereTheirSurfacesAre) {
         EXPECT_FALSE(hit.has_value()) << "begins inside";
         continue;
       }
-      // Who only grazes it for less than a step may be seen by either.
+      // If the segment touches the shape for less than a step, either result is accepted.
       const float length = Length(to - from);
       if (!hit || share == 2) {
         const bool grazes = hit.has_value() && !tried.is_inside(hit->point - hit->normal * 0.002f);
@@ -435,7 +435,7 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
     world.Step();
   }
   for (const EntityId id : agents) EXPECT_GT(world.FindAgent(id)->Position().y, -0.2f) << Number(id);
-  // Those that were put aside are seen and shot where they stand.
+  // Bodies that were set aside are seen and shot at their true positions.
   for (int i = 0; i < kBodies - 100; ++i) {
     const auto apart = static_cast<float>(i);
     world.FindAgent(agents[static_cast<std::size_t>(i)])->SetPosition({100 + 2 * apart, 0.8f, 50});
@@ -444,7 +444,7 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
     const Vec3 place = world.FindAgent(agents[i])->Position();
     EXPECT_TRUE(world.RayCast(place + Vec3{0, 5, 0}, place)) << i;
   }
-  // Who leaves the heap touches others again.
+  // A body that leaves the crowd collides again.
   Agent& away = *world.FindAgent(agents.back());
   away.SetPosition({30, 0.8f, 0});
   for (int tick = 0; tick < 10; ++tick) {

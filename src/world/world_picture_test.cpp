@@ -10,11 +10,11 @@
 #include "world/rotation.h"
 #include "world/world.h"
 
-// Snapshots and hashes are kept and brought up to date; they are what they would be if they were made anew.
+// Cached snapshots and hashes must equal those that are computed from scratch.
 namespace soarbox::world {
 namespace {
 
-/// Agents with looks, a soldier with a rifle in the hand, boxes that fall and rest, and scripts that change things.
+/// Agents with figures, a soldier with a rifle in the hand, falling and resting boxes, and scripts that change things.
 class Stage {
  public:
   Stage() : world_(WorldSettings{.seed = 3}) {
@@ -114,7 +114,7 @@ void ExpectSame(const SceneSnapshot& a, const SceneSnapshot& b) {
 
 TEST(WorldPicture, SnapshotsTickByTickAreThoseOfAWorldThatNobodyLookedAtBefore) {
   Stage watched;
-  // Taken in turns, as a recording does.
+  // Reuses snapshots in turn, as a recording does.
   std::vector<SceneSnapshot> places(3);
   for (int tick = 1; tick <= 80; ++tick) {
     watched.Tick();

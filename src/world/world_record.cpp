@@ -5,7 +5,7 @@
 #include "world/world.h"
 #include "world/world_impl.h"
 
-// What others keep of the world: its hash and its picture.
+// The hash and the snapshots of a world.
 namespace soarbox::world {
 
 std::uint64_t World::Hash() const {
@@ -40,7 +40,7 @@ void World::AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) co
   overlays.has_pushes = true;
   for (const PhysicsWorld::Push& push : impl_->physics.LastPushes()) {
     const EntityId owner = impl_->physics.OwnerOf(push.body);
-    if (owner == kNoEntity) continue;  // Its body has gone since.
+    if (owner == kNoEntity) continue;  // Its body was removed since then.
     overlays.pushes.push_back({Number(owner), impl_->physics.Position(push.body), push.force_n,
                                impl_->physics.Mass(push.body), push.spin_rad_s});
   }

@@ -13,18 +13,18 @@
 #include "world/weapon.h"
 #include "world/world.h"
 
-// What is cheap in crowds gives the same answers as rays through the broad phase's trees, to the last bit.
+// The fast queries for crowds must give exactly the same results as rays through the trees of the broadphase.
 namespace soarbox::world {
 namespace {
 
-/// Agents, boxes, spheres and capsules that lean in all directions on a plane, some on top of each other.
+/// Agents, boxes, spheres and inclined capsules on a plane, some on top of each other.
 class Crowd {
  public:
-  /// Around this place, so far to each side.
+  /// Around `middle`, up to `reach_m` in each direction.
   Crowd(std::uint64_t seed, Vec3 middle, float reach_m) : random_(seed, 1), middle_(middle), reach_m_(reach_m) {
     world_.CreatePlane(40, 40);
     for (int i = 0; i < 90; ++i) ids_.push_back(Make(i % 6));
-    // Boxes that lag behind bodies, and bodies that have moved since: as after any step.
+    // Includes boxes that are not up to date and bodies that have moved since, as after any step.
     for (int tick = 0; tick < 3; ++tick) {
       world_.BeginTick();
       for (const EntityId id : ids_)

@@ -109,7 +109,7 @@ TEST(Animator, MixesByWeightAndFillsUpWithTheBindPose) {
   animator.SetEnabled(crouch, true);
   const float crouching = BonesOf(animator)[kHips].position.y;
   EXPECT_LT(crouching, standing - 0.2f);
-  animator.SetEnabled(stand, true);  // Weights 1 and 1: half and half.
+  animator.SetEnabled(stand, true);  // Weights 1 and 1 give half of each.
   const std::vector<BonePose> bones = BonesOf(animator);
   EXPECT_NEAR(bones[kHips].position.y, (standing + crouching) / 2, 1e-3f);
   for (std::size_t i = 0; i < bones.size(); ++i) EXPECT_EQ(animator.NowPose().WorkOut(i), bones[i]);
@@ -120,7 +120,7 @@ TEST(Animator, MixesByWeightAndFillsUpWithTheBindPose) {
   EXPECT_EQ(BonesOf(animator)[kHips].position.y, bind);
 }
 
-/// An agent that walks at a steady speed with a body that walks by itself.
+/// An agent that walks at a constant speed, with an automatically animated body.
 class Walker {
  public:
   explicit Walker(float speed_mps, LocomotionStyle style = LocomotionStyle::kReady) : speed_(speed_mps) {
@@ -137,7 +137,7 @@ class Walker {
     world_.SyncAgent(id_);
     world_.Step();
   }
-  /// Where a bone is in the world as it is drawn.
+  /// Position of a bone in the world as it is drawn.
   Vec3 Drawn(int bone) const {
     for (const DrawableSnapshot& drawable : world_.Snapshot().drawables) {
       if (drawable.bones.empty()) continue;
@@ -160,7 +160,7 @@ TEST(Locomotion, FeetThatStandDoNotSlide) {
   for (const float speed : {1.3f, 3.2f}) {
     Walker walker(speed);
     for (int i = 0; i < 60; ++i) walker.Tick();
-    // Of two feet the lower one stands; while the same foot stands and is flat, it stays where it is.
+    // The lower foot is on the ground. While the same foot is on the ground and flat, it must not move.
     float slid = 0, walked = 0;
     Vec3 left = walker.Drawn(kLeftToe), right = walker.Drawn(kRightToe);
     for (int i = 0; i < 90; ++i) {
@@ -183,7 +183,7 @@ TEST(Locomotion, WhoHasNoRifleLetsHisArmsHang) {
     EXPECT_LT(walker.Drawn(hand).y, 1.0f);
     EXPECT_LT(std::abs(walker.Drawn(hand).z), 0.2f);
   }
-  // Walking, hands go to and fro against each other.
+  // When walking, hands swing in opposite directions.
   Walker on_his_way(1.3f, LocomotionStyle::kUnarmed);
   float most = 0;
   for (int i = 0; i < 60; ++i) {
@@ -235,13 +235,13 @@ TEST(SceneAnimation, BonesOfAnAttachedRifleAreFoundThroughTheSoldier) {
   world.scene().SetPosition(soldier, {10, 0, 0});
   const auto muzzle = world.scene().BoneInWorld(soldier, "b_muzzle");
   ASSERT_TRUE(muzzle);
-  // It points along the soldier's front, at the height of the shoulders.
+  // It points along the soldier's front, at shoulder height.
   EXPECT_GT(Rotate(muzzle->orientation, {1, 0, 0}).z, 0.95f);
   EXPECT_GT(Rotate(muzzle->orientation, {0, 1, 0}).y, 0.9f);
   EXPECT_NEAR(muzzle->position.x, 10, 0.25f);
   EXPECT_NEAR(muzzle->position.y, 1.35f, 0.12f);
   EXPECT_GT(muzzle->position.z, 0.7f);
-  // The head looks along its bone's -z.
+  // The head looks along -z of its bone.
   const auto head = world.scene().BoneInWorld(soldier, "b_Head1");
   ASSERT_TRUE(head);
   EXPECT_GT(Rotate(head->orientation, {0, 0, -1}).z, 0.9f);

@@ -53,7 +53,7 @@ Pose Animator::NowPose() const {
   pose.rig = rig_;
   pose.parts.reserve(4 + (has_locomotion_ ? locomotion_.shares().size() : 0));
   for (std::uint32_t i = 0; i < states_.size(); ++i) {
-    // A weight below 0 or beyond numbers has no share.
+    // Weights that are negative or not finite have no effect.
     if (states_[i].enabled && states_[i].weight > 0 && std::isfinite(states_[i].weight))
       pose.parts.push_back({i, states_[i].time_s, states_[i].weight});
   }

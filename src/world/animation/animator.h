@@ -12,7 +12,7 @@ namespace soarbox::world {
 
 class StateHash;
 
-/// One movement of one body, as scripts set it.
+/// The state of one animation of a body, as scripts set it.
 struct AnimationState {
   bool enabled = false;
   bool looping = true;
@@ -20,10 +20,11 @@ struct AnimationState {
   float weight = 1;
 };
 
-/// Plays the movements of one body: mixes what is enabled by weight, and says where the bones are.
+/// Plays the animations of one body: blends the enabled ones by weight, and computes the pose of the bones.
 ///
-/// Weights of all enabled movements are divided by their sum if that is above 1; below 1 the rest goes to the walk
-/// (Locomotion) if that is switched on, else to the bind pose. A body belongs to one world and its thread.
+/// If the weights of the enabled animations add up to more than 1, they are divided by the sum. If they add up to less,
+/// the rest is the walk (Locomotion) if that is on, else the bind pose. An animator belongs to one world and its
+/// thread.
 class Animator {
  public:
   explicit Animator(const Rig& rig);
@@ -31,7 +32,7 @@ class Animator {
   const Rig& rig() const { return *rig_; }
   const AnimationState& state(std::size_t clip) const { return states_[clip]; }
 
-  /// Looping: the time wraps around; otherwise it is held within the length.
+  /// With looping, the time wraps around; otherwise it is clamped to the length.
   void SetTime(std::size_t clip, float time_s);
   void Step(std::size_t clip, float seconds) { SetTime(clip, states_[clip].time_s + seconds); }
   void SetWeight(std::size_t clip, float weight);
@@ -44,15 +45,15 @@ class Animator {
   }
   bool shows_skeleton() const { return shows_skeleton_; }
 
-  /// Switches walking by itself on (or off).
+  /// Switches automatic walking on or off.
   void SetLocomotion(bool enabled, LocomotionStyle style);
   bool has_locomotion() const { return has_locomotion_; }
-  /// Once per tick.
+  /// Call it once per tick.
   void Walk(const BodyMotion& motion, float seconds);
 
-  /// What it does now; where its bones are follows from that.
+  /// The present pose. The positions of the bones are computed from it.
   Pose NowPose() const;
-  /// Grows whenever the pose, or what is shown of it, may have changed; never 0.
+  /// Incremented when the pose or its display may have changed; never 0.
   std::uint64_t changes() const { return changes_; }
 
   void AddTo(StateHash& hash) const;

@@ -11,7 +11,7 @@ namespace soarbox::world {
 struct BodyBones::Held {
   Held(Pose from, std::vector<BonePose> given) : pose(std::move(from)), bones(std::move(given)) {}
 
-  Pose pose;  ///< Without a rig: none.
+  Pose pose;  ///< If it has no rig, the bones were given.
   mutable std::once_flag worked_out;
   mutable std::vector<BonePose> bones;
 };

@@ -6,7 +6,7 @@
 
 namespace soarbox::world {
 
-/// Where a bone is, relative to its parent or to its model: first turned, then moved.
+/// The pose of a bone relative to its parent or its model: a rotation followed by a translation.
 struct BonePose {
   Vec3 position;
   Quat orientation;
@@ -14,7 +14,7 @@ struct BonePose {
   friend bool operator==(const BonePose& a, const BonePose& b) = default;
 };
 
-/// The pose b within the pose a.
+/// The pose b, which is relative to the pose a, in the coordinates of a's parent.
 inline BonePose operator*(const BonePose& a, const BonePose& b) {
   return {a.Apply(b.position), a.orientation * b.orientation};
 }
@@ -23,13 +23,13 @@ inline BonePose Inverse(const BonePose& a) {
   return {Rotate(back, -a.position), back};
 }
 
-/// A turn about a unit axis.
+/// A rotation about a unit axis.
 inline Quat Turn(Vec3 axis, float radians) {
   const float s = std::sin(radians / 2);
   return {std::cos(radians / 2), axis.x * s, axis.y * s, axis.z * s};
 }
 
-/// Between two turns the short way round: b at share 1.
+/// Interpolates between two rotations along the shorter arc; returns b at share 1.
 inline Quat Between(Quat a, Quat b, float share) {
   const float dot = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
   const float other = dot < 0 ? -share : share, own = 1 - share;

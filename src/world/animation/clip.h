@@ -8,19 +8,18 @@
 
 namespace soarbox::world {
 
-/// One movement of a skeleton: poses of all its bones at even steps of time. Shared and never changed, as the skeleton
-/// is.
+/// One animation of a skeleton: poses of all its bones at equal intervals. Shared and immutable, like the skeleton.
 class Clip {
  public:
   struct Settings {
     std::string name;
-    float length_s = 1;       ///< Above 0.
+    float length_s = 1;       ///< Greater than 0.
     bool is_cycle = false;    ///< Its end joins its start.
-    bool upper_body = false;  ///< The legs may go on walking meanwhile.
-    float speed_mps = 0;      ///< How fast the feet carry the body, for movements that do.
+    bool upper_body = false;  ///< It leaves the legs free to walk.
+    float speed_mps = 0;      ///< Speed at which the feet move the body, for gaits.
   };
 
-  /// keys: at least two poses relative to the bones' parents, the first at 0 s, the last at length_s.
+  /// keys: at least two poses relative to the bones' parents; the first at 0 s, the last at length_s.
   Clip(Settings settings, std::vector<std::vector<BonePose>> keys);
 
   const std::string& name() const { return settings_.name; }
@@ -28,10 +27,10 @@ class Clip {
   bool is_cycle() const { return settings_.is_cycle; }
   bool upper_body() const { return settings_.upper_body; }
   float speed_mps() const { return settings_.speed_mps; }
-  /// The distance that one cycle covers.
+  /// Distance that one cycle covers.
   float stride_m() const { return settings_.speed_mps * settings_.length_s; }
 
-  /// The pose of one bone relative to its parent; the time is clamped to 0..length_s.
+  /// The pose of one bone relative to its parent. The time is clamped to 0..length_s.
   BonePose At(std::size_t bone, float time_s) const;
 
  private:

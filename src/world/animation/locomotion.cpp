@@ -12,12 +12,12 @@ namespace soarbox::world {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kSmoothing_s = 0.12f;   ///< Speeds follow the body within this time.
-constexpr float kStanding_mps = 0.08f;  ///< Slower than this is standing.
+constexpr float kSmoothing_s = 0.12f;   ///< Time constant of the smoothed speeds.
+constexpr float kStanding_mps = 0.08f;  ///< Slower speeds count as standing.
 constexpr float kDyingBlend_s = 0.2f;
 constexpr float kStyleBlend_s = 0.25f;
-constexpr float kFullTurn_rad_s = 2.0f;  ///< Feet step at full weight from here on.
-constexpr float kMostCadence = 2.6f;     ///< Cycles per second; faster legs would only blur.
+constexpr float kFullTurn_rad_s = 2.0f;  ///< Turn rate at which the turning animation has full weight.
+constexpr float kMostCadence = 2.6f;     ///< Maximum cycles per second; faster legs would only blur.
 
 float Towards(float from, float to, float seconds) {
   return from + (to - from) * (1 - std::exp(-seconds / kSmoothing_s));
@@ -34,7 +34,7 @@ void Locomotion::Add(int clip, float weight, bool in_phase) {
 
 void Locomotion::AddGaits(const Rig& rig, const std::vector<int>& gaits, int idle, float speed_mps, float weight) {
   if (weight <= 0 || gaits.empty()) return;
-  // Between the two gaits around this speed; standing is the gait of speed 0.
+  // Blends the two gaits around this speed. Standing is the gait of speed 0.
   int below = idle, above = gaits.back();
   float low = 0, high = rig.clips[static_cast<std::size_t>(above)].speed_mps();
   for (const int gait : gaits) {
@@ -65,7 +65,7 @@ void Locomotion::AddStanding(const Rig&, const Gaits& gaits, float weight, float
 void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds) {
   rig_ = &rig;
   shares_.clear();
-  // The style goes over to the one that is wanted.
+  // Changes gradually to the requested style.
   float others = 0;
   for (std::size_t i = 0; i < kLocomotionStyles; ++i) {
     if (i == static_cast<std::size_t>(style_)) continue;
@@ -106,7 +106,7 @@ void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds)
     phase_ += std::min(speed / stride, kMostCadence) * seconds;
     phase_ -= std::floor(phase_);
   }
-  // What was chosen is shown at the new phase.
+  // Updates the times to the new phase.
   for (Share& share : shares_) {
     const Clip& clip = rig.clips[share.clip];
     if (clip.speed_mps() > 0) share.time_s = phase_ * clip.length_s();

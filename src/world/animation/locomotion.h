@@ -12,11 +12,11 @@ namespace soarbox::world {
 struct Rig;
 class StateHash;
 
-/// How a body carries itself while it walks.
+/// The posture of a body while it walks.
 enum class LocomotionStyle : std::uint8_t { kReady, kAim, kCrouch, kUnarmed };
 inline constexpr std::size_t kLocomotionStyles = 4;
 
-/// The movements of one style, by index of clip. Forward gaits are in ascending order of speed.
+/// The animations of one style, by index of clip. Forward gaits are sorted by speed.
 struct Gaits {
   int idle = -1;
   std::vector<int> forward, backward;
@@ -29,17 +29,17 @@ struct GaitTable {
   int die = -1;
 };
 
-/// How a body moves, in its own directions.
+/// The motion of a body in its own coordinates.
 struct BodyMotion {
   float forward_mps = 0;
   float left_mps = 0;
-  float heading_rad = 0;  ///< Where it faces, about the upright axis.
+  float heading_rad = 0;  ///< Direction in which it faces, about the vertical axis.
   bool alive = true;
 };
 
-/// Walks by itself: chooses movements, their weights and their times by how fast and in which direction the body moves,
-/// so that feet stay where they are set down. The cadence is the speed over the mean stride of what is mixed; all gaits
-/// share one phase.
+/// Automatic walking: selects animations, their weights and times from the speed and direction of the body, so that
+/// feet do not slide. The cadence is the speed divided by the mean stride of the blended gaits. All gaits have the same
+/// phase.
 class Locomotion {
  public:
   struct Share {
@@ -48,12 +48,12 @@ class Locomotion {
     float weight;
   };
 
-  /// From the next Update on; what it did before fades out within a quarter of a second.
+  /// Takes effect in the next Update. The previous style fades out within a quarter of a second.
   void SetStyle(LocomotionStyle style) { style_ = style; }
   void Update(const Rig& rig, const BodyMotion& motion, float seconds);
-  /// The movements to mix; weights add up to 1 after the first Update.
+  /// The animations to blend. Weights add up to 1 after the first Update.
   const std::vector<Share>& shares() const { return shares_; }
-  /// How much the legs belong to walking, 0..1: a movement of the upper body alone leaves them this much.
+  /// Fraction of the legs that belongs to walking, 0..1. An animation of the upper body affects the rest of them.
   float legs() const { return legs_; }
 
   void AddTo(StateHash& hash) const;
@@ -65,12 +65,12 @@ class Locomotion {
 
   LocomotionStyle style_ = LocomotionStyle::kReady;
   std::array<float, kLocomotionStyles> style_weights_{};  ///< They add up to 1 after the first Update.
-  float phase_ = 0;                                       ///< 0..1, of the gaits' cycle.
-  float idle_s_ = 0;                                      ///< Time of the idle movement.
-  float turn_s_ = 0;                                      ///< Time of the turn.
-  float death_s_ = -1;                                    ///< Since it died; -1: alive.
+  float phase_ = 0;                                       ///< 0..1, in the cycle of the gaits.
+  float idle_s_ = 0;                                      ///< Time in the idle animation.
+  float turn_s_ = 0;                                      ///< Time in the turning animation.
+  float death_s_ = -1;                                    ///< Time since it died; -1 while alive.
   Vec3 velocity_;                                         ///< Smoothed: x left, z forward.
-  float turning_ = 0;                                     ///< To the left, rad/s, smoothed.
+  float turning_ = 0;                                     ///< To the left, in rad/s, smoothed.
   float heading_ = 0;
   bool has_heading_ = false;
   float legs_ = 0;

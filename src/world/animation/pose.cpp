@@ -6,7 +6,7 @@
 namespace soarbox::world {
 namespace {
 
-/// A sum of poses by weight.
+/// A weighted sum of poses.
 class Mix {
  public:
   void Add(const BonePose& pose, float weight) {
@@ -28,7 +28,7 @@ class Mix {
 
 }  // namespace
 
-/// Relative to its parent.
+/// The pose relative to the parent.
 BonePose Pose::Local(std::size_t bone) const {
   Mix mix;
   const bool is_lower = !rig->is_lower_body.empty() && rig->is_lower_body[bone];

@@ -11,24 +11,24 @@ namespace soarbox::world {
 
 struct Rig;
 
-/// What a body does at one moment: which movements are mixed, and how far each is. Where its bones are follows from
-/// that, and takes much longer to work out than this takes to note.
+/// What a body does at one moment: which animations are blended, and the time in each. The positions of its bones
+/// follow from a pose. Computing them takes much longer than storing the pose.
 struct Pose {
   struct Part {
-    std::uint32_t clip = 0;  ///< Of the rig; one that it does not have does nothing.
+    std::uint32_t clip = 0;  ///< Index in the rig; an invalid index has no effect.
     float time_s = 0;
     float weight = 0;
     friend bool operator==(const Part&, const Part&) = default;
   };
-  const Rig* rig = nullptr;  ///< Never null where bones are asked for.
-  /// First those that scripts play, `played` of them, whose weights are above 0; then those of the walk.
+  const Rig* rig = nullptr;  ///< Must not be null when bones are computed.
+  /// First the `played` animations of scripts, whose weights are above 0; then those of the walk.
   std::vector<Part> parts;
   std::size_t played = 0;
-  float legs = 0;  ///< How much of the legs is the walk's, 0 to 1, where a movement is one of the upper body.
+  float legs = 0;  ///< Fraction of the legs that belongs to the walk, 0 to 1, if an animation of the upper body plays.
 
-  /// Where the bones are in the model, by index.
+  /// Computes the poses of all bones in the model, by index.
   void WorkOut(std::vector<BonePose>& bones) const;
-  /// The same of one bone, without those that it does not hang on.
+  /// Computes the pose of one bone; needs only its ancestors.
   BonePose WorkOut(std::size_t bone) const;
 
  private:

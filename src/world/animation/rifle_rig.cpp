@@ -9,9 +9,9 @@
 namespace soarbox::world {
 namespace {
 
-/// The state of the rifle's parts.
+/// The positions of the rifle's parts.
 struct RifleForm {
-  float shortness = 0;  ///< 1: barrel and stock pushed in.
+  float shortness = 0;  ///< 1: barrel and stock are retracted.
   float magazine_out = 0;
   float bolt_back = 0;
 };
@@ -21,7 +21,7 @@ float Ease(float t) {
   return t * t * (3 - 2 * t);
 }
 
-/// There, and back again, within a span of time.
+/// Rises from 0 to 1 and falls back within a time span.
 float Bump(float t, float up, float top, float down, float end) {
   return Ease((t - up) / (top - up)) - Ease((t - down) / (end - down));
 }
@@ -56,7 +56,7 @@ Rig MakeRig() {
   rig.skeleton.Add("b_stock", kRifleBody, at(-0.10f, RifleSize::kBore));
   const Skeleton& s = rig.skeleton;
   rig.clips.push_back(MakeRifleClip(s, "sniper_idle", 1.0f, true, [](float) { return RifleForm{}; }));
-  // In step with the soldier's stand_reload.
+  // Synchronized with the soldier's stand_reload.
   rig.clips.push_back(MakeRifleClip(s, "sniper_reload", 2.6f, false, [](float t) {
     return RifleForm{0, Bump(t, 0.24f, 0.34f, 0.60f, 0.70f), Bump(t, 0.78f, 0.84f, 0.85f, 0.88f)};
   }));

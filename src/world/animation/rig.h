@@ -11,14 +11,14 @@ namespace soarbox::world {
 
 struct GaitTable;
 
-/// What all bodies of one kind share: bones and movements.
+/// The bones and animations that all bodies of one kind share.
 struct Rig {
   Skeleton skeleton;
   std::vector<Clip> clips;
-  std::vector<bool> is_lower_body;   ///< By bone: what walks. Empty if the rig has no legs.
-  const GaitTable* gaits = nullptr;  ///< Which movements carry it at which speed; null if none do.
+  std::vector<bool> is_lower_body;   ///< By bone: whether the walk moves it. Empty if the rig has no legs.
+  const GaitTable* gaits = nullptr;  ///< The gaits by speed; null if it cannot walk.
 
-  /// Index of a clip; -1 if there is none of that name.
+  /// Index of a clip; -1 if there is no clip of that name.
   int FindClip(std::string_view name) const;
   std::vector<std::string_view> ClipNames() const;
   std::vector<std::string_view> BoneNames() const;

@@ -9,27 +9,27 @@
 
 namespace soarbox::world {
 
-/// The bones of a body: a tree in which each bone comes after its parent. All bodies of one kind share it; it never
-/// changes after it was built.
+/// The bones of a body: a tree in which each bone comes after its parent. Shared by all bodies of one kind and
+/// immutable after it was built.
 class Skeleton {
  public:
   struct Bone {
     std::string name;
-    int parent = -1;  ///< -1: the model itself.
-    BonePose bind;    ///< Relative to the parent, in the pose that the mesh is built in.
+    int parent = -1;  ///< -1: the bone has no parent.
+    BonePose bind;    ///< Relative to the parent, in the pose in which the mesh was modelled.
   };
 
-  /// Adds a bone whose bind pose is given relative to the model; returns its index. The parent must be there already.
+  /// Adds a bone with its bind pose relative to the model; returns its index. The parent must exist.
   int Add(std::string name, int parent, const BonePose& bind_in_model);
 
   const std::vector<Bone>& bones() const { return bones_; }
   int count() const { return static_cast<int>(bones_.size()); }
-  /// -1 if there is none of that name.
+  /// Index of a bone; -1 if there is no bone of that name.
   int Find(std::string_view name) const;
-  /// A bone's bind pose relative to the model.
+  /// The bind pose of a bone relative to the model.
   const BonePose& BindInModel(int bone) const { return bind_in_model_[static_cast<std::size_t>(bone)]; }
 
-  /// Turns poses relative to parents into poses relative to the model.
+  /// Converts poses relative to parents to poses relative to the model.
   void ToModel(const std::vector<BonePose>& local, std::vector<BonePose>& model) const;
 
  private:

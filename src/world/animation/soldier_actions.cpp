@@ -6,7 +6,7 @@
 #include "world/animation/soldier_clips.h"
 #include "world/animation/soldier_skeleton.h"
 
-// What a soldier does besides going somewhere. Each movement is a few poses at moments; between them it eases.
+// Animations of a soldier that do not move the body. Each is a sequence of poses with smooth transitions.
 namespace soarbox::world {
 namespace {
 
@@ -14,7 +14,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 using Size = SoldierSize;
 
 struct Moment {
-  float at;  ///< 0..1 of the clip.
+  float at;  ///< Time of the pose, 0..1 of the clip.
   SoldierPose pose;
 };
 using Moments = std::vector<Moment>;
@@ -42,7 +42,7 @@ SoldierPose With(SoldierPose pose, Change change) {
   return pose;
 }
 
-/// Breath and small shifts of weight.
+/// Breathing, and small shifts of weight.
 SoldierPose Breathing(SoldierPose pose, float phase, float size) {
   const float breath = std::sin(2 * kPi * phase), shift = std::sin(2 * kPi * phase + 1.1f);
   pose.hips += Vec3{0.006f * shift, 0.003f * breath, 0} * size;
@@ -52,7 +52,7 @@ SoldierPose Breathing(SoldierPose pose, float phase, float size) {
   return pose;
 }
 
-/// Stands and now and then looks around.
+/// Stands and occasionally looks around.
 SoldierPose LookingAround(SoldierPose pose, float phase) {
   const float look = 0.45f * std::sin(2 * kPi * phase) * Ease(std::abs(std::sin(2 * kPi * phase)));
   pose = Breathing(pose, std::fmod(2 * phase, 1.0f), 1.3f);
@@ -72,7 +72,7 @@ Moments Fire(const SoldierPose& aim) {
   return {{0, aim}, {0.12f, kicked}, {0.7f, aim}, {1, aim}};
 }
 
-/// The left hand takes the magazine out, fetches another from the vest and pushes it home.
+/// The left hand removes the magazine, takes another one from the vest and inserts it.
 Moments Reload(const SoldierPose& aim) {
   const SoldierPose lowered = With(aim, [](SoldierPose& p) {
     p.rifle = {-0.105f, -0.17f, 0.265f};
@@ -105,7 +105,7 @@ Moments Reload(const SoldierPose& aim) {
           {0.78f, at_bolt}, {0.84f, bolt_back}, {0.89f, lowered},     {1, aim}};
 }
 
-/// A stroke with the butt.
+/// A blow with the butt.
 Moments Melee(const SoldierPose& aim) {
   const SoldierPose back = With(aim, [](SoldierPose& p) {
     p.rifle = {-0.10f, -0.10f, 0.20f};
@@ -128,7 +128,7 @@ Moments Melee(const SoldierPose& aim) {
   return {{0, aim}, {0.32f, back}, {0.50f, struck}, {0.62f, struck}, {1, aim}};
 }
 
-/// Staggers under a hit.
+/// Staggers after a hit.
 Moments Hit(const SoldierPose& aim) {
   const SoldierPose staggered = With(aim, [](SoldierPose& p) {
     p.chest_turn = Turn({0, 1, 0}, -0.95f) * Turn({1, 0, 0}, -0.12f) * Turn({0, 0, 1}, 0.12f);
@@ -140,12 +140,12 @@ Moments Hit(const SoldierPose& aim) {
   return {{0, aim}, {0.25f, staggered}, {0.45f, staggered}, {1, aim}};
 }
 
-/// On the back, the limbs thrown apart.
+/// On the back, with the limbs spread.
 SoldierPose LyingOnBack() {
   SoldierPose p = StandReady();
   p.hips = {0.03f, 0.120f, -0.42f};
   p.hips_turn = Turn({1, 0, 0}, -1.50f) * Turn({0, 1, 0}, 0.10f);
-  p.chest_turn = Turn({1, 0, 0}, -1.28f) * Turn({0, 1, 0}, -0.12f);  // The pack is below.
+  p.chest_turn = Turn({1, 0, 0}, -1.28f) * Turn({0, 1, 0}, -0.12f);  // The backpack is below.
   p.head_turn = Turn({1, 0, 0}, -1.55f) * Turn({0, 1, 0}, 0.60f);
   p.left = {{0.20f, 0.085f, 0.33f}, 0.55f, -1.0f};
   p.right = {{-0.26f, 0.085f, 0.12f}, -0.70f, -0.75f};
@@ -164,7 +164,7 @@ SoldierPose LyingOnBack() {
   return p;
 }
 
-/// On the face, one arm under the body.
+/// Face down, one arm under the body.
 SoldierPose LyingOnFace() {
   SoldierPose p = StandReady();
   p.hips = {0.02f, 0.120f, 0.34f};
@@ -189,7 +189,7 @@ SoldierPose LyingOnFace() {
   return p;
 }
 
-/// The knees give way, the body falls on its face.
+/// The knees bend, and the body falls on its face.
 Moments Dying(const SoldierPose& from, bool crouched) {
   const SoldierPose hit = With(from, [&](SoldierPose& p) {
     p.chest_turn = Turn({0, 1, 0}, -0.30f) * Turn({1, 0, 0}, -0.12f);
@@ -269,7 +269,7 @@ SoldierPose InTheAir(const SoldierPose& aim) {
   });
 }
 
-/// The right hand works at the rifle while it changes its shape.
+/// The right hand operates the rifle while that changes its shape.
 Moments Transform(const SoldierPose& aim) {
   const SoldierPose held = With(aim, [](SoldierPose& p) {
     p.rifle = {-0.10f, -0.20f, 0.28f};

@@ -6,8 +6,8 @@
 #include "world/animation/soldier_clips.h"
 #include "world/animation/soldier_skeleton.h"
 
-// Walking and running. Feet that carry the body stand still on the ground: relative to the body they go back at the
-// speed of the gait. The left foot lands at the start of a cycle, the right one in its middle.
+// Walking and running. A foot that carries the body does not move on the ground, so relative to the body it moves back
+// at the speed of the gait. The left foot lands at the start of a cycle, the right one in its middle.
 namespace soarbox::world {
 namespace {
 
@@ -20,39 +20,39 @@ struct Gait {
   const char* name;
   float speed_mps;
   float period_s;
-  float stance;       ///< Share of the cycle in which a foot stands.
-  float heading = 0;  ///< Where the body goes, from its front to its left, in rad.
+  float stance;       ///< Fraction of the cycle in which a foot is on the ground.
+  float heading = 0;  ///< Direction of movement, from the front to the left, in rad.
   float hips_m;       ///< Height.
   float bob_m;
-  float lift_m;          ///< Of the swinging foot.
+  float lift_m;          ///< Height of the swinging foot.
   float lean = 0.05f;    ///< Forward, in rad.
   float landing = 0.3f;  ///< Toes up when the foot lands.
   float push_off = 0.7f;
   float side_m = 0.09f;
-  float twist = 0.10f;  ///< Of the hips.
+  float twist = 0.10f;  ///< Rotation of the hips.
   bool runs = false;
   Carry carry = Carry::kReady;
 };
 
-/// Smoothly from 0 to 1.
+/// A smooth transition from 0 to 1.
 float Ease(float t) {
   t = std::clamp(t, 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
-/// Where an ankle is when the foot is pitched about its heel (toes up, below 0) or its ball (toes down).
+/// Position of an ankle if the foot is pitched about its heel (toes up, below 0) or its ball (toes down).
 Vec3 AnkleOver(Vec3 sole, float pitch) {
   const Vec3 pivot = pitch > 0 ? Vec3{0, 0.01f, Size::kBall} : Vec3{0, 0, -Size::kHeel};
   return sole + pivot + Rotate(Turn({1, 0, 0}, pitch), Vec3{0, Size::kAnkle, 0} - pivot);
 }
 
-/// One foot at a phase of its own, 0..1 from landing to landing.
+/// The pose of one foot at its phase, 0..1 from landing to landing.
 SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
   const float way = gait.speed_mps * gait.period_s * gait.stance;
   const Vec3 ahead{std::sin(gait.heading), 0, std::cos(gait.heading)};
   const bool forward = ahead.z > 0.5f;
   const float landing = forward ? -gait.landing : 0.0f, leaving = forward ? gait.push_off : 0.25f * gait.push_off;
-  // Bodies stand a little behind the middle of the way when they run, as they lean.
+  // A running body leans forward, so its feet are a little behind it on average.
   const float middle = gait.runs ? -0.16f * way : forward ? -0.07f : -0.02f;
   SoldierPose::Foot foot;
   Vec3 ankle;
@@ -65,7 +65,7 @@ SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
     const float t = (phase - gait.stance) / (1 - gait.stance);
     const Vec3 from = AnkleOver(ahead * (middle - 0.5f * way), leaving);
     const Vec3 to = AnkleOver(ahead * (middle + 0.5f * way), landing);
-    // Leaves and lands at the speed of the ground.
+    // Leaves and reaches the ground at the speed of the ground.
     const float speed = -gait.speed_mps * gait.period_s * (1 - gait.stance) * 0.35f;
     const float t2 = t * t, t3 = t2 * t;
     const float place = 3 * t2 - 2 * t3, tangents = speed * (2 * t3 - 3 * t2 + t);
@@ -99,17 +99,17 @@ SoldierPose GaitPose(const Gait& gait, float phase) {
   pose.left = FootAt(gait, phase, 1);
   pose.right = FootAt(gait, std::fmod(phase + 0.5f, 1.0f), -1);
   pose.knees_out = 0.07f;
-  // The rifle goes along with the shoulders a little.
+  // The rifle moves slightly with the shoulders.
   const float nod = (gait.runs ? 0.035f : 0.012f) * std::cos(2 * cycle - 0.8f);
   if (aims) {
     pose.rifle_frame = Turn({0, 1, 0}, 0.06f * gait.twist / 0.1f * swing * 0.3f) * Turn({1, 0, 0}, 0.5f * nod);
     if (gait.runs) {
-      // Running, the eye is above the sights.
+      // When running, the eye is above the sights.
       pose.rifle += Vec3{0.0f, -0.07f, 0.0f};
       pose.barrel = {0.12f, -0.16f, 1};
     }
   } else if (is_free) {
-    // Arms go against the legs.
+    // Arms swing opposite to the legs.
     const float size = gait.runs ? 0.62f : 0.36f * std::abs(forward), bend = gait.runs ? 1.45f : 0.30f;
     const float along = forward >= 0 ? swing : -swing;
     pose.rifle_frame = Turn({0, 1, 0}, 0.9f * gait.twist * swing * forward) * Turn({1, 0, 0}, 0.8f * gait.lean);
@@ -248,7 +248,7 @@ constexpr Gait kWalks[] = {
      .lean = 0.0f},
 };
 
-/// The gaits of empty hands: those that carry a rifle, without it.
+/// The gaits with empty hands are those with a rifle, without it.
 constexpr struct {
   const char *name, *of;
 } kFreeGaits[] = {
@@ -282,11 +282,11 @@ constexpr Gait kCrouches[] = {
      .carry = Carry::kAim},
 };
 
-/// Stepping on the spot: the feet turn out and close again while the body turns over them.
+/// Stepping on the spot: the feet turn out and close again while the body turns.
 SoldierPose TurningPose(const SoldierPose& stance, float phase, float way) {
   SoldierPose pose = stance;
   const auto step = [&](SoldierPose::Foot& foot, float own_phase) {
-    // Half of the time a foot stands, and goes round the body against the turn.
+    // For half of the cycle a foot is on the ground, and rotates against the turn relative to the body.
     const float t = own_phase < 0.5f ? 1 - 4 * own_phase : -1 + 4 * Ease((own_phase - 0.5f) * 2) * 0.5f;
     const Quat round = Turn({0, 1, 0}, way * 0.30f * t);
     foot.ankle = Rotate(round, foot.ankle);

@@ -11,13 +11,13 @@ namespace {
 
 using Size = SoldierSize;
 
-/// Two bones from a root to a target, bent towards a pole.
+/// Two bones from a root to a target, bent towards a pole vector.
 struct Limb {
   Quat upper, lower;
   Vec3 joint, end;
 };
 
-/// The turn of a bone that points from `from` to `to` and bends about `hinge`.
+/// The rotation of a bone that points from `from` to `to` and bends about `hinge`.
 Quat BoneTurn(Vec3 from, Vec3 to, Vec3 hinge) {
   const Vec3 y = Normalized(from - to);
   const Vec3 z = Normalized(Cross(hinge, y));
@@ -41,7 +41,7 @@ Limb Reach(Vec3 root, Vec3 target, float upper_m, float lower_m, Vec3 pole) {
   return limb;
 }
 
-/// The part of a turn that goes about an axis.
+/// The component of a rotation about an axis.
 float TwistAbout(Quat turn, Vec3 axis) {
   return 2 * std::atan2(turn.x * axis.x + turn.y * axis.y + turn.z * axis.z, turn.w);
 }
@@ -55,7 +55,7 @@ class Solver {
     Arms();
     Leg(kLeftThigh, pose_.left, 1);
     Leg(kRightThigh, pose_.right, -1);
-    // Whoever falls stays above the ground.
+    // A falling body stays above the ground.
     constexpr float kLowest_m = -0.02f;
     float lowest = 0;
     for (const BonePose& bone : model_) lowest = std::min(lowest, bone.position.y);
@@ -73,7 +73,7 @@ class Solver {
  private:
   BonePose& At(int bone) { return model_[static_cast<std::size_t>(bone)]; }
 
-  /// Hangs a bone on its parent, turned in the model by `turn` from its bind pose.
+  /// Attaches a bone to its parent; `turn` is its rotation in the model relative to its bind pose.
   void Hang(int bone, Quat turn) {
     const Skeleton::Bone& known = skeleton_.bones()[static_cast<std::size_t>(bone)];
     At(bone) = {At(known.parent).Apply(known.bind.position), turn * skeleton_.BindInModel(bone).orientation};
@@ -94,13 +94,13 @@ class Solver {
     Hang(arm, {});
     const Vec3 shoulder = At(arm).position;
     const Limb limb = Reach(shoulder, wrist, Size::kUpperArm, Size::kForearm, pole);
-    // In the bind pose elbows point back.
+    // In the bind pose, elbows point backwards.
     const Vec3 bind_way = BindArmDirection(side);
     const Vec3 bind_hinge = Normalized(Cross(-bind_way, {0, 0, -1}));
     const Quat bind = BoneTurn({}, bind_way, bind_hinge);
     Hang(arm, limb.upper * Conjugate(bind));
     Hang(arm + 1, limb.lower * Conjugate(bind));
-    // The forearm takes half of the hand's twist, as its two bones do.
+    // The forearm gets half of the hand's twist.
     const int hand_bone = arm + 2;
     const Quat forearm = limb.lower * Conjugate(bind);
     const Quat relative = Conjugate(forearm) * hand * Conjugate(skeleton_.BindInModel(hand_bone).orientation);

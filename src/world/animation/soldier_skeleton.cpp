@@ -10,7 +10,7 @@ using Size = SoldierSize;
 
 constexpr float kArmOut_rad = 0.62f;
 
-/// The turn whose y axis is -direction and whose z axis leans towards palm.
+/// The rotation with the y axis along -direction and the z axis towards `palm`.
 Quat HandFrame(Vec3 direction, Vec3 palm) {
   const Vec3 y = -Normalized(direction);
   const Vec3 x = Normalized(Cross(y, palm));
@@ -25,11 +25,11 @@ Quat BindHandFrame(float side) {
 RifleHold MakeHold() {
   RifleHold hold;
   const Quat attached = FromRotationVector(RifleHold::kAttachRotation_deg);
-  // The script hangs the rifle at this place in the hand, so the wrist is there in the rifle.
+  // The script attaches the rifle to the hand at this position, so the wrist is at this position in the rifle.
   hold.right_hand = Conjugate(attached);
   hold.right_wrist = -Rotate(Conjugate(attached), RifleHold::kAttachOffset);
   hold.grip = hold.right_wrist + Vec3{0.078f, -0.022f, -0.014f};
-  // From below and from the left, the palm up against the handguard.
+  // From below and from the left, with the palm up against the handguard.
   const Vec3 direction = Normalized(Vec3{0.62f, 0.30f, 0.72f}), palm{0.0f, 0.95f, 0.3f};
   hold.left_hand = LeftHandTurn(direction, palm);
   hold.left_wrist = hold.grip + Vec3{0.245f, 0.012f, 0} - direction * 0.085f;
@@ -42,7 +42,7 @@ Skeleton MakeSkeleton() {
   skeleton.Add("b_Spine", kHips, {{0, Size::kSpine, -0.005f}, {}});
   skeleton.Add("b_Chest", kSpine, {{0, Size::kChest, -0.005f}, {}});
   skeleton.Add("b_Neck", kChest, {{0, Size::kNeck, -0.012f}, {}});
-  // The head looks along its bone's -z, as the sandbox's scripts expect.
+  // The head looks along -z of its bone, as the sandbox's scripts expect.
   skeleton.Add("b_Head1", kNeck, {{0, Size::kHead, 0.005f}, Turn({0, 1, 0}, 3.14159265f)});
   for (const float side : {1.0f, -1.0f}) {
     const std::string name = side > 0 ? "b_Left" : "b_Right";
@@ -54,7 +54,7 @@ Skeleton MakeSkeleton() {
     const int forearm = skeleton.Add(name + "Forearm", arm, {elbow, {}});
     Quat hand;
     if (side < 0) {
-      // Built so that fingers which hold the rifle point along the arm here.
+      // Chosen so that fingers that hold the rifle point along the arm here.
       const Quat held = HandFrame({1, 0.08f, 0.0f}, {0, 0, -1});
       hand = BindHandFrame(side) * Conjugate(held) * HoldOfRifle().right_hand;
     }

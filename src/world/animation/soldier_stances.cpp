@@ -44,7 +44,7 @@ SoldierPose StandReady() {
   pose.head_turn = Turn({0, 1, 0}, 0.02f);
   pose.left = {{0.125f, SoldierSize::kAnkle, 0.06f}, 0.16f};
   pose.right = {{-0.130f, SoldierSize::kAnkle, -0.07f}, -0.32f};
-  // Across the chest, the muzzle down to the left.
+  // Across the chest, with the muzzle down to the left.
   pose.rifle = {-0.135f, -0.30f, 0.225f};
   pose.barrel = {0.66f, -0.50f, 0.48f};
   pose.rifle_up = {0.35f, 0.85f, 0.25f};
@@ -57,7 +57,7 @@ SoldierPose StandReady() {
 void SwingArm(SoldierPose& pose, bool is_left, float forward, float bend) {
   using Size = SoldierSize;
   const float side = is_left ? 1.0f : -1.0f;
-  // Upper arms hang a little away from the body, forearms come back to it.
+  // Upper arms hang slightly away from the body, forearms towards it.
   const auto along = [side](float angle, float out) {
     return Normalized(Vec3{side * out, -std::cos(angle), std::sin(angle)});
   };
