@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Something that takes time: it is initialized, updated until it says that it has ended, and cleaned up. Decision trees,
--- state machines and behavior trees all run actions.
+-- An activity that takes time: it is initialized, updated until its status says that it has ended, and cleaned up.
+-- Decision trees, state machines and behavior trees run actions.
 
 Action = {
     Status = { UNINITIALIZED = "UNINITIALIZED", RUNNING = "RUNNING", TERMINATED = "TERMINATED" },
@@ -8,8 +8,8 @@ Action = {
 };
 Action.__index = Action;
 
--- initialize(userData), update(deltaTimeInMillis, userData) and cleanUp(userData) may each be nil. update returns a status;
--- an action without one ends at once.
+-- initialize(userData), update(deltaTimeInMillis, userData) and cleanUp(userData) may each be nil. update returns a
+-- status; an action without an update ends at once.
 function Action.new(name, initialize, update, cleanUp, userData)
     return setmetatable({
         name_ = name or "",
@@ -34,7 +34,7 @@ function Action:IsTerminated()
     return self.status_ == Action.Status.TERMINATED;
 end
 
--- Does nothing to an action that is under way.
+-- Does nothing if the action is running.
 function Action:Initialize()
     if (self.status_ ~= Action.Status.UNINITIALIZED) then
         return;
@@ -60,7 +60,7 @@ function Action:Update(deltaTimeInMillis)
     return self.status_;
 end
 
--- Makes an action that has ended ready to start again; another one stays as it is.
+-- Resets an action that has ended, so that it can start again; does nothing otherwise.
 function Action:CleanUp()
     if (self.status_ ~= Action.Status.TERMINATED) then
         return;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Messages between agents, on the sandbox's events: to everybody, or to the sender's team. They arrive in the next step.
+-- Messages between agents, based on the sandbox's events: to all agents, or to the sender's team. They arrive in the
+-- next step.
 
 AgentCommunications = { EventType = {} };
 for _, name in ipairs({
@@ -9,7 +10,7 @@ for _, name in ipairs({
     AgentCommunications.EventType[name] = name;
 end
 
--- By agent: the functions that hear each type of message.
+-- By agent: the callbacks for each type of message.
 local listeners = {};
 
 local function IsMeantFor(agent, message)
@@ -28,7 +29,7 @@ local function Listen(sandbox, agent)
     return functions;
 end
 
--- Calls callback(userData, type, message) for each message of this type that userData.agent hears.
+-- Calls callback(userData, type, message) for each message of this type that userData.agent receives.
 function AgentCommunications_AddEventCallback(userData, type, callback)
     local agent = userData.agent;
     local id = agent:GetId();
@@ -43,7 +44,7 @@ function AgentCommunications_SendMessage(sandbox, type, message)
     Sandbox.AddEvent(sandbox, type, message);
 end
 
--- Only agents of the sender's team hear it, the sender too. Adds the fields team and teamOnly to the message.
+-- Sends it only to agents of the sender's team, including the sender. Adds the fields team and teamOnly to the message.
 function AgentCommunications_SendTeamMessage(sandbox, agent, type, message)
     message.team = agent:GetTeam();
     message.teamOnly = true;

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Eyes and ears of an agent. What it notices goes to its blackboard: visibleAgents, deadEnemies and deadFriendlies by the
--- number of the agent ({agent, seenAt, lastSeen}), bulletShots and bulletImpacts as lists ({position, time}). Sightings are
--- told to the team.
+-- Sight and hearing of an agent. Noticed things are stored in its blackboard: visibleAgents, deadEnemies and
+-- deadFriendlies by the number of the agent ({agent, seenAt, lastSeen}), bulletShots and bulletImpacts as lists
+-- ({position, time}). Sightings are sent to the team.
 require "AgentCommunications";
 require "DebugUtilities";
 
@@ -34,7 +34,8 @@ local function Hear(name)
     end;
 end
 
--- userData has agent and blackboard, and soldier: the mesh whose head sees. Without one the middle of the agent does.
+-- userData contains agent and blackboard, and soldier: the mesh with the head. Without a mesh, the agent's centre is
+-- used.
 function AgentSenses_InitializeSenses(userData)
     local listeners = {
         [Events.EnemySighted] = { "visibleAgents", Remember },
@@ -49,7 +50,7 @@ function AgentSenses_InitializeSenses(userData)
     end
 end
 
--- Where the agent looks from, and where to.
+-- The position of the eyes, and the direction of view.
 local function Eyes(userData)
     if (not userData.soldier) then
         return userData.agent:GetPosition(), userData.agent:GetForward();
@@ -58,8 +59,8 @@ local function Eyes(userData)
     return Animation.GetBonePosition(userData.soldier, kHead), Vector.Rotate(Vector.new(0, 0, -1), rotation);
 end
 
--- True if the other agent is within the view and nothing stands between. `draw` shows the line of sight for this step:
--- green if it is seen, red if something stands in the way.
+-- True if the other agent is in the field of view and nothing hides it. `draw` shows the line of sight for this step:
+-- green if it is seen, red if something hides it.
 function AgentSenses_CanSeeAgent(userData, other, draw)
     local eye, forward = Eyes(userData);
     local toward = Vector.Normalize(other:GetPosition() - eye);
@@ -75,7 +76,7 @@ function AgentSenses_CanSeeAgent(userData, other, draw)
     return sees;
 end
 
--- What a sighting is called, and where it is kept; nil for friends that are alive.
+-- The type of a sighting, and the table that stores it; nil for living friends.
 local function Kind(agent, other)
     if (other:GetTeam() == agent:GetTeam()) then
         if (other:GetHealth() > 0) then
@@ -109,7 +110,7 @@ local function Forget(sounds, now)
     end
 end
 
--- Once for each step of the agent.
+-- Call it once per step of the agent.
 function AgentSenses_UpdateSenses(sandbox, userData, deltaTimeInMillis)
     local now = Sandbox.GetTimeInMillis(sandbox);
     Forget(userData.blackboard:Get("bulletShots"), now);

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What steered agents have in common: forces put to work, speed kept within bounds, a body to be seen, lines that show
--- where an agent wants to go.
+-- Common functions of steered agents: applying forces, limiting the speed, a visible body, and lines that show where an
+-- agent wants to go.
 
--- Wishes whose square is below this are none.
+-- Forces whose squared length is below this are ignored.
 local kFaint = 0.1;
--- How much of a new acceleration, and of a new direction, is taken over at once.
+-- Fractions of a new acceleration and of a new direction that are applied at once.
 local kEagerness, kTurning = 0.4, 0.2;
 local kSkin = "Ground2";
 local kGreen, kRed = Vector.new(0, 1, 0), Vector.new(1, 0, 0);
@@ -13,13 +13,13 @@ local function IsFaint(vector)
     return Vector.LengthSquared(vector) < kFaint;
 end
 
--- A vector along the ground; changes what it is given.
+-- Makes a vector horizontal; changes its argument.
 local function Level(vector)
     vector.y = 0;
     return vector;
 end
 
--- The acceleration of an agent that pushes with all its force in a direction; nil if it does not or cannot.
+-- The acceleration of an agent with its full force in a direction; nil if there is no force or no direction.
 local function FullAcceleration(agent, direction)
     local mass = agent:GetMass();
     if (mass > 0 and not IsFaint(direction)) then
@@ -27,7 +27,8 @@ local function FullAcceleration(agent, direction)
     end
 end
 
--- Pushes the agent with all its force in the direction of `force` and turns it to where it goes. Flattens `force`.
+-- Applies the agent's full force in the direction of `force` and turns the agent to its direction of movement. Makes
+-- `force` horizontal.
 function AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInSeconds)
     local acceleration = FullAcceleration(agent, force);
     if (acceleration) then
@@ -37,7 +38,8 @@ function AgentUtilities_ApplyPhysicsSteeringForce(agent, force, deltaTimeInSecon
     end
 end
 
--- The same by changing the velocity, smoothly: `accumulator` is the acceleration of the call before, kept by the caller.
+-- The same by smoothly changing the velocity: `accumulator` is the acceleration of the previous call, which the caller
+-- stores.
 function AgentUtilities_ApplySteeringForce2(agent, force, accumulator, deltaTimeInSeconds)
     local wanted = FullAcceleration(agent, force);
     if (not wanted) then
@@ -54,7 +56,7 @@ function AgentUtilities_ApplySteeringForce2(agent, force, accumulator, deltaTime
     end
 end
 
--- Nobody runs faster than its greatest speed; falling is free.
+-- Limits the horizontal speed to the agent's maximum; falling is not limited.
 function AgentUtilities_ClampHorizontalSpeed(agent)
     local most, velocity = agent:GetMaxSpeed(), agent:GetVelocity();
     local speed = math.sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
@@ -69,7 +71,7 @@ function AgentUtilities_UpdatePosition(agent, deltaTimeInSeconds)
     agent:SetPosition(agent:GetPosition() + agent:GetVelocity() * deltaTimeInSeconds);
 end
 
--- A capsule to be seen; returns its node.
+-- Creates a visible capsule; returns its node.
 function AgentUtilities_CreateAgentRepresentation(agent, height, radius)
     local capsule = Core.CreateCapsule(agent, height, radius);
     Core.SetMaterial(capsule, kSkin);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A state of an animation state machine: one animation, looping or not, at some rate (1 is its own).
+-- A state of an animation state machine: an animation, whether it loops, and its rate (1: its own speed).
 
 AnimationState = {};
 

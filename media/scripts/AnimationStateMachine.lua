@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Plays one animation at a time, and fades to another when it is asked to and the transition between the two allows it.
--- A state that no transition leads to begins when the animation before it ends.
+-- Plays one animation at a time, and fades to another on request if the transition between the two permits it. A state
+-- without a transition to it begins when the previous animation ends.
 require "AnimationState";
 require "AnimationTransition";
 require "AnimationUtilities";
@@ -24,7 +24,7 @@ function AnimationStateMachine:AddTransition(fromName, toName, blendOutWindow, d
     end
 end
 
--- callback(stateName, data) is called when a transition starts the state, and whenever its animation comes to its end.
+-- callback(stateName, data) is called when a transition starts the state, and whenever its animation ends.
 function AnimationStateMachine:AddStateCallback(name, callback, data)
     self.callbacks_[name] = self.callbacks_[name] or {};
     table.insert(self.callbacks_[name], { call = callback, data = data });
@@ -63,7 +63,7 @@ local function Stop(state)
     Animation.SetWeight(state.animation_, 0);
 end
 
--- Steps the animation of a state; true if it came to its end.
+-- Advances the animation of a state; true if it has ended.
 local function Step(state, deltaTimeInMillis)
     local delta = deltaTimeInMillis * state.rate_;
     local ends = Animation.GetTime(state.animation_) + delta / 1000 >= Animation.GetLength(state.animation_);
@@ -71,7 +71,7 @@ local function Step(state, deltaTimeInMillis)
     return ends;
 end
 
--- Changes to a state at once.
+-- Changes to a state immediately.
 function AnimationStateMachine:SetState(name)
     if (not self:ContainsState(name)) then
         return;
@@ -87,7 +87,7 @@ function AnimationStateMachine:SetState(name)
     Play(self.current_, 1, 0);
 end
 
--- False while another request waits, and for states that are not there.
+-- False while another request is pending, and for unknown states.
 function AnimationStateMachine:RequestState(name)
     if (self.requested_ or self.next_ or not self:ContainsState(name)) then
         return false;
@@ -103,7 +103,7 @@ end
 local function StartTransition(machine, transition, nowInSeconds)
     machine.next_, machine.requested_ = machine.requested_, nil;
     machine.transition_, machine.start_ = transition, nowInSeconds;
-    -- States may share an animation: then there is nothing to fade.
+    -- States may share an animation: then no fade is needed.
     if (machine.next_.animation_ ~= machine.current_.animation_) then
         Play(machine.next_, 0, transition.blendInWindow_);
     end

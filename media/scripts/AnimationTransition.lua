@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A cross-fade of an animation state machine, in seconds: it may start this long before the end of the old animation,
--- takes this long, and starts the new animation here.
+-- A cross-fade of an animation state machine, in seconds: how long before the end of the old animation it may start,
+-- its duration, and the start time in the new animation.
 
 AnimationTransition = {};
 

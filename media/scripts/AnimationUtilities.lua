@@ -8,7 +8,7 @@ local function Share(blendTime, startTime, now)
     return math.max(0, math.min(1, (now - startTime) / math.max(blendTime, kShortest)));
 end
 
--- Each returns true when the blend is over.
+-- Each returns true when the blend has ended.
 function AnimationUtilities_LinearBlendIn(animation, blendTime, startTime, now)
     local share = Share(blendTime, startTime, now);
     Animation.SetWeight(animation, share);
@@ -26,7 +26,7 @@ function AnimationUtilities_LinearBlendTo(from, to, blendTime, startTime, now)
     return AnimationUtilities_LinearBlendIn(to, blendTime, startTime, now);
 end
 
--- Keeps an animation in step with a reference, however long each of them is.
+-- Synchronises an animation with a reference of any length.
 function AnimationUtilities_StepSynced(reference, animation)
     Animation.SetTime(animation, Animation.GetNormalizedTime(reference) * Animation.GetLength(animation));
 end

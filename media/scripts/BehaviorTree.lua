@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Walks down from its root to an action: a selector takes its first child that works, a sequence goes on as long as its
--- children work, a condition works if its evaluator says so, an action always works. The action runs to its end; then the
--- sequence that it stands in goes on, or the tree is walked again from the root.
+-- Searches an action, starting at the root: a selector takes its first child that succeeds; a sequence continues as
+-- long as its children succeed; a condition succeeds if its evaluator returns true; an action always succeeds. The
+-- action runs to its end. Then the sequence that contains it continues, or the search starts again at the root.
 require "Action";
 require "BehaviorTreeNode";
 
@@ -24,8 +24,7 @@ function BehaviorTree:GetCurrentActionName()
     return self.current_ and self.current_:GetAction():GetName() or nil;
 end
 
--- What people see of the tree: each node with the answer that it gave when it was last asked, and the way to the action
--- that runs.
+-- What users see of the tree: each node with the result of its last evaluation, and the path to the running action.
 local function Rows(tree, node)
     local answer = node.answer_;
     local row = { name = node.name_, value = "" };
@@ -48,7 +47,7 @@ end
 
 local Walk;
 
--- Goes through the children from `first` on. Returns the action's node to run, if any, and whether the node works.
+-- Evaluates the children from `first` on. Returns the node of the action to run, if any, and whether the node succeeds.
 local function WalkChildren(tree, node, first)
     local is_selector = node.type_ == BehaviorTreeNode.Type.SELECTOR;
     for index = first, #node.children_ do
@@ -70,7 +69,7 @@ Walk = function(tree, node)
     return WalkChildren(tree, node, 1);
 end
 
--- What comes after an action that has ended: the next action of the sequences that it stands in, if they go on.
+-- The action after one that has ended: the next action of the sequences that contain it, if they continue.
 local function Next(tree, node)
     while (node.parent_) do
         if (node.parent_.type_ == BehaviorTreeNode.Type.SEQUENCE) then

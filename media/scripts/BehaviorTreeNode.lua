@@ -6,13 +6,14 @@ BehaviorTreeNode = {
 };
 BehaviorTreeNode.__index = BehaviorTreeNode;
 
--- SELECTOR and SEQUENCE have children; ACTION has an action; CONDITION has an evaluator(userData) that says yes or no.
+-- SELECTOR and SEQUENCE have children; ACTION has an action; CONDITION has an evaluator(userData) that returns true or
+-- false.
 function BehaviorTreeNode.new(name, type)
     assert(BehaviorTreeNode.Type[type], "a behavior tree has no nodes of type " .. tostring(type));
     return setmetatable({ name_ = name or "", type_ = type, children_ = {} }, BehaviorTreeNode);
 end
 
--- Puts the child last, or at the place `index` before those that stand there. Returns the child.
+-- Appends a child, or inserts it at `index`. Returns the child.
 function BehaviorTreeNode:AddChild(child, index)
     child.parent_ = self;
     table.insert(self.children_, index or #self.children_ + 1, child);
@@ -22,7 +23,7 @@ function BehaviorTreeNode:AddChild(child, index)
     return child;
 end
 
--- The place of a child, from 1; -1 if it is none.
+-- The index of a child, from 1; -1 if it is not a child.
 function BehaviorTreeNode:ChildIndex(child)
     for place, sibling in ipairs(self.children_) do
         if (sibling == child) then

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What an agent knows, by name: what it was told (Set), unless a source knows it better.
+-- The knowledge of an agent, by name: values that were set, unless a knowledge source provides the value.
 require "KnowledgeSource";
 
 Blackboard = {};
@@ -9,7 +9,7 @@ function Blackboard.new(userData)
     return setmetatable({ userData_ = userData, values_ = {}, sources_ = {}, seen_ = {}, shown_ = {} }, Blackboard);
 end
 
--- What people see of the blackboard: each value that was set or asked for, as it was last.
+-- What users see of the blackboard: the last value of each name that was set or read.
 local function ShowValue(board, attribute, value)
     if (board.seen_[attribute] == value) then
         return;
@@ -30,7 +30,7 @@ local function ShowValue(board, attribute, value)
     end
 end
 
--- The answer of the most confident source; what was set, if there is no source.
+-- The value of the most confident source; the value that was set, if there is no source.
 function Blackboard:Get(attribute)
     local best, highest;
     for _, source in ipairs(self.sources_[attribute] or {}) do

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Shows for one step what agents and objects are up to.
+-- Draws for one step what agents and objects are doing.
 
 local function Color(red, green, blue)
     return Vector.new(red, green, blue);
@@ -14,7 +14,7 @@ DebugUtilities = {
     Orange = Color(1, 0.5, 0)
 };
 
--- Joins the points by lines, moved by `offset`; a cyclic path is closed. The color is green unless told otherwise.
+-- Connects the points with lines, moved by `offset`; a cyclic path is closed. The default color is green.
 function DebugUtilities_DrawPath(points, cyclic, offset, color)
     local from;
     local function LineTo(point)
@@ -32,7 +32,7 @@ function DebugUtilities_DrawPath(points, cyclic, offset, color)
     end
 end
 
--- The ways of all agents that are alive and on one, each with a ball at its target.
+-- Draws the paths of all living agents that have one, each with a sphere at its target.
 function DebugUtilities_DrawPaths(agents)
     local lift = Vector.new(0, 0.02, 0);
     for _, agent in ipairs(agents) do
@@ -44,7 +44,7 @@ function DebugUtilities_DrawPaths(agents)
     end
 end
 
--- Draws around each object that `fits`, or around all.
+-- Draws around each object for which `fits` returns true, or around all.
 local function DrawAround(objects, fits)
     for _, object in ipairs(objects) do
         if (not fits or fits(object)) then

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- An inner node of a decision tree: its evaluator says which child to go on with.
+-- An inner node of a decision tree: its evaluator selects the next child.
 
 DecisionBranch = { Type = "DecisionBranch" };
 DecisionBranch.__index = DecisionBranch;
@@ -10,8 +10,7 @@ function DecisionBranch.new(evaluator, userData)
     }, DecisionBranch);
 end
 
--- A child is an action or another branch. It becomes the last, or takes the place `index` before those that stand there.
--- Returns its number, from 1.
+-- Adds a child, which is an action or another branch, at the end or at `index`. Returns its number, from 1.
 function DecisionBranch:AddChild(child, index)
     index = index or #self.children_ + 1;
     table.insert(self.children_, index, child);
@@ -26,7 +25,7 @@ function DecisionBranch:SetEvaluator(evaluator, userData)
     end
 end
 
--- The action at the end of the branches that the evaluators choose.
+-- The action at the end of the branches that the evaluators select.
 function DecisionBranch:Evaluate(userData)
     local data = self.userData_;
     if (data == nil) then

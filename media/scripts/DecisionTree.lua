@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Decides what to do, does it to its end, and decides again.
+-- Selects an action, runs it to its end, and selects again.
 require "Action";
 require "DecisionBranch";
 
@@ -22,7 +22,7 @@ function DecisionTree:GetCurrentActionName()
     return self.action_ and self.action_:GetName() or nil;
 end
 
--- What people see of the tree: each branch with what its evaluator chose last, and the way to the action that runs.
+-- What users see of the tree: each branch with the last choice of its evaluator, and the path to the running action.
 local function Rows(node, isChosen)
     if (node.type_ ~= DecisionBranch.Type) then
         return { name = node:GetName(), active = isChosen };

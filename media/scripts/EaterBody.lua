@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What eaters look like.
+-- The appearance of eaters.
 
 local kEyes = { -1, 1 };
 
@@ -9,7 +9,7 @@ local function Ball(parent, radius, place, material)
     Core.SetMaterial(node, material);
 end
 
--- A ball with eyes and a mouth.
+-- A sphere with eyes and a mouth.
 function EaterBody_Dress(agent, material)
     Ball(agent, 0.62, Vector.new(0, -0.12, 0), material);
     for _, side in ipairs(kEyes) do

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The world of Eaters: the board and the eaters of EatersRules.lua, to be seen. A scenario names this script, or one of
--- its own that sets Eaters.Settings first:
+-- The visible world of Eaters: the board and the eaters of EatersRules.lua. A scenario uses this script, or its own
+-- script, which sets Eaters.Settings first:
 --     require "Eaters";
 --     Eaters.Settings = { map = { "#.*#", "1..2" } };
 require "EaterBody";
@@ -34,7 +34,7 @@ local function ShowCell(x, y)
     end
 end
 
--- A box is open once its lid is gone. Treats lie flat: they stay.
+-- A box without a lid is open. Treats are flat and stay.
 local function ShowBoxes()
     for _, box in ipairs(game.boxes) do
         local material = GridGame.Materials[box.color] or "Soarbox/Ammunition";
@@ -67,7 +67,7 @@ end
 
 -- Eaters --------------------------------------------------------------------------------------------------------------
 
--- The agents that the scenario made join in their order.
+-- The scenario's agents join in their order.
 local function Begin(sandbox)
     if (next(players)) then
         return;

@@ -1,18 +1,18 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Boxes and treats of Eaters, for maps that have them. EatersRules.lua calls these.
+-- Boxes and treats of Eaters, for maps with such objects. EatersRules.lua calls these functions.
 --
--- A box { x, y, id, color, shape, points } stays closed until an eater in its cell opens it, which brings its points once.
--- `isInfo`: opened, it says which reward box is the right one, and with which code that is to be opened, if any is needed
--- (`needsCode`). `reward`: a reward box; the right one brings that many points and ends the game; it brings `wrongCode`
--- with another code, and each other box takes one point. A treat { x, y, points } brings its points to each eater that
--- comes into its cell, and stays.
+-- A box { x, y, id, color, shape, points } stays closed until an eater in its cell opens it, which gives its points
+-- once. `isInfo`: when opened, it says which reward box is the right one, and the code for opening it, if one is needed
+-- (`needsCode`). `reward`: a reward box. The right one gives this number of points and ends the game; with another code
+-- it gives `wrongCode`; each other box costs one point. A treat { x, y, points } gives its points to each eater that
+-- enters its cell, and stays.
 require "GridBoard";
 
 EatersBoxes = {};
 
 local kHighestCode, kWrongBox, kWrongCode = 3, -1, 1;
 
--- Puts the boxes of the settings on the board, and chooses the right one among those with a reward.
+-- Puts the boxes of the settings on the board, and chooses the right one among the reward boxes.
 function EatersBoxes.Place(game)
     local placed, rewards, info = {}, {}, nil;
     for i, box in ipairs(game.boxes) do
@@ -36,7 +36,7 @@ function EatersBoxes.Place(game)
     end
 end
 
--- What an eater gets that has moved, or tried to.
+-- The effects on an eater that has moved, or has tried to.
 function EatersBoxes.Take(game, eater)
     for _, treat in ipairs(eater.wish and game.treats or {}) do
         if (treat.x == eater.x and treat.y == eater.y) then
@@ -52,7 +52,7 @@ local function RewardOf(box, code)
     return (not box.code or box.code == code) and box.reward or (box.wrongCode or kWrongCode);
 end
 
--- Opens the box in the eater's cell, if it wants that and the box is closed.
+-- Opens the box in the eater's cell, if the eater wants this and the box is closed.
 function EatersBoxes.Open(game, eater)
     local box = eater.opens and GridBoard.At(game.boxes, eater.x, eater.y);
     if (not box or box.isOpen) then
@@ -66,7 +66,7 @@ function EatersBoxes.Open(game, eater)
     end
 end
 
--- Whether no box keeps the game going.
+-- True if no box prevents the end of the game.
 function EatersBoxes.AllOpen(game)
     for _, box in ipairs(game.boxes) do
         if (not box.isOpen and not game.isWon) then

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What the objects in map files of Soar2D are in Eaters, for MapFile.lua.
+-- Converts the objects of Soar2D's map files to Eaters, for MapFile.lua.
 
 EatersMaps = {
     name = "eaters", known = "walls, food, boxes and what brings points to those who come by",
-    -- Where configurations say what settings say.
+    -- Keys of configurations that correspond to settings.
     numbers = {
         ["eaters.vision"] = "vision", ["eaters.wall_penalty"] = "wallPenalty", ["eaters.jump_penalty"] = "jumpPenalty",
         ["eaters.low_probability"] = "aloneChance", ["eaters.high_probability"] = "besideChance"
@@ -21,7 +21,7 @@ local function Box(name, id, color, properties)
     return properties;
 end
 
--- The objects of maps that do not come with a file that describes them.
+-- The objects of maps without a file that describes them.
 EatersMaps.objects = {
     w = { name = "wall", block = "true", id = "wall" },
     n = Food("normalfood", "5"), b = Food("bonusfood", "10"), nn = Food("normalfood", "-1"),
@@ -35,10 +35,10 @@ EatersMaps.objects = {
     x = { name = "explosion", explosion = "true" }
 };
 
--- Signs for food in the lines of a map.
+-- Characters for food in the lines of a map.
 local kSigns = ".*abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
--- `foods`: those that were found before.
+-- `foods`: the foods found so far.
 local function SortFood(object, id, foods)
     local sign = kSigns:sub(#foods + 1, #foods + 1);
     if (sign == "") then
@@ -60,7 +60,7 @@ local function SortBox(object)
     } } };
 end
 
--- What an object is: a sign, with the food that it stands for, or something that is kept beside the lines of the map.
+-- The meaning of an object: a character with its food, or a thing that is stored separately from the lines of the map.
 function EatersMaps.Sort(object, id, foods)
     if (object.block == "true") then
         return { sign = "#" };

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The rules of Eaters, and nothing else: no bodies, no pictures, no minds. Eaters on a board of cells eat the food that
--- lies there. docs/eaters.md describes the game; tests/lua/EatersRulesTest.lua states each rule.
+-- The rules of Eaters, without bodies, pictures and minds. Eaters on a board of cells eat the food in the cells.
+-- docs/eaters.md describes the game; tests/lua/EatersRulesTest.lua states each rule.
 --
--- A game goes turn by turn:
+-- A game consists of turns:
 --     local game = EatersRules.new({ random = math.random });
 --     local eater = game:Join("red");
 --     game:Command(eater, "move", { direction = "north" });    -- nil, or why not
@@ -17,8 +17,8 @@ EatersRules.__index = EatersRules;
 EatersRules.Defaults = {
     width = 15, height = 15,                 -- Cells, without the walls around them.
     vision = 2,                              -- How many cells away an eater sees.
-    -- What can be eaten: the sign in a map, how it looks to eaters (its name, unless `content` says otherwise), what it
-    -- is worth, and how much less that is after each turn.
+    -- Foods: the character in a map, its appearance to eaters (the name, unless `content` is given), its points, and
+    -- the points that it loses after each turn.
     foods = { { name = "normalfood", sign = ".", points = 5 }, { name = "bonusfood", sign = "*", points = 10 } },
     points = {},                             -- Other points, by the name of a food.
     wallPenalty = 5, jumpPenalty = 5,
@@ -34,7 +34,7 @@ EatersRules.Commands = {
 
 -- The board -----------------------------------------------------------------------------------------------------------
 
--- What lies at a place: "wall", "empty", or what a food looks like. Beyond the edge there are walls.
+-- The content of a cell: "wall", "empty", or the appearance of a food. Cells outside of the board are walls.
 function EatersRules:ContentAt(x, y)
     local row = self.cells[y];
     local content = row and row[x] or "wall";
@@ -45,7 +45,7 @@ local function Set(game, x, y, content)
     game.cells[y][x] = content;
 end
 
--- Takes the food from a place, and notes that: `cleared` lists where it went since the last turn began.
+-- Removes the food from a cell. `cleared` lists the cells in which food was removed since the last turn began.
 local function Clear(game, x, y)
     Set(game, x, y, "empty");
     game.cleared[#game.cleared + 1] = { x = x, y = y };
@@ -56,7 +56,7 @@ local function IsWall(game, x, y)
     return not row or not row[x] or row[x] == "wall";
 end
 
--- Walls are straight: none has another at its corner, so that there are neither bends nor dead ends. None stands at
+-- Walls are straight: no wall touches the corner of another one, so there are no bends and no dead ends. No wall is at
 -- the edge of the board.
 local function BuildWalls(game)
     for y = 2, game.height - 1 do
@@ -77,7 +77,7 @@ local function BuildWalls(game)
     end
 end
 
--- Where nothing lies yet.
+-- Cells that are still empty.
 local function LayFood(game)
     for y = 1, game.height do
         for x = 1, game.width do
@@ -88,7 +88,7 @@ local function LayFood(game)
     end
 end
 
--- Random walls and food fill a board that has no map.
+-- Fills a board without a map with random walls and food.
 local function EmptyMap(game)
     game.randomWalls, game.randomFood = true, true;
     local lines = {};
@@ -98,7 +98,7 @@ local function EmptyMap(game)
     return lines;
 end
 
--- What stands for what in a map that is given as lines of text. Digits are where eaters begin.
+-- The meanings of the characters in a map of text lines. Digits are the places where eaters begin.
 local function ReadFoods(game)
     local signs, known = { ["#"] = "wall", [" "] = "empty" }, { "#" };
     game.foodOf = {};
@@ -112,8 +112,8 @@ local function ReadFoods(game)
     return signs, table.concat(known, " ");
 end
 
--- A game with these settings; EatersRules.Defaults are the others. `random` is like math.random. `map`: lines of text;
--- `randomWalls` and `randomFood` add to it.
+-- A game with these settings; the others are those of EatersRules.Defaults. `random` is like math.random. `map`: lines
+-- of text; `randomWalls` and `randomFood` add to it.
 function EatersRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, eaters = {}, turn = 0, collisions = {}, cleared = {} },
                               EatersRules);
@@ -131,13 +131,13 @@ function EatersRules.new(settings)
     return game;
 end
 
--- What the food at a place is worth now; nil where there is none.
+-- The current points of the food in a cell; nil if there is none.
 function EatersRules:WorthAt(x, y)
     local food = self.foodOf[self.cells[y][x]];
     return food and food.points - food.decay * self.turn;
 end
 
--- How much food is left, and how many points that is.
+-- The number of remaining foods, and their points.
 function EatersRules:FoodLeft()
     local count, points = 0, 0;
     for y = 1, self.height do
@@ -151,7 +151,7 @@ function EatersRules:FoodLeft()
     return count, points;
 end
 
--- An eater can jump from here: somebody who learns to jump should not have to begin between walls.
+-- An eater can jump from here, so that a beginner who learns to jump does not start between walls.
 local function LeadsOn(game, x, y)
     for _, direction in ipairs(GridBoard.Directions) do
         local step = GridBoard.Steps[direction];
@@ -162,7 +162,7 @@ local function LeadsOn(game, x, y)
     return false;
 end
 
--- `isStart`: one that leads on, if there are any.
+-- `isStart`: a cell with a way out, if there are any.
 local function FreeCell(game, isStart)
     local free, good = {}, {};
     for y = 1, game.height do
@@ -184,7 +184,7 @@ end
 
 -- Eaters --------------------------------------------------------------------------------------------------------------
 
--- Puts an eater on the board; the food in its cell is gone, and nobody gets points for it.
+-- Puts an eater on the board. The food in its cell is removed without points.
 function EatersRules:Join(color)
     local start = self.starts[#self.eaters + 1] or FreeCell(self, true);
     local eater = {
@@ -196,7 +196,7 @@ function EatersRules:Join(color)
     return eater;
 end
 
--- Takes a command for this turn. Nil if it is one that an eater can do, otherwise why not, as Sandbox_Command says it.
+-- Accepts a command for this turn. Nil if an eater can execute it, else the reason as a result of Sandbox_Command.
 function EatersRules:Command(eater, said, parameters)
     local name, direction, details = GridBoard.Understand(EatersRules.Commands, said, parameters);
     if (not name) then
@@ -216,7 +216,7 @@ end
 
 -- A turn --------------------------------------------------------------------------------------------------------------
 
--- Into a wall nobody goes: it costs points. A jump goes over whatever is in between, and costs points, too.
+-- A move into a wall costs points and does not move the eater. A jump goes over anything in between, and costs points.
 local function Move(game, eater)
     local wish = eater.wish;
     if (not wish) then
@@ -245,7 +245,7 @@ local function Eat(game, eater)
     end
 end
 
--- Food that has lost its worth is gone.
+-- Removes food without points.
 local function Rot(game)
     if (not game.decays) then
         return;
@@ -279,7 +279,7 @@ local function FindCollisions(game)
     return groups;
 end
 
--- Their scores become the same, without what is left over; a debt is not shared. They go on from other places.
+-- They get the same score, rounded down; a debt is not shared. They continue from other places.
 local function Collide(game, group)
     game.collisions[#game.collisions + 1] = { x = group[1].x, y = group[1].y };
     local sum = 0;
@@ -297,7 +297,7 @@ local function Collide(game, group)
     end
 end
 
--- All move, all eat and open boxes, in the order in which they joined; then those who are in one cell collide.
+-- All eaters move, eat and open boxes, in the order in which they joined; then eaters in the same cell collide.
 function EatersRules:Turn()
     self.collisions, self.cleared = {}, {};
     for _, eater in ipairs(self.eaters) do
@@ -330,7 +330,7 @@ local function CellOf(game, x, y, other, isNew)
         cell.content = nil;
     end
     if (other) then
-        -- Food that nobody ate lies there besides.
+        -- There may also be food that was not eaten.
         local lies = cell.content ~= "empty" and cell.content or nil;
         cell.content = lies and { "eater", lies } or "eater";
         cell["eater-color"], cell["eater-score"] = other.color, other.score;
@@ -341,8 +341,8 @@ local function CellOf(game, x, y, other, isNew)
     return cell;
 end
 
--- What the mind of an eater perceives: itself, and the cells around it, linked by their directions. When it has moved,
--- each cell's content is new, even where it is the same as before.
+-- The percepts of an eater: itself, and the cells around it, linked by their directions. After it has moved, the
+-- content of each cell is new, even if it is unchanged.
 function EatersRules:Percepts(eater)
     local far, cells, others = self.vision, {}, {};
     for i = #self.eaters, 1, -1 do

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A question with a name: a function of the user data.
+-- A named function of the user data that returns a result.
 
 Evaluator = {};
 Evaluator.__index = Evaluator;

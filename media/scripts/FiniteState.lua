@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A state of a state machine: a name and what is done in it.
+-- A state of a state machine: a name and its action.
 
 FiniteState = {};
 

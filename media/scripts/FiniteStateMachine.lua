@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Runs the action of its state to the end, then takes the first transition out of the state that is open; if none is, the
+-- Runs the action of its state to the end, then takes the first open transition of the state; if none is open, the
 -- action starts again.
 require "Action";
 require "FiniteState";
@@ -17,8 +17,8 @@ function FiniteStateMachine:AddState(name, action)
     self.transitions_[name] = {};
 end
 
--- evaluator(userData) says whether the transition is open. Transitions are tried in the order in which they were added;
--- both states are to be there.
+-- evaluator(userData) returns whether the transition is open. Transitions are tried in the order in which they were
+-- added. Both states must exist.
 function FiniteStateMachine:AddTransition(fromStateName, toStateName, evaluator)
     if (not self:ContainsState(fromStateName) or not self:ContainsState(toStateName)) then
         return false;
@@ -50,8 +50,8 @@ function FiniteStateMachine:GetCurrentStateStatus()
     return action and action:GetStatus() or nil;
 end
 
--- What people see of the machine: its states by name, the one that it is in, and how the conditions of its transitions
--- answered when they were last asked.
+-- What users see of the machine: its states by name, the current one, and the last results of the conditions of its
+-- transitions.
 local function ShowMachine(machine)
     local agent = Agent.Self();
     if (not agent) then
@@ -72,7 +72,7 @@ local function ShowMachine(machine)
     agent:Show("state machine", rows);
 end
 
--- Enters a state at once; an action that is under way is dropped without being cleaned up.
+-- Enters a state immediately; a running action is dropped without clean-up.
 function FiniteStateMachine:SetState(name)
     assert(self:ContainsState(name), "the state machine has no state '" .. tostring(name) .. "'");
     self.state_ = self.states_[name];

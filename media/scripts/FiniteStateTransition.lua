@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A way out of a state: where to, and the function that says when.
+-- A transition of a state: its target, and the function that says when it is open.
 
 FiniteStateTransition = {};
 

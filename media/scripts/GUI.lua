@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The panels that every sandbox shares: F5 performance, F6 camera, F7 physics debug lines; and names for the codes of
+-- The panels that all sandboxes share: F5 performance, F6 camera, F7 physics debug lines; and names for the codes of
 -- the markup language.
 
 local kSamples = 15;
@@ -43,7 +43,7 @@ GUI = {
     }
 };
 
--- The colours by name, and by the number of their markup code.
+-- The colours by name, with the numbers of their markup codes.
 GUI.Palette = {
     White = { red = 1, green = 1, blue = 1 },
     Red = { red = 1, green = 0, blue = 0 },
@@ -77,7 +77,7 @@ local function Toggle(panel)
     end
 end
 
--- The mean of the last few values: `samples` keeps them.
+-- The mean of the last values, which are stored in `samples`.
 local function Average(samples, value)
     samples[#samples + 1] = value;
     if (#samples > kSamples) then
@@ -116,7 +116,7 @@ function GUI_CreateProfileInformation(sandbox)
     return profilePanel;
 end
 
--- The colours of the markup, and the two panels, both hidden.
+-- Sets the colours of the markup, and creates the two hidden panels.
 function GUI_CreateUI(sandbox)
     for index, color in pairs(GUI.MarkupColorTable) do
         Sandbox.SetMarkupColor(sandbox, index, color.red, color.green, color.blue);
@@ -171,7 +171,7 @@ function GUI_UpdateUI(sandbox)
     GUI_UpdateProfileInformation(sandbox);
 end
 
--- Puts a panel that stands in the world at a position, parallel to the screen.
+-- Places a panel in the world, parallel to the screen.
 function GUI_OrientTowardCamera(sandbox, ui, position)
     UI.SetWorldPosition(ui, position);
     UI.SetWorldRotation(ui, Sandbox.GetCameraOrientation(sandbox));

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What the rules of all games on a board of cells have in common: directions, and reading a board.
+-- Common rules of all games on a board of cells: directions, and reading a board.
 GridBoard = {};
 
 -- Clockwise. y counts from the first line of a map to the last.
@@ -8,7 +8,7 @@ GridBoard.Steps = {
     north = { x = 0, y = -1 }, east = { x = 1, y = 0 }, south = { x = 0, y = 1 }, west = { x = -1, y = 0 }
 };
 
--- The direction so many quarters to the right.
+-- The direction after this number of quarter turns to the right.
 function GridBoard.Turned(direction, quarters)
     for i, name in ipairs(GridBoard.Directions) do
         if (name == direction) then
@@ -17,7 +17,7 @@ function GridBoard.Turned(direction, quarters)
     end
 end
 
--- The first of some things that is at a place, or nil.
+-- The first of several things at a place, or nil.
 function GridBoard.At(things, x, y)
     for _, thing in ipairs(things) do
         if (thing.x == x and thing.y == y) then
@@ -37,7 +37,7 @@ local function SortedNames(list)
     return names;
 end
 
--- What stands below a command instead of what it takes.
+-- The value of a command without its parameter.
 local function OtherParameter(parameters)
     for _, name in ipairs(SortedNames(parameters)) do
         if (name ~= "status" and name ~= "reason" and name ~= "parameter") then
@@ -46,8 +46,8 @@ local function OtherParameter(parameters)
     end
 end
 
--- What is said below a command: its name and the value of its parameter as the game writes them (old agents write
--- capitals), or nil and what Sandbox_Command returns then. `commands`: by their names, what each takes:
+-- Parses a command: returns its name and the value of its parameter in the form that the game uses (old agents write
+-- capitals), or nil and the result for Sandbox_Command. `commands`: by name, the parameters of each:
 --     { move = { direction = { "north", "south" } }, power = { setting = "number" }, wait = {} }
 function GridBoard.Understand(commands, said, parameters)
     local name = said:lower();
@@ -86,7 +86,7 @@ end
 
 -- Boards --------------------------------------------------------------------------------------------------------------
 
--- Gives a game these settings, and for those that are not named the defaults.
+-- Sets these settings of a game, and the defaults for the others.
 function GridBoard.Settle(game, defaults, settings)
     for name, value in pairs(defaults) do
         game[name] = value;
@@ -97,8 +97,8 @@ function GridBoard.Settle(game, defaults, settings)
     game.random = game.random or math.random;
 end
 
--- Fills game.cells[y][x] from lines of text. `signs`: what each character means; digits are places to begin at
--- (game.starts), where the cell is `empty`. `known` names the characters for messages.
+-- Fills game.cells[y][x] from lines of text. `signs`: the meaning of each character; digits are starting places
+-- (game.starts), whose cells are `empty`. `known` lists the characters for messages.
 function GridBoard.Read(game, lines, signs, empty, known)
     game.height, game.width = #lines, #lines[1];
     for y, line in ipairs(lines) do

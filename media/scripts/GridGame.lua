@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What games on a board of cells have in common: the board in the world, bodies that glide from cell to cell, a camera
--- that sees it all, a table of scores, and the clock of the turns.
+-- Common parts of games on a board of cells: the board in the world, bodies that glide from cell to cell, a camera that
+-- shows everything, a table of scores, and the clock of the turns.
 GridGame = {};
 GridGame.__index = GridGame;
 
 GridGame.Cell = 1.5;       -- Metres.
--- The scenario says how many (`turn = 10`).
+-- The scenario specifies the number of ticks (`turn = 10`).
 GridGame.TicksPerTurn = (Sandbox_TurnTicks or 1) > 1 and Sandbox_TurnTicks or 10;
 
--- The colours of players, in the order in which they join, and what shows them.
+-- The colours of players, in the order in which they join, and their materials.
 GridGame.Colors = { "red", "blue", "yellow", "purple", "orange", "green", "black" };
 GridGame.Materials = {
     red = "Red", blue = "Blue", yellow = "Soarbox/Yellow", purple = "Soarbox/Purple", orange = "Soarbox/Orange",
@@ -19,17 +19,17 @@ GridGame.Headings = { north = Vector.new(0, 0, -1), east = Vector.new(1, 0, 0), 
 
 local kWallHeight = 0.6;
 
--- A board of so many cells, numbered from 1; north is away from the camera.
+-- A board with this number of cells, numbered from 1; north is away from the camera.
 function GridGame.new(sandbox, width, height)
     return setmetatable({ sandbox = sandbox, width = width, height = height, tick = 0, bodies = {} }, GridGame);
 end
 
--- The middle of a cell, so high above the ground.
+-- The centre of a cell, at this height above the ground.
 function GridGame:PlaceOf(x, y, up)
     return Vector.new((x - (self.width + 1) / 2) * GridGame.Cell, up or 0, (y - (self.height + 1) / 2) * GridGame.Cell);
 end
 
--- Something to be seen and no more, at a cell.
+-- A thing without effect at a cell, only to be seen.
 function GridGame:Put(node, x, y, up, material)
     Core.SetPosition(node, self:PlaceOf(x, y, up));
     Core.SetMaterial(node, material);
@@ -44,7 +44,7 @@ function GridGame:PutBall(x, y, radius, material, up)
     return self:Put(Core.CreateCapsule(self.sandbox, 2 * radius, radius), x, y, up or radius, material);
 end
 
--- Light, ground and sky, a floor of two colours, and a wall around it.
+-- Light, ground and sky, a floor in two colours, and a wall around it.
 function GridGame:BuildBoard(light, dark, wall)
     require "Plain";
     Plain_Create(self.sandbox);
@@ -62,7 +62,7 @@ function GridGame:BuildBoard(light, dark, wall)
     self:PutBox(self.width + 1, (self.height + 1) / 2, deep, wall);
 end
 
--- From where the whole board is in view, on the right of the table of scores.
+-- A camera position that shows the entire board, to the right of the table of scores.
 function GridGame:LookAtBoard()
     local far = math.max(self.width + 3, 1.25 * (self.height + 3)) * GridGame.Cell;
     Sandbox.SetCameraPosition(self.sandbox, Vector.new(-0.16 * far, 0.87 * far, 0.53 * far));
@@ -72,7 +72,7 @@ end
 
 -- Scores --------------------------------------------------------------------------------------------------------------
 
--- The colours of players as text on a dark panel, in the order of GridGame.Colors.
+-- The colours of players for text on a dark panel, in the order of GridGame.Colors.
 local kTextColors = { { 1, 0.5, 0.45 }, { 0.5, 0.72, 1 }, { 1, 0.9, 0.35 }, { 0.82, 0.6, 1 }, { 1, 0.68, 0.3 },
                       { 0.5, 0.92, 0.5 }, { 0.75, 0.75, 0.75 } };
 
@@ -96,7 +96,7 @@ function GridGame.NameRow(color)
     end
 end
 
--- Shows lines of text in the corner; they may have the markup of NameRow.
+-- Shows lines of text in the corner; they may use the markup of NameRow.
 function GridGame:ShowTable(lines)
     self.panel = self.panel or Panel(self.sandbox);
     local widest = 0;
@@ -110,7 +110,7 @@ end
 
 -- Bodies --------------------------------------------------------------------------------------------------------------
 
--- Takes an agent as the body of a player {x, y, direction}.
+-- Uses an agent as the body of a player {x, y, direction}.
 function GridGame:AddBody(agent, player, up)
     local body = { agent = agent, player = player, up = up or agent:GetHeight() / 2 };
     body.from = self:PlaceOf(player.x, player.y, body.up);
@@ -121,7 +121,7 @@ function GridGame:AddBody(agent, player, up)
     return body;
 end
 
--- Where the players are now is where their bodies go within the turn. Those who did not go, `jumps` says, leap.
+-- Bodies move to the current cells of the players during the turn. Players listed in `jumps` leap.
 local function BeginGlide(self, body)
     body.from = body.to;
     body.to = self:PlaceOf(body.player.x, body.player.y, body.up);
@@ -140,7 +140,7 @@ local function Glide(body, share)
         place.y = place.y + 1.6 * math.sin(math.pi * share);
     end
     body.agent:SetPosition(place);
-    -- Half-way round there is no direction: the end of the turn has one.
+    -- There is no direction half-way through a half turn: use that of the end of the turn.
     local facing = body.turnsFrom + (body.turnsTo - body.turnsFrom) * math.min(1, 3 * share);
     if (Vector.LengthSquared(facing) > 0.01) then
         body.agent:SetForward(facing);
@@ -154,8 +154,8 @@ function GridGame:IsDecisionTick()
     return self.tick % GridGame.TicksPerTurn == 0;
 end
 
--- Call it once per tick: `play` is called at the beginning of each turn, when all commands are known. Returns which share
--- of the turn is over.
+-- Call it once per tick. `play` is called at the beginning of each turn, when all commands are known. Returns the
+-- fraction of the turn that has passed.
 function GridGame:Advance(play)
     if (self:IsDecisionTick()) then
         play();

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A soldier with everything: senses, messages, a blackboard, a behavior tree, and a body that does as it is told. Agents
--- with even numbers are of team1, in dark; the others of team2. Sandbox.CreateAgent takes this script as it is; a scenario's
--- own agent may require it and add to IndirectSoldier.userData, whose mind is IndirectSoldier.mind.
+-- A complete soldier: senses, messages, a blackboard, a behavior tree, and a body that executes commands. Agents with
+-- even numbers are in team1, in dark uniforms; the others in team2. Sandbox.CreateAgent can use this script directly. A
+-- scenario's own agent may require it and add to IndirectSoldier.userData, whose mind is IndirectSoldier.mind.
 require "AgentSenses";
 require "Blackboard";
 require "KnowledgeSource";

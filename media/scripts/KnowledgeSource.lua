@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Finds something out about the world, and says how sure it is.
+-- Determines a value, and the confidence in it.
 KnowledgeSource = {};
 KnowledgeSource.__index = KnowledgeSource;
 
--- evaluator(userData) returns {confidence = 0 to 1, evaluation = what was found out}. It is asked again only after
--- updateFrequency milliseconds of the sandbox's time; 0, or no agent in userData, asks it each time.
+-- evaluator(userData) returns {confidence = 0 to 1, evaluation = the value}. It is called again only after
+-- updateFrequency milliseconds of simulated time; with 0, or without an agent in userData, at each request.
 function KnowledgeSource.new(evaluator, updateFrequency)
     return setmetatable({ evaluator_ = evaluator, period_ = updateFrequency or 0 }, KnowledgeSource);
 end

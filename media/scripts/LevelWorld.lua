@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What the scenarios on the level have in common: the level, its navigation mesh "default", panels, camera and keys.
+-- Common parts of the scenarios on the level: the level, its navigation mesh "default", panels, camera and keys.
 require "GUI";
 require "SandboxUtilities";
 
@@ -36,7 +36,7 @@ function LevelWorld_HandleEvent(sandbox, event)
     end
 end
 
--- A place of the mesh on the ground floor that can be reached from the middle of the level.
+-- A random place of the mesh on the ground floor that can be reached from the middle of the level.
 function LevelWorld_RandomPlace(sandbox)
     for _ = 1, 100 do
         local place = Sandbox.RandomPoint(sandbox, "default");

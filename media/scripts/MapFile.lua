@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Reads the maps (.txt, .emap, .tmap) and configurations (.cnf) of Soar2D, the program that Eaters and TankSoar were played
--- with, so that its boards can be played here. docs/eaters.md says what of them counts.
+-- Reads the maps (.txt, .emap, .tmap) and configurations (.cnf) of Soar2D, the program with which Eaters and TankSoar
+-- were played, so that its boards can be used here. docs/eaters.md says which parts are used.
 --
--- MapFileConfig.lua and MapFileXml.lua read the two forms of a map, each into
+-- MapFileConfig.lua and MapFileXml.lua read the two formats of a map. Each returns
 --     { name, size, sizeLine, randomWalls, randomFood, order = { ids }, objects = { [id] = object }, rows = { row } }
--- where an object holds its properties as words, and a row { line, lines, cells } the ids of what is in each cell. Lines
--- are for messages: of the row, and of its cells where they have lines of their own.
+-- where an object contains its properties as words, and a row { line, lines, cells } the ids of the contents of each
+-- cell. Line numbers are for messages: of the row, and of its cells if they have their own lines.
 require "MapFileConfig";
 require "MapFileXml";
 
@@ -17,8 +17,8 @@ local function Fail(map, line, what)
     error(map.name .. ":" .. (line or 1) .. ": " .. what, 0);
 end
 
--- What the object is here: game.Sort(object, id, foods) returns { sign, food, other }, where `food` is what the sign
--- stands for, and `other` something that is kept beside the signs. Nil if these rules have no such thing.
+-- Converts the object to this game: game.Sort(object, id, foods) returns { sign, food, other }, where `food` is the
+-- meaning of the sign, and `other` a thing that is stored separately. Nil if the rules have no such thing.
 local function Sort(map, id, line, game, known)
     local object = map.objects[id];
     if (not object) then
@@ -33,7 +33,7 @@ local function Sort(map, id, line, game, known)
     return known[id];
 end
 
--- The sign of a cell, and what is in it besides.
+-- The sign of a cell, and its other contents.
 local function ReadCell(map, line, ids, game, known)
     local sign, others = nil, {};
     for _, id in ipairs(ids) do
@@ -51,7 +51,7 @@ local function ReadCell(map, line, ids, game, known)
     return sign or " ", others;
 end
 
--- Boards have walls around them here, too, but they are no part of a map.
+-- Boards have walls around them here, too, but these are not part of a map.
 local function WithoutEdge(map, lines)
     local wall = ("#"):rep(#lines);
     if (lines[1] ~= wall or lines[#lines] ~= wall) then
@@ -114,9 +114,9 @@ local function ReadMap(read, name, game)
     return Settings(map, game);
 end
 
--- The settings that a file stands for. `read` returns the text of a file by its name. `game`: its name in configurations
--- (`name`), what objects maps have that do not describe them (`objects`), and the functions that say what they are here
--- (Sort, Keep, known). A configuration's map is looked for in the folder of the configuration. Errors name file and line.
+-- The settings in a file. `read` returns the text of a file by its name. `game` contains its name in configurations
+-- (`name`), the objects of maps without a description (`objects`), and the functions that convert objects (Sort, Keep,
+-- known). The map of a configuration is searched in the folder of the configuration. Errors contain file and line.
 function MapFile.Load(read, name, game)
     local text = read(name);
     local map = not text:find("^%s*<") and MapFileConfig.MapOf(text, name, game.name);
@@ -132,7 +132,7 @@ function MapFile.Load(read, name, game)
     return settings;
 end
 
--- The settings of a scenario, with those that its `mapFile` stands for where it names one.
+-- The settings of a scenario, combined with those of its `mapFile`, if any.
 function MapFile.Settings(sandbox, settings, game)
     if (not settings.mapFile) then
         return settings;

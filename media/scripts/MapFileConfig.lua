@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Files of the form `path.to.key = value;`: the later maps of Soar2D, what describes their objects, and its configurations.
--- MapFile.lua says what becomes of them.
+-- Parses files with lines `path.to.key = value;`: the later maps of Soar2D, the descriptions of their objects, and its
+-- configurations. MapFile.lua uses the results.
 MapFileConfig = {};
 
 local kDeepest = 20;
@@ -25,7 +25,7 @@ local function SkipSpace(reader)
     end
 end
 
--- What the pattern matches here, or nil.
+-- The text that the pattern matches here, or nil.
 local function Take(reader, pattern)
     SkipSpace(reader);
     local first, last = reader.text:find("^" .. pattern, reader.at);
@@ -42,7 +42,7 @@ local function Expect(reader, sign)
     end
 end
 
--- Blanks within a word do not count, unless it is quoted: `d a t a` is data.
+-- Blanks in a word are ignored, unless it is quoted: `d a t a` is data.
 local function TakeWord(reader)
     local quoted = Take(reader, '"[^"\n]*"');
     if (quoted) then
@@ -67,7 +67,7 @@ local function ReadValue(reader)
     return list;
 end
 
--- All that is set between two braces, by its whole name ("cells.size").
+-- Everything that is set between two braces, by its full name ("cells.size").
 local function ReadBlock(reader, prefix, found, depth)
     if (depth > kDeepest) then
         Fail(reader, "more than " .. kDeepest .. " braces within each other");
@@ -106,8 +106,8 @@ local function Word(found, name)
     return given and type(given.value) == "string" and given.value or nil, given and given.line;
 end
 
--- The text of a file, and the name that it has been found by: the path that is named, or the end of it, since the folders of
--- Soar2D need not be here. If there is none, nil, and what is wrong with the shortest.
+-- The text of a file, and the name under which it was found: the given path, or its end, because the folders of Soar2D
+-- may be missing. If there is no such file: nil, and the error for the shortest name.
 function MapFileConfig.Find(read, path)
     local problem;
     while (path) do
@@ -135,7 +135,7 @@ local function ReadObjects(text, name)
     return objects;
 end
 
--- Those of the file that the map names, if it is there; otherwise those that such maps have always had.
+-- The objects of the file that the map names, if it exists; otherwise the usual ones of such maps.
 local function ObjectsOf(found, name, read, known)
     local file = Word(found, "objects_file");
     if (file) then
@@ -150,7 +150,7 @@ end
 
 -- Maps ----------------------------------------------------------------------------------------------------------------
 
--- The ids in a cell such as g-h; "-" alone is none.
+-- The ids in a cell such as g-h; "-" alone means none.
 local function IdsOf(cell)
     local ids = {};
     for id in cell:gmatch("[^%-]+") do
@@ -203,8 +203,8 @@ function MapFileConfig.MapOf(text, name, game)
     return map;
 end
 
--- Adds what the configuration says about the rules. `numbers`: by their names there, those of the settings here. What is
--- a penalty is negative there.
+-- Adds the rules of the configuration. `numbers`: the names of settings by their names in the configuration. Penalties
+-- are negative there.
 function MapFileConfig.AddSettings(text, name, numbers, settings)
     local found = Parse(text, name);
     for key, setting in pairs(numbers) do

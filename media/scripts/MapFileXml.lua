@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The earlier maps of Soar2D, which are XML: <map> with a <cell-object> for each kind of object, and <cells> with rows.
--- MapFile.lua says what becomes of them.
+-- Parses the earlier maps of Soar2D, which are XML: <map> with a <cell-object> for each kind of object, and <cells>
+-- with rows. MapFile.lua uses the results.
 MapFileXml = {};
 
 local kDeepest = 20;
@@ -16,13 +16,13 @@ local function Plain(text)
     return (text:gsub("&(%w+);", kEntities));
 end
 
--- Goes on to `last`, and counts lines.
+-- Advances to `last`, and counts lines.
 local function Pass(reader, last)
     reader.line = reader.line + select(2, reader.text:sub(reader.at, last):gsub("\n", ""));
     reader.at = last + 1;
 end
 
--- What the pattern captures here; nil if it does not match.
+-- The captures of the pattern here; nil if it does not match.
 local function Take(reader, pattern)
     local _, last, captured = reader.text:find("^" .. pattern, reader.at);
     if (last) then
@@ -31,7 +31,7 @@ local function Take(reader, pattern)
     end
 end
 
--- Comments, declarations, and what stands between <? and ?>.
+-- Comments, declarations, and text between <? and ?>.
 local function SkipNotes(reader)
     while (Take(reader, "%s+") or Take(reader, "<%?.-%?>") or Take(reader, "<!%-%-.-%-%->") or Take(reader, "<![^>]*>")) do
     end
@@ -97,12 +97,12 @@ end
 
 -- Maps ----------------------------------------------------------------------------------------------------------------
 
--- What becomes of an object that is used, as the later maps call it.
+-- The effects of using an object, with the names of the later maps.
 local function AddApply(object, apply)
     for _, child in ipairs(apply) do
         if (child.name == "property") then
             object["apply.properties." .. (child.attributes.name or "")] = child.attributes.value;
-            -- Points that a box gets when it is opened are those that it brings.
+            -- The points for opening a box are its own points.
             if (child.attributes.name == "points") then
                 object["apply.points"] = child.attributes.value;
             end

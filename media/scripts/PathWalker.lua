@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Walking on the navigation mesh "default": finds ways and goes along them.
+-- Walking on the navigation mesh "default": finds paths and follows them.
 require "AgentUtilities";
 require "DebugUtilities";
 
@@ -10,13 +10,13 @@ local function Feet(agent)
     return agent:GetPosition() - Vector.new(0, agent:GetHeight() / 2, 0);
 end
 
--- Sets off for a place; false if no way leads there.
+-- Starts to walk to a place; false if there is no path.
 function PathWalker_GoTo(agent, place)
     local path = Sandbox.FindPath(agent:GetSandbox(), kMesh, Feet(agent), place);
     if (#path == 0) then
         return false;
     end
-    -- The path of the middle of the agent.
+    -- The path of the agent's centre.
     for _, point in ipairs(path) do
         point.y = point.y + agent:GetHeight() / 2;
     end
@@ -29,7 +29,7 @@ function PathWalker_HasArrived(agent)
     return Vector.Distance(Feet(agent), agent:GetTarget()) < kArrival;
 end
 
--- One step along the path; without one the agent comes to a stand.
+-- One step along the path; without a path the agent stops.
 function PathWalker_Update(agent, deltaTimeInMillis)
     if (not agent:HasPath()) then
         local velocity = agent:GetVelocity();

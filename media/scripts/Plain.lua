@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Open country: a wide plain in the light of a low sun, under a sky with clouds.
+-- Open country: a wide plain with a low sun and a sky with clouds.
 
 local kSide = 200;
 
@@ -9,7 +9,7 @@ local function Sun(sandbox)
     Core.SetLightSpecular(sun, Vector.new(1.8, 1.7, 1.45));
 end
 
--- Makes the plain; returns its ground.
+-- Creates the plain; returns its ground.
 function Plain_Create(sandbox)
     local ground = Sandbox.CreatePlane(sandbox, kSide, kSide);
     Core.SetMaterial(ground, "Ground2");

@@ -42,7 +42,7 @@ function SandboxUtilities_CreateBox(sandbox, size, position)
     return box;
 end
 
--- A building piece by its name; nil if there is none of that name.
+-- A building piece by its name; nil for an unknown name.
 function SandboxUtilities_CreateObject(sandbox, name, position, rotation)
     local template = SandboxUtilities.Objects[name];
     if (not template) then
@@ -59,7 +59,7 @@ function SandboxUtilities_CreateObject(sandbox, name, position, rotation)
     return object;
 end
 
--- A sun and a little light from everywhere.
+-- A sun and weak ambient light.
 function SandboxUtilities_CreateLights(sandbox)
     Sandbox.SetAmbientLight(sandbox, Vector.new(0.3));
     local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1));
@@ -86,13 +86,13 @@ local function OnBulletHit(sandbox, collision)
     Core.SetParticleDirection(impact, collision.normalOnB);
 end
 
--- Shoots a bullet from the camera: it flies almost straight and vanishes with a puff at the first thing it hits.
+-- Shoots a bullet from the camera. It flies almost straight, and disappears with a puff at the first hit.
 function SandboxUtilities_ShootBullet(sandbox)
     local forward = Sandbox.GetCameraForward(sandbox);
     local bullet = Sandbox.CreatePhysicsCapsule(sandbox, 0.3, 0.01);
     Core.SetMass(bullet, 0.1);
     Core.SetGravity(bullet, Vector.new(0, -0.01, 0));
-    -- The capsule is upright: its y axis is turned to where it flies.
+    -- The capsule is upright: its y axis is rotated to the direction of flight.
     Core.SetAxis(bullet, Sandbox.GetCameraLeft(sandbox), forward, -Sandbox.GetCameraUp(sandbox));
     Core.SetPosition(bullet, Sandbox.GetCameraPosition(sandbox) + forward * 2);
     Core.SetParticleDirection(Core.CreateParticle(bullet, "Bullet"), forward);
@@ -101,8 +101,8 @@ function SandboxUtilities_ShootBullet(sandbox)
     return bullet;
 end
 
--- The level: a floor at y = 0 with two terraces at y = 4, a basin at y = -2 beside it, ramps between them, and blocks in
--- the way. Each entry is a cube: its edge and its center.
+-- The level: a floor at y = 0 with two terraces at y = 4, a basin at y = -2 next to it, ramps between them, and blocks
+-- as obstacles. Each entry is a cube: its edge length and its centre.
 local function Row(cubes, size, y, x, z, step, count)
     for index = 0, count - 1 do
         table.insert(cubes, { size = size, center = Vector.new(x + step.x * index, y, z + step.z * index) });
@@ -121,7 +121,7 @@ local function LevelCubes()
     end
     Row(cubes, 20, -12, 40, 0, Along(north, 20), 4);
     Row(cubes, 8, -6, 54, -6, Along(north, 8), 10);
-    -- Terraces, with parapets at their edges.
+    -- Terraces with parapets at their edges.
     for row = 0, 2 do
         Row(cubes, 4, 2, -26, 24 + 4 * row, Along(east, 4), 6);
         Row(cubes, 4, 2, 12, 48 + 4 * row, Along(east, 4), 4);
@@ -146,7 +146,7 @@ local function LevelCubes()
     return cubes;
 end
 
--- A cube of 8 m, turned so that one of its sides is a ramp that ends at the edge `top` and rises along x or z.
+-- A cube of 8 m, rotated so that one of its sides is a ramp that ends at the edge `top` and rises along x or z.
 local function CreateRamp(sandbox, top, degrees, along)
     local size = 8;
     local angle = math.rad(degrees);
@@ -179,7 +179,7 @@ function SandboxUtilities_CreateLevel(sandbox)
     SandboxUtilities_CreateLights(sandbox);
 end
 
--- A round through the level, over both terraces: 21 points.
+-- A round trip through the level, over both terraces: 21 points.
 function SandboxUtilities_GetLevelPath()
     local places = {
         { 0, 0, 0 }, { -10, 0, 6 }, { -22, 0, 10 }, { -22, 0, 14 }, { -22, 4, 23 }, { -22, 4, 28 }, { -14, 4, 28 },

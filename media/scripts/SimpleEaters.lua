@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The world of Simple Eaters: the board and the one eater of SimpleEatersRules.lua, to be seen. A scenario names this
--- script, or one of its own that sets SimpleEaters.Settings first, as with Eaters.lua.
+-- The visible world of Simple Eaters: the board and the eater of SimpleEatersRules.lua. A scenario uses this script, or
+-- its own script, which sets SimpleEaters.Settings first, as with Eaters.lua.
 require "EaterBody";
 require "GridGame";
 require "SimpleEatersRules";
@@ -72,7 +72,7 @@ function Sandbox_Initialize(sandbox)
     grid:LookAtBoard();
 end
 
--- Only after the last turn does the mind learn that all is done.
+-- The mind perceives only after the last turn that the task is complete.
 local told = false;
 function Sandbox_Sense(sandbox, agent)
     if (not grid) then -- The board is faulty, which has been told.

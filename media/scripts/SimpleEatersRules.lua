@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The rules of Simple Eaters, and nothing else: one eater that goes forward or turns on a small board. Used as
--- EatersRules.lua is. docs/eaters.md describes the game; tests/lua/SimpleEatersRulesTest.lua states each rule.
+-- The rules of Simple Eaters, without bodies, pictures and minds: one eater that moves forward or turns on a small
+-- board. Used like EatersRules.lua. docs/eaters.md describes the game; tests/lua/SimpleEatersRulesTest.lua states each
+-- rule.
 require "GridBoard";
 
 SimpleEatersRules = {};
@@ -14,14 +15,14 @@ local kSides = { front = 0, right = 1, back = 2, left = 3 };
 local kSigns = { ["#"] = "wall", [" "] = "empty", r = "red", p = "purple", g = "green", b = "blue" };
 
 SimpleEatersRules.Defaults = {
-    -- The first line is the northernmost; an eater begins on the 1.
+    -- The first line is the northernmost; an eater begins at the 1.
     map = { "p1rg", "prr#", "p#rb" },
     orientation = "east",
     points = { red = 5, purple = 10, green = 15, blue = 20 },
     wallPenalty = 10, timePenalty = 1
 };
 
--- What is at a place, counted from 0 in the south-west; beyond the edge there are walls.
+-- The content of a cell, counted from 0 in the south-west; cells outside of the board are walls.
 function SimpleEatersRules:ContentAt(x, y)
     local row = self.cells[y];
     return row and row[x] or "wall";
@@ -68,7 +69,7 @@ function SimpleEatersRules:FoodLeft()
     return count;
 end
 
--- The first command of a turn counts. Nil if it can be done, otherwise why not, as Sandbox_Command says it.
+-- The first command of a turn is used. Nil if it is possible, else the reason as a result of Sandbox_Command.
 function SimpleEatersRules:Command(said, parameters)
     local name, reason, details = GridBoard.Understand({ forward = {}, rotate = {} }, said, parameters or {});
     if (not name) then
@@ -109,8 +110,8 @@ function SimpleEatersRules:Turn()
     self.isOver = self:FoodLeft() == 0 and self.x == self.start.x and self.y == self.start.y;
 end
 
--- What the mind perceives, in two parts: what the world takes away and gives again in each turn, and what it leaves as it
--- is unless the eater has gone forward. Both stand on the input link.
+-- The percepts in two parts: those that the world removes and adds again in each turn, and those that it leaves
+-- unchanged unless the eater has moved forward. Both are on the input link.
 function SimpleEatersRules:Percepts()
     local isFirst = self.turn == 1;
     local percepts = {

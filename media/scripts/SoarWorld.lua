@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The plain world of scenario files and of rules that are run alone: ground, sky, sun, and the usual keys.
+-- The default world of scenario files and of rules without a scenario: ground, sky, sun, and the usual keys.
 require "GUI";
 require "Plain";
 

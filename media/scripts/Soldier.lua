@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The body of a soldier: looks, animation states, the way that it moves, and what its rifle does.
+-- The body of a soldier: its look, animation states, movement, and the effects of its rifle.
 require "AgentCommunications";
 require "AgentUtilities";
 require "AnimationStateMachine";
 require "SoldierBody";
 
--- SoldierStates and WeaponStates hold the names of the states below: SoldierStates.STAND_FIRE is "fire", CROUCH_FIRE is
--- "crouch_fire".
+-- SoldierStates and WeaponStates contain the names of the states below: SoldierStates.STAND_FIRE is "fire", CROUCH_FIRE
+-- is "crouch_fire".
 Soldier = {
     Height = { Stand = 1.6, Crouch = 1.3 },
     Speed = { Stand = 3, Crouch = 1 },
@@ -46,8 +46,8 @@ local kStates = {
     { "sniper_transform", "stand_sniper_transform" }
 };
 
--- By state: whether it is left at any time or only at its end, and how long the fade to each other state takes in seconds.
--- A second number is where the other animation starts.
+-- By state: whether it may be left at any time or only at its end, and the duration of the fade to each other state in
+-- seconds. A second number is the start time in the other animation.
 local kTransitions = {
     idle_aim = { any = true, to = {
         crouch_idle_aim = 0.3, dead = 0.1, fall_dead = { 0.15, 1 }, dead_headshot = 0.2, fire = 0.1, melee = 0.2,
@@ -133,7 +133,7 @@ local function CreateBody(agent, mesh)
     return soldier;
 end
 
--- In a dark uniform; the other one is light.
+-- With a dark uniform; the other one is light.
 function Soldier_CreateSoldier(agent)
     return CreateBody(agent, SoldierBody.DarkMesh);
 end
@@ -146,7 +146,7 @@ function Soldier_CreateWeapon(agent)
     return Core.CreateMesh(agent, SoldierBody.Rifle);
 end
 
--- The node of the weapon is gone after this; animations that were got from it before go on.
+-- The node of the weapon is invalid after this; animations that were obtained from it before continue.
 function Soldier_AttachWeapon(soldier, weapon)
     Animation.AttachToBone(soldier, "b_RightHand", weapon, Vector.new(0.04, 0.05, -0.01), Vector.new(98, 97, 0));
 end
@@ -164,7 +164,7 @@ function Soldier_IsMoving(agent)
     return Vector.LengthSquared(agent:GetVelocity()) > kMovingSpeedSquared;
 end
 
--- Stands up or crouches down; the feet stay where they are.
+-- Stands up or crouches; the feet stay in place.
 function Soldier_SetHeight(agent, soldier, height)
     local position = agent:GetPosition();
     position.y = position.y + (height - agent:GetHeight()) / 2;
@@ -181,7 +181,8 @@ local function Hurry(agent, force, push)
     return force;
 end
 
--- Which way to go: along the path, around who and what is in the way. One for soldiers that stand, one for those who crouch.
+-- The direction of movement: along the path, around agents and obstacles. One for standing soldiers, one for crouching
+-- ones.
 function Soldier_CalculateSteering(agent, deltaTimeInSeconds)
     local way = agent:ForceToFollowPath(0.5) * 1.5 + agent:ForceToStayOnPath(0.5) * 0.4;
     return Hurry(agent, way + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5) * 2, 7);
@@ -192,7 +193,7 @@ function Soldier_CalculateSlowSteering(agent, deltaTimeInSeconds)
     return Hurry(agent, way + agent:ForceToAvoidAgents(0.5) + agent:ForceToAvoidObjects(0.5), 5);
 end
 
--- By agent: the acceleration that AgentUtilities_ApplySteeringForce2 remembers.
+-- By agent: the acceleration that AgentUtilities_ApplySteeringForce2 stores.
 local accelerations = {};
 
 function Soldier_ApplySteering(agent, force, deltaTimeInSeconds)
@@ -202,13 +203,13 @@ function Soldier_ApplySteering(agent, force, deltaTimeInSeconds)
     AgentUtilities_ClampHorizontalSpeed(agent);
 end
 
--- Brings a soldier to a stand within some steps; a rate of 2 takes half of the speed in each.
+-- Stops a soldier within some steps; a rate of 2 removes half of the speed in each step.
 function Soldier_SlowMovement(agent, deltaTimeInMillis, rate)
     local velocity, kept = agent:GetVelocity(), 0.91 / (rate or 1);
     agent:SetVelocity(Vector.new(velocity.x * kept, velocity.y, velocity.z * kept));
 end
 
--- A place on the navigation mesh that the agent can walk to, and the path to it; nothing if it can walk nowhere.
+-- A place on the navigation mesh that the agent can reach, and the path to it; nothing if there is none.
 function Soldier_PathToRandomPoint(agent)
     local sandbox = agent:GetSandbox();
     for _ = 1, kTries do
@@ -219,7 +220,7 @@ function Soldier_PathToRandomPoint(agent)
     end
 end
 
--- Gives the soldier a path, and turns it about at once if the path leads behind it.
+-- Gives the soldier a path, and turns it at once if the path starts behind it.
 function Soldier_SetPath(agent, path, cyclic)
     agent:SetPath(path, cyclic);
     if (#path < 2) then
@@ -234,10 +235,10 @@ function Soldier_SetPath(agent, path, cyclic)
     end
 end
 
--- The particles of impacts and how long each has left.
+-- The particles of impacts and their remaining times.
 local impacts = {};
 
--- Once for each step of the agent.
+-- Call it once per step of the agent.
 function Soldier_Update(agent, deltaTimeInMillis)
     for index = #impacts, 1, -1 do
         impacts[index].left = impacts[index].left - deltaTimeInMillis;
@@ -262,7 +263,7 @@ local function OnBulletHit(sandbox, collision)
         sandbox, AgentCommunications.EventType.BulletImpact, { position = collision.pointA });
 end
 
--- Shoots a bullet out of the rifle's muzzle. A callback for states that fire; data has agent and soldier, its mesh.
+-- Shoots a bullet from the rifle's muzzle. A callback for states that fire; data contains agent and soldier, its mesh.
 function Soldier_Shoot(stateName, data)
     local sandbox = data.agent:GetSandbox();
     local position = Animation.GetBonePosition(data.soldier, "b_muzzle");

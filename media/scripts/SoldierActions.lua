@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What a soldier can do, as actions. userData has agent, controller and blackboard (enemy, ammo, maxAmmo, alive,
+-- The actions of a soldier. userData contains agent, controller and blackboard (enemy, ammo, maxAmmo, alive,
 -- bestFleePosition).
 require "Action";
 require "AgentCommunications";
@@ -14,7 +14,7 @@ local kIdleMillis = 2000;
 local kMoveMillis = 500;
 local kLift = Vector.new(0, 0.1, 0);
 
--- The clean-up of actions that leave nothing behind.
+-- The clean-up of actions without lasting effects.
 local function LeaveAsItIs()
 end
 
@@ -36,7 +36,7 @@ local function Distance(userData, place)
     return Vector.Distance(userData.agent:GetPosition(), place);
 end
 
--- Sets off for a place; false if no way leads there.
+-- Starts to move to a place; false if there is no path.
 local function SetOff(userData, place)
     local agent = userData.agent;
     local path = Sandbox.FindPath(agent:GetSandbox(), kMesh, agent:GetPosition(), place);
@@ -57,7 +57,7 @@ local function DrawWay(userData, color, radius)
     Core.DrawCircle(userData.agent:GetTarget() + kLift, radius, color);
 end
 
--- A command that is over at once.
+-- A command that ends at once.
 local function Once(command)
     return function(userData)
         userData.controller:QueueCommand(userData.agent, command);
@@ -71,7 +71,7 @@ function SoldierActions_ChangeStanceUpdate(deltaTimeInMillis, userData)
     return terminated;
 end
 
--- Dies: nothing comes after it.
+-- Dies: no other action follows.
 function SoldierActions_DieInitialize(userData)
     userData.controller:ImmediateCommand(userData.agent, Commands.DIE);
     Tell(userData, AgentCommunications.EventType.AgentDeath, { position = userData.agent:GetPosition() });
@@ -82,7 +82,7 @@ function SoldierActions_DieUpdate(deltaTimeInMillis, userData)
     return running;
 end
 
--- Runs to where the blackboard says that it is safe.
+-- Runs to the safest place in the blackboard.
 function SoldierActions_FleeInitialize(userData)
     local place = userData.blackboard:Get("bestFleePosition");
     if (place and SetOff(userData, place)) then
@@ -103,7 +103,7 @@ function SoldierActions_FleeCleanUp(userData)
     userData.agent:RemovePath();
 end
 
--- Stands around for a while.
+-- Stands idle for some time.
 function SoldierActions_IdleInitialize(userData)
     userData.controller:QueueCommand(userData.agent, Commands.IDLE);
     userData.idleEnd = Now(userData) + kIdleMillis;
@@ -113,7 +113,7 @@ function SoldierActions_IdleUpdate(deltaTimeInMillis, userData)
     return Now(userData) >= userData.idleEnd and terminated or running;
 end
 
--- Goes on along its path for a while.
+-- Continues along its path for some time.
 function SoldierActions_MoveToInitialize(userData)
     userData.controller:QueueCommand(userData.agent, Commands.MOVE);
     userData.moveEnd = Now(userData) + kMoveMillis;
@@ -128,7 +128,7 @@ function SoldierActions_MoveToUpdate(deltaTimeInMillis, userData)
     return Now(userData) >= userData.moveEnd and terminated or running;
 end
 
--- Runs after its enemy until that is near.
+-- Pursues its enemy until it is near.
 function SoldierActions_PursueInitialize(userData)
     local enemy = userData.blackboard:Get("enemy");
     userData.pursued = enemy;
@@ -156,7 +156,7 @@ function SoldierActions_PursueCleanUp(userData)
     Tell(userData, AgentCommunications.EventType.PositionUpdate, { position = userData.agent:GetPosition() });
 end
 
--- Picks a place to go to; going there is MoveTo's work.
+-- Chooses a place to go to; MoveTo does the movement.
 function SoldierActions_RandomMoveInitialize(userData)
     local place = Soldier_PathToRandomPoint(userData.agent);
     if (place) then
@@ -181,7 +181,7 @@ function SoldierActions_ReloadUpdate(deltaTimeInMillis, userData)
     return terminated;
 end
 
--- Faces its enemy and shoots once or twice.
+-- Turns to its enemy and shoots once or twice.
 function SoldierActions_ShootInitialize(userData)
     userData.controller:QueueCommand(userData.agent, Commands.SHOOT);
     userData.controller:QueueCommand(userData.agent, Commands.IDLE);

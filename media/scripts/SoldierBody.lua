@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Soldiers to look at: gives agents a body with a rifle that walks, runs, turns and falls by itself.
+-- The look of soldiers: gives agents a body with a rifle that walks, runs, turns and falls automatically.
 
 SoldierBody = {
     Mesh = "models/soarbox/soldier.mesh",
@@ -7,7 +7,7 @@ SoldierBody = {
     Rifle = "models/soarbox/rifle.mesh",
 };
 
--- Hangs a rifle into a soldier's right hand and returns it.
+-- Attaches a rifle to a soldier's right hand and returns it.
 function SoldierBody_GiveRifle(parent, soldier)
     local rifle = Core.CreateMesh(parent, SoldierBody.Rifle);
     Animation.AttachToBone(
@@ -15,9 +15,8 @@ function SoldierBody_GiveRifle(parent, soldier)
     return rifle;
 end
 
--- Gives the agent the looks of a soldier who moves as the agent moves; helmet and arms show its team's colour.
--- style: "ready" (the rifle across the chest), "aim", "crouch", or "unarmed", which has no rifle; dark: the darker
--- uniform.
+-- Gives the agent the body of a soldier that moves with the agent; helmet and arms have its team's colour. style:
+-- "ready" (the rifle across the chest), "aim", "crouch", or "unarmed" (no rifle). dark: the darker uniform.
 function SoldierBody_Create(agent, style, dark)
     local soldier = Core.CreateMesh(agent, dark and SoldierBody.DarkMesh or SoldierBody.Mesh);
     Core.SetPosition(soldier, Vector.new(0, -agent:GetHeight() / 2, 0));
@@ -29,7 +28,7 @@ function SoldierBody_Create(agent, style, dark)
     return soldier, rifle;
 end
 
--- Plays one movement over whatever the body does: from its start, once. Call SoldierBody_Step in each update.
+-- Plays an animation over the body's own movement, once from its start. Call SoldierBody_Step in each update.
 function SoldierBody_Play(soldier, name)
     local animation = Animation.GetAnimation(soldier, name);
     Animation.SetLooping(animation, false);
@@ -39,7 +38,7 @@ function SoldierBody_Play(soldier, name)
     return animation;
 end
 
--- Advances what SoldierBody_Play started, fading it in and out; returns false once it is over.
+-- Advances the animation that SoldierBody_Play started, with fades in and out; returns false when it has ended.
 function SoldierBody_Step(animation, deltaTimeInMillis)
     local kFade = 0.12;
     Animation.StepAnimation(animation, deltaTimeInMillis);

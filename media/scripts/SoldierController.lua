@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Between mind and body: takes commands, one after the other, and moves a soldier's body as they say.
+-- The layer between mind and body: accepts commands, and executes them with a soldier's body one after the other.
 require "Soldier";
 
 SoldierController = {
@@ -14,7 +14,7 @@ local Commands, Stances, States = SoldierController.Commands, SoldierController.
 local kFalling = "FALLING";
 local kBrake = 2;
 
--- soldier and weapon are the meshes of Soldier_Create...; hang the weapon into the soldier's hand afterwards.
+-- soldier and weapon are the meshes of Soldier_Create...; attach the weapon to the soldier's hand afterwards.
 function SoldierController.new(agent, soldier, weapon)
     local controller = setmetatable({
         soldier_ = soldier,
@@ -34,7 +34,7 @@ function SoldierController:QueueCommand(agent, command)
     table.insert(self.queue_, command);
 end
 
--- Before all that waits.
+-- Before all queued commands.
 function SoldierController:ImmediateCommand(agent, command)
     table.insert(self.queue_, 1, command);
 end
@@ -43,7 +43,7 @@ function SoldierController:ClearCommands()
     self.queue_ = {};
 end
 
--- What it does now; what it will do next if nothing is under way.
+-- The current command; the next one if none is running.
 function SoldierController:CurrentCommand()
     return self.command_ or self.queue_[1];
 end
@@ -60,7 +60,7 @@ local function IsStanding(controller)
     return controller.stance_ == Stances.STAND;
 end
 
--- Asks the animations for a state; true once it is there.
+-- Requests an animation state; true once it is reached.
 local function Reach(controller, state)
     if (controller.states_:GetCurrentStateName() == state) then
         return true;
@@ -113,7 +113,7 @@ local execute = {
         Soldier_ApplySteering(agent, steer(agent, deltaTimeInSeconds), deltaTimeInSeconds);
     end,
     [Commands.CHANGE_STANCE] = function(controller, agent)
-        -- Afterwards it goes on with what it did before.
+        -- Afterwards the previous command continues.
         if (#controller.queue_ == 0) then
             controller:QueueCommand(agent, controller.last_ or Commands.IDLE);
         end
@@ -135,7 +135,7 @@ local execute = {
     end
 };
 
--- Once for each step of the agent.
+-- Call it once per step of the agent.
 function SoldierController:Update(agent, deltaTimeInMillis)
     local now = Sandbox.GetTimeInMillis(agent:GetSandbox());
     Soldier_Update(agent, deltaTimeInMillis);

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What the minds of soldiers ask before they act. SoldierEvaluators_NAME(userData) answers true or false; userData is that
--- of SoldierActions. Most questions come in pairs of which exactly one is true.
+-- The conditions that soldiers' minds evaluate before they act. SoldierEvaluators_NAME(userData) returns true or false;
+-- userData is that of SoldierActions. Most conditions come in pairs of which exactly one is true.
 
 local kReach = { shot = 3, place = 1.5 };  -- In metres, from the middle of the body.
 local kWeak = 0.2;                         -- As a share of the health at the beginning.
 
--- Adds a question, and under `otherwise` the one that is true when this one is not.
+-- Adds a condition, and under `otherwise` its negation.
 local function Add(name, answer, otherwise)
     _G["SoldierEvaluators_" .. name] = answer;
     if (otherwise) then

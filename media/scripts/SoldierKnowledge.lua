@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What soldiers find out: evaluators for knowledge sources. The blackboard has what AgentSenses noticed.
+-- Evaluators for the knowledge sources of soldiers. The blackboard contains the results of AgentSenses.
 
 local kMesh = "default";
 local kFreshMillis = 1000;
@@ -9,7 +9,7 @@ local function IsReachable(agent, place)
     return #Sandbox.FindPath(agent:GetSandbox(), kMesh, agent:GetPosition(), place) > 0;
 end
 
--- The nearest of those who are alive, of another team, and can be walked to.
+-- The nearest living agent of another team that can be reached.
 local function Nearest(agent, others)
     local nearest, best;
     for _, other in ipairs(others) do
@@ -28,7 +28,7 @@ function SoldierKnowledge_ChooseBestEnemy(userData)
     return { confidence = 1, evaluation = Nearest(agent, Sandbox.GetAgents(agent:GetSandbox())) };
 end
 
--- The nearest enemy that was seen within the last second.
+-- The nearest enemy seen within the last second.
 function SoldierKnowledge_ChooseBestVisibleEnemy(userData)
     local now, seen = Sandbox.GetTimeInMillis(userData.agent:GetSandbox()), {};
     for _, sight in pairs(userData.blackboard:Get("visibleAgents") or {}) do
@@ -39,7 +39,7 @@ function SoldierKnowledge_ChooseBestVisibleEnemy(userData)
     return { confidence = 1, evaluation = Nearest(userData.agent, seen) };
 end
 
--- How bad a place is: each thing nearer than its reach counts with its weight.
+-- The danger of a place: each thing within its range adds its weight.
 local function Danger(userData, place)
     local danger = 0;
     local function Count(name, field, reach, weight)
@@ -57,7 +57,7 @@ local function Danger(userData, place)
     return danger;
 end
 
--- The least dangerous of some places.
+-- The least dangerous of several places.
 function SoldierKnowledge_ChooseBestFleePosition(userData)
     local sandbox = userData.agent:GetSandbox();
     local best, least;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- One mind of a soldier in three forms: a decision tree, a state machine and a behavior tree. All die, flee, reload, shoot,
--- pursue, move, look for somewhere to go, and idle, in this order of importance.
+-- The mind of a soldier in three forms: a decision tree, a state machine and a behavior tree. All of them die, flee,
+-- reload, shoot, pursue, move, search a place to go to, and idle, in this order of priority.
 require "Action";
 require "BehaviorTree";
 require "DecisionBranch";
@@ -9,8 +9,8 @@ require "FiniteStateMachine";
 require "SoldierActions";
 require "SoldierEvaluators";
 
--- By name: what SoldierActions calls the action. A scenario may have scripts of its own in the place of SoldierActions,
--- SoldierEvaluators and what runs actions, so only their common functions are used here.
+-- By name: the name of the action in SoldierActions. A scenario may replace SoldierActions, SoldierEvaluators and the
+-- scripts that run actions, so only their common functions are used here.
 local kActions = {
     die = "Die", flee = "Flee", idle = "Idle", move = "MoveTo", pursue = "Pursue", randomMove = "RandomMove",
     reload = "Reload", shoot = "Shoot"
@@ -53,7 +53,7 @@ local function Both(first, second)
     end;
 end
 
--- In the order in which they are tried, from every state but death.
+-- In the order in which they are tried, from every state except death.
 local kWays = {
     { "die", SoldierEvaluators_IsNotAlive },
     { "flee", SoldierEvaluators_HasCriticalHealth },
@@ -87,7 +87,7 @@ local function ActionNode(name, actions)
     return node;
 end
 
--- A child that works only if the evaluator says so.
+-- A child that succeeds only if the evaluator returns true.
 local function If(name, evaluator, child)
     local sequence = BehaviorTreeNode.new(name, BehaviorTreeNode.Type.SEQUENCE);
     local condition = BehaviorTreeNode.new(name .. "?", BehaviorTreeNode.Type.CONDITION);

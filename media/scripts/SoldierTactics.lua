@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Where it is dangerous and who holds what, on the influence map: layer 0 is danger (below 0), layer 1 the teams (team1 below
--- 0, others above).
+-- Danger and territory on the influence map: layer 0 is danger (below 0), layer 1 the teams (team1 below 0, others
+-- above).
 require "AgentCommunications";
 
 SoldierTactics = { InfluenceMap = { Danger = 0, TeamArea = 1 } };
@@ -61,12 +61,12 @@ function SoldierTactics_UpdateTeamAreas(sandbox)
     Sandbox.SpreadInfluenceMap(sandbox, layer);
 end
 
--- Shows a layer for this step: red what is above 0, blue what is below.
+-- Draws a layer for this step: red for values above 0, blue for values below.
 function SoldierTactics_DrawInfluenceMap(sandbox, layer)
     Sandbox.DrawInfluenceMap(sandbox, layer, { 1, 0, 0, 0.8 }, { 0, 0, 0, 0.1 }, { 0, 0, 1, 0.8 });
 end
 
--- Once for each step of the sandbox; true when the maps were made anew.
+-- Call it once per step of the sandbox; true if the maps were computed again.
 function SoldierTactics_UpdateTactics(sandbox, deltaTimeInMillis)
     sinceUpdate = sinceUpdate + deltaTimeInMillis;
     if (sinceUpdate < kUpdateMillis) then

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The world of TankSoar: the board, the tanks and the missiles of TankSoarRules.lua, to be seen. A scenario names this
--- script, or one of its own that sets TankSoar.Settings first, as with Eaters.lua.
+-- The visible world of TankSoar: the board, the tanks and the missiles of TankSoarRules.lua. A scenario uses this
+-- script, or its own script, which sets TankSoar.Settings first, as with Eaters.lua.
 require "GridGame";
 require "MapFile";
 require "TankSoarRules";
@@ -65,7 +65,7 @@ local function Part(parent, node, place, material)
     return node;
 end
 
--- Hull, tracks, turret and gun, and a shield that shows when it is up.
+-- Hull, tracks, turret and gun, and a shield that is visible while it is up.
 local function Dress(agent, color)
     local material = GridGame.Materials[color];
     Part(agent, Core.CreateBox(agent, 0.86, 0.3, 1.1), Vector.new(0, -0.42, 0), material);
@@ -102,7 +102,7 @@ end
 local function ShowTanks()
     for _, shown in pairs(tanks) do
         local tank = shown.tank;
-        -- A label shows health out of a hundred.
+        -- A label shows health from 0 to 100.
         shown.agent:SetHealth(math.max(1, 100 * tank.health / game.mostHealth));
         shown.agent:SetScore(tank.score);
         Core.SetVisible(shown.shield, tank.shields);
@@ -121,7 +121,7 @@ local function MissileNode(missile)
     return node;
 end
 
--- Those that are gone vanish, new ones come out of their tank, the others fly on.
+-- Removes missiles that no longer exist, lets new ones leave their tank, and moves the others.
 local function AimMissiles()
     local isThere = {};
     for _, missile in ipairs(game.flying) do

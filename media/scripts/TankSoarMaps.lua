@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The boards of TankSoar: ours, by name; those that chance makes; and what the objects in map files of Soar2D are, for
+-- The boards of TankSoar: our own, by name; random ones; and the conversion of the objects in Soar2D's map files, for
 -- MapFile.lua.
 
 TankSoarMaps = { named = {} };
 
--- Open, with clumps of rock.
+-- Open, with groups of rocks.
 TankSoarMaps.named.clumps = {
     "              ",
     " #  #    #  # ",
@@ -22,7 +22,7 @@ TankSoarMaps.named.clumps = {
     "              "
 };
 
--- Four halls round a court, with doors for one tank.
+-- Four halls around a court, with doors for one tank.
 TankSoarMaps.named.halls = {
     "    #    #    ",
     "    #    #    ",
@@ -40,7 +40,7 @@ TankSoarMaps.named.halls = {
     "    #    #    "
 };
 
--- Long lanes with few ways across: who is seen here is seen from far.
+-- Long lanes with few connections: tanks are seen from far away.
 TankSoarMaps.named.lanes = {
     "              ",
     " ##### # #### ",
@@ -62,7 +62,7 @@ TankSoarMaps.named.lanes = {
 
 local kSide, kTries = 14, 60;
 
--- Whether all open cells are one place.
+-- Whether all open cells are connected.
 local function IsConnected(isRock)
     local open, first = 0, nil;
     for cell = 0, kSide * kSide - 1 do
@@ -85,7 +85,7 @@ local function IsConnected(isRock)
     return reached == open;
 end
 
--- A board that is the same from both ends, with each open cell in reach. `random` is like math.random.
+-- A board that is symmetric, with all open cells connected. `random` is like math.random.
 function TankSoarMaps.Random(random)
     local isRock = {};
     for _ = 1, kTries do
@@ -109,7 +109,7 @@ function TankSoarMaps.Random(random)
     return lines;
 end
 
--- The lines of a map: itself, or the one of that name.
+-- The lines of a map: the map itself, or the one with that name.
 function TankSoarMaps.Lines(map, random)
     if (type(map) ~= "string") then
         return map;

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The rules of TankSoar, and nothing else: no bodies, no pictures, no minds. Tanks on a board of cells fire missiles at
--- each other. docs/tanksoar.md describes the game; tests/lua/TankSoarRulesTest.lua states each rule. It is used as
--- EatersRules.lua is: new, Join, and in each turn Percepts, Command and Turn.
+-- The rules of TankSoar, without bodies, pictures and minds. Tanks on a board of cells fire missiles at each other.
+-- docs/tanksoar.md describes the game; tests/lua/TankSoarRulesTest.lua states each rule. Used like EatersRules.lua:
+-- new, Join, and in each turn Percepts, Command and Turn.
 require "GridBoard";
 require "TankSoarMaps";
 
@@ -30,7 +30,7 @@ end
 
 -- The board -----------------------------------------------------------------------------------------------------------
 
--- What a cell is made of, whoever is in it: "obstacle", "open", "health", "energy" or "missiles". Beyond the edge there
+-- The kind of a cell, without tanks: "obstacle", "open", "health", "energy" or "missiles". Cells outside of the board
 -- are obstacles.
 function TankSoarRules:ContentAt(x, y)
     local row = self.cells[y];
@@ -46,7 +46,7 @@ local function IsCharger(game, tank)
     return content == "health" or content == "energy";
 end
 
--- A cell with nothing in it, by chance.
+-- A random empty cell.
 local function FreeCell(game)
     local free = {};
     for y = 1, game.height do
@@ -77,7 +77,7 @@ local function Count(game, content)
     return count;
 end
 
--- A game with these settings; TankSoarRules.Defaults are the others. `random` is like math.random.
+-- A game with these settings; the others are those of TankSoarRules.Defaults. `random` is like math.random.
 function TankSoarRules.new(settings)
     local game = setmetatable({ cells = {}, starts = {}, tanks = {}, flying = {}, explosions = {}, turn = 0,
                                 quiet = 0, made = 0 }, TankSoarRules);
@@ -124,8 +124,8 @@ TankSoarRules.Commands = {
 };
 local kTurnedInstead = "a tank that rotates does not move in that turn";
 
--- Takes a command for this turn. Nil if it is one that a tank can do, otherwise why not; and what there is to say about
--- it, as Sandbox_Command says it.
+-- Accepts a command for this turn. Returns nil if a tank can execute it, else the reason; and a remark, both as results
+-- of Sandbox_Command.
 function TankSoarRules:Command(tank, said, parameters)
     local name, value, details = GridBoard.Understand(TankSoarRules.Commands, said, parameters);
     local wish = tank.wish;
@@ -156,7 +156,7 @@ local function Adjust(tank, what, by, most)
     tank[what] = math.max(0, math.min(most, tank[what] + by));
 end
 
--- Notes who has destroyed whom.
+-- Notes which tank has destroyed which.
 local function NoteEnd(game, tank, by)
     if (tank.health > 0) then
         return;
@@ -197,7 +197,8 @@ end
 
 -- Moving --------------------------------------------------------------------------------------------------------------
 
--- Where each tank wants to be. Into an obstacle nobody goes, and two that drive at each other stay where they are.
+-- The target cell of each tank. A tank cannot enter an obstacle, and two tanks that drive towards each other stay in
+-- place.
 local function FindAims(game)
     local aims = {};
     for _, tank in ipairs(game.tanks) do
@@ -229,8 +230,8 @@ local function FindAims(game)
     return aims;
 end
 
--- Those who want the same cell all stay where they were, which may be where others want to go. All who ever wanted a
--- cell count for its damage.
+-- Tanks with the same target cell stay in their cells, which may be the targets of others. All tanks that had a cell as
+-- target count for its damage.
 local function SettleMoves(game, aims)
     local claims = {};
     local function Claim(tank)
@@ -302,7 +303,7 @@ local function PayForCollisions(game, claims)
     end
 end
 
--- Whoever comes into a cell takes the pack there, and runs into missiles that fly towards it.
+-- A tank that enters a cell takes the pack there, and collides with missiles that fly towards it.
 local function Drive(game, tank, aim)
     tank.hasMoved = tank.x ~= aim.x or tank.y ~= aim.y;
     tank.x, tank.y = aim.x, aim.y;
@@ -324,7 +325,7 @@ end
 
 -- Missiles ------------------------------------------------------------------------------------------------------------
 
--- One cell further; false if it is gone.
+-- One cell further; false if it no longer exists.
 local function FlyOn(game, missile)
     local step = GridBoard.Steps[missile.direction];
     missile.x, missile.y = missile.x + step.x, missile.y + step.y;
@@ -339,7 +340,7 @@ local function FlyOn(game, missile)
     return false;
 end
 
--- One cell a turn, and in the second of three turns one more.
+-- One cell per turn, and one more in the second of three turns.
 local function Fly(game)
     local left = {};
     for _, missile in ipairs(game.flying) do
@@ -408,7 +409,7 @@ local function SettleEnds(game)
     end
 end
 
--- So that tanks which avoid each other do not do so for ever.
+-- Prevents tanks from avoiding each other forever.
 local function EndQuiet(game)
     local hasFired = false;
     for _, tank in ipairs(game.tanks) do
@@ -474,7 +475,7 @@ local function ToSides(tank, isTrue, isNew)
     return sides;
 end
 
--- What a radar shows of a cell.
+-- The radar's view of a cell.
 local function Echo(game, tank, x, y, distance, position, from)
     local other = game.places[y * 1000 + x];
     if (other) then
@@ -498,7 +499,7 @@ local function LookByRadar(game, tank)
     local x, y, distance, isBlocked = tank.x, tank.y, 0, false;
     while (distance < tank.radarPower and not isBlocked) do
         local toLeft, toRight = GridBoard.Steps[left], GridBoard.Steps[right];
-        -- A tank beside this one is seen from its side.
+        -- A tank next to this one is seen from its side.
         Echo(game, tank, x + toLeft.x, y + toLeft.y, distance, "left", distance == 0 and right or back);
         Echo(game, tank, x + toRight.x, y + toRight.y, distance, "right", distance == 0 and left or back);
         x, y, distance = x + ahead.x, y + ahead.y, distance + 1;
@@ -507,7 +508,7 @@ local function LookByRadar(game, tank)
     tank.radarDistance = distance;
 end
 
--- The first tank that each missile flies at, with nothing in between. Nobody is told of missiles of its own.
+-- The first tank towards which each missile flies, with nothing in between; not for a tank's own missiles.
 local function FindIncoming(game)
     for _, missile in ipairs(game.flying) do
         local step = GridBoard.Steps[missile.direction];
@@ -539,9 +540,9 @@ local function Smell(game, tank)
     return nearest;
 end
 
--- The direction of the first step on a shortest way to the nearest tank that moved or turned; nil if none is near. Of
--- several that are equally near, chance takes one: it says in which direction the search begins, for as long as there is a
--- sound, so that it does not come from here and there in turn.
+-- The direction of the first step on a shortest path to the nearest tank that moved or turned; nil if none is near. If
+-- several are equally near, one is chosen at random: the random number determines the direction in which the search
+-- begins. It is kept as long as there is a sound, so that the direction does not alternate.
 local function Listen(game, tank)
     if (#game.tanks < 2) then
         return nil;
@@ -571,7 +572,7 @@ local function Listen(game, tank)
     tank.ear = nil;
 end
 
--- What all tanks sense now; called at the end of each turn, and once before the first.
+-- Computes what all tanks sense; called at the end of each turn, and once before the first.
 function TankSoarRules:LookAround()
     self.places = {};
     for _, tank in ipairs(self.tanks) do
@@ -612,7 +613,7 @@ local function SoundOf(tank)
     return "silent";
 end
 
--- What the mind of a tank perceives.
+-- The percepts of a tank.
 function TankSoarRules:Percepts(tank)
     if (not tank.echoes) then
         self:LookAround();

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- What the scenarios on open ground have in common: a lit yard of 100 by 100 m, seen from above its edge, with panels.
+-- Common parts of the scenarios on open ground: a lit yard of 100 by 100 m, seen from above its edge, with panels.
 require "GUI";
 require "SandboxUtilities";
 

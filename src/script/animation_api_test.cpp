@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// The table Animation as scripts see it.
+// The table Animation as seen from scripts.
 
 namespace soarbox::script {
 namespace {
@@ -90,7 +90,7 @@ TEST_F(AnimationApiTest, BonesAreFoundInTheBodyAndInWhatItCarries) {
           "'b_muzzle') local forward = Vector.Rotate(Vector.new(1, 0, 0), r) "
           "print(forward.z > 0.95, p.z > 4.6, p.y > 1.2 and p.y < 1.5)"),
       "true\ttrue\ttrue");
-  // Turned about, the rifle points the other way.
+  // After a half turn, the rifle points in the opposite direction.
   EXPECT_EQ(Run("agent:SetForward(Vector.new(0, 0, -1)) local p = Animation.GetBonePosition(body, 'b_muzzle') "
                 "print(p.z < 3.4)"),
             "true");

@@ -88,7 +88,7 @@ std::string WithoutBrackets(std::string_view results) {
   return text;
 }
 
-/// "0 to 1"; of vectors it is that of each component.
+/// "0 to 1"; for vectors, the range of each component.
 std::string RangeOf(const ApiArgument& argument) {
   if (argument.range.empty()) return {};
   const std::size_t dots = argument.range.find("..");

@@ -11,7 +11,7 @@ struct ReferencePage {
   std::string text;  ///< Markdown.
 };
 
-/// The pages of docs/lua/: one for each group of functions, and README.md that lists all.
+/// The pages of docs/lua/: one for each group of functions, and README.md, which lists all.
 std::vector<ReferencePage> ApiReference();
 
 }  // namespace soarbox::script

@@ -133,7 +133,7 @@ std::string_view SuggestApiName(std::string_view table, std::string_view name) {
   }
   const std::string_view near = Suggest(name, names);
   if (!near.empty() || name.size() < 4) return near;
-  // Shortened, or a part of it: "GetPos".
+  // A shorter form or a part of the name: "GetPos".
   std::string_view shortest;
   for (const std::string_view other : names)
     if (other.find(name) != std::string_view::npos && (shortest.empty() || other.size() < shortest.size()))

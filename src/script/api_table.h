@@ -10,20 +10,20 @@
 
 namespace soarbox::script {
 
-/// One function of the sandbox's API as its users know it. The checks of arguments, the suggestions for misspelt names
-/// and the pages of docs/lua/ all read this table; a test compares it with what is registered.
+/// Description of one function of the sandbox's API. The checks of arguments, the suggestions for misspelt names and
+/// the pages of docs/lua/ use this table. A test compares it with the registered functions.
 struct ApiFunction {
   std::string_view name;  ///< "Agent.SetPosition".
   /// "agent: Agent, position: Vector [m], seconds: number 0.1..1000 [s] = 0.1"; see ParseArguments.
   std::string_view arguments;
   std::string_view results;  ///< "Vector [m]", "number, table"; empty: none.
-  std::string_view text;     ///< What it does: whole sentences.
-  std::string_view example;  ///< Lua; a comment "--> text" ends a line that prints just that.
+  std::string_view text;     ///< What it does, in complete sentences.
+  std::string_view example;  ///< Lua; a comment "--> text" ends a line that prints exactly this text.
   bool own = false;          ///< Beyond the 192 functions of the first sandbox.
 };
 
-/// What an argument has to be. A wrong sandbox, object, node, thing or mesh makes a call do nothing, with a warning;
-/// everything else that is wrong is a Lua error.
+/// The type of an argument. If a sandbox, object, node, thing or mesh is wrong, the call does nothing, with a warning.
+/// Every other wrong argument is a Lua error.
 enum class ApiType : std::uint8_t {
   kSandbox,
   kAgent,
@@ -39,8 +39,8 @@ enum class ApiType : std::uint8_t {
   kString,
   kTable,
   kFunction,
-  kBoolean,  ///< Anything: Lua's truth.
-  kValue,    ///< Anything: the function decides.
+  kBoolean,  ///< Any value, as a truth value in Lua.
+  kValue,    ///< Any value: the function checks it.
 };
 
 struct ApiArgument {
@@ -50,24 +50,23 @@ struct ApiArgument {
   std::string_view unit;           ///< Without brackets; empty: none.
   std::string_view default_value;  ///< Only if optional.
   bool optional = false;
-  std::string_view
-      range;  ///< Of numbers, and of each component of vectors: "0..1", "0..inf"; empty: whatever is finite.
+  std::string_view range;  ///< Of numbers, and of each component of vectors: "0..1", "0..inf"; empty: any finite value.
   double low = -std::numeric_limits<float>::max(), high = std::numeric_limits<float>::max();
 };
 
-/// All functions of all tables, by group.
+/// A table of the API with its functions.
 struct ApiGroup {
   std::string_view name;  ///< Of the table: "Agent".
-  std::string_view text;  ///< What the group is for.
+  std::string_view text;  ///< The purpose of the group.
   std::span<const ApiFunction> functions;
 };
 std::span<const ApiGroup> ApiGroups();
 
-/// The function with that full name; null if there is none.
+/// Returns the function with this full name, or null.
 const ApiFunction* FindApiFunction(std::string_view name);
-/// Splits the text of a function's arguments; an unknown type is a programmer's error.
+/// Parses the `arguments` of a function. An unknown type is a programmer's error.
 std::vector<ApiArgument> ParseArguments(std::string_view arguments);
-/// The name in that table that a misspelt one most likely means; empty if none is near.
+/// Returns the name in this table that a misspelt name most likely means; empty if none is near.
 std::string_view SuggestApiName(std::string_view table, std::string_view name);
 
 // The parts of the table.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/api_table.h"
 
-// Agent: what agents are and have; steering stands apart.
+// Agent: properties of agents. The steering functions are in api_table_steering.cpp.
 
 namespace soarbox::script {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/api_table.h"
 
-// Sandbox: what is in the world, camera, time, events, user interface; places stand apart.
+// Sandbox: the contents of the world, camera, time, events, user interface. Navigation meshes and the influence map are
+// in api_table_places.cpp.
 
 namespace soarbox::script {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/api_table.h"
 
-// Agent: forces that steer. They are directions to weigh and add, not newtons to apply as they are.
+// Agent: steering forces. They are directions to be weighted and added, not forces in newtons.
 
 namespace soarbox::script {
 namespace {

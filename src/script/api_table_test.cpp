@@ -6,7 +6,7 @@
 #include "picture/png.h"
 #include "script/host_fixture.h"
 
-// The table of the API against what is registered, and its examples against a world.
+// Compares the table of the API with the registered functions, and runs its examples in a world.
 
 namespace soarbox::script {
 namespace {
@@ -86,7 +86,7 @@ TEST_F(ApiTableTest, CountsRequiredArgumentsAsTheFunctionsDo) {
   }
 }
 
-/// What stands behind each "-->" of an example, joined as prints are.
+/// The texts after each "-->" of an example, joined like printed lines.
 std::string ExpectedPrints(std::string_view example) {
   std::string expected;
   while (!example.empty()) {

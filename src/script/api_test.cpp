@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// The sandbox's API as scripts see it: snippets and what they print.
+// The sandbox's API as seen from scripts: snippets with their output.
 
 namespace soarbox::script {
 namespace {

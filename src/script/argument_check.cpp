@@ -23,7 +23,7 @@ bool IsKind(const Handle* handle, std::initializer_list<ValueKind> kinds) {
   return false;
 }
 
-/// What a lenient argument should be, for the warning; null if it is right or not lenient.
+/// The expected kind of a lenient argument, for the warning; null if the argument is right or not lenient.
 const char* WantedInstead(const ApiArgument& argument, const Handle* handle) {
   using enum ValueKind;
   switch (argument.type) {
@@ -32,7 +32,7 @@ const char* WantedInstead(const ApiArgument& argument, const Handle* handle) {
     case ApiType::kObject:
       return IsKind(handle, {kObject}) ? nullptr : "a sandbox object";
     case ApiType::kNode:
-      // Objects are told what to use instead by Core.Remove.
+      // For objects, Core.Remove says what to use instead.
       return IsKind(handle, {kNode, kObject}) ? nullptr : "a scene node";
     case ApiType::kPlaced:
       return IsKind(handle, {kNode, kObject}) ? nullptr : "a scene node";
@@ -45,7 +45,7 @@ const char* WantedInstead(const ApiArgument& argument, const Handle* handle) {
   }
 }
 
-/// What a strict argument should be; null if it is right or not strict.
+/// The expected type of a strict argument; null if the argument is right or not strict.
 const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
   switch (type) {
     case ApiType::kAgent:
@@ -69,7 +69,7 @@ const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
   }
 }
 
-/// True for what nearly every argument of nearly every call is; false says nothing.
+/// A fast test for the usual arguments: true means right, false means unknown.
 bool IsPlainlyRight(lua_State* state, int index, ApiType type) {
   switch (type) {
     case ApiType::kAgent: {
@@ -89,19 +89,19 @@ bool IsWithin(double value, const ApiArgument& argument) {
   return value >= argument.low && value <= argument.high;
 }
 
-/// The nearest in range; of what is no number at all what is nearest to 0.
+/// The nearest value in range; for NaN, the one nearest to 0.
 double Nearest(double value, const ApiArgument& argument) {
   return std::clamp(std::isnan(value) ? 0.0 : value, argument.low, argument.high);
 }
 
 std::string Shortly(double value) {
-  if (std::isnan(value)) return "nan";  // Whatever its sign.
+  if (std::isnan(value)) return "nan";  // Without its sign.
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
-/// Warns of a number or a component that is out of range, and says what counts instead.
+/// Warns that a number or a component is out of range, with the value that is used instead.
 void WarnOfRange(lua_State* state, int index, const ApiArgument& argument, double value, double taken) {
   const std::string unit = argument.unit.empty() ? std::string() : " " + std::string(argument.unit);
   const bool is_bounded = !argument.range.empty();
@@ -113,7 +113,7 @@ void WarnOfRange(lua_State* state, int index, const ApiArgument& argument, doubl
   WarnAtCallerOnce(state, std::move(text), argument.name);
 }
 
-/// Looks at a number or a vector that is there. False if the call is to do nothing.
+/// Checks a present number or vector. False if the call must do nothing.
 bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const CheckedCall& call) {
   const world::Vec3* vector = argument.type == ApiType::kVector ? ToVector(state, index) : nullptr;
   world::Vec3 replaced = vector ? *vector : world::Vec3{static_cast<float>(lua_tonumber(state, index)), 0, 0};
@@ -133,7 +133,7 @@ bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const 
     *components[i] = static_cast<float>(taken);
   }
   if (!is_changed || argument.range.empty()) return true;
-  // A vector of its own: the caller's stays as it is.
+  // A new vector: the caller's is unchanged.
   if (vector) {
     PushVector(state, replaced);
   } else {
@@ -150,7 +150,7 @@ bool IsInRange(lua_State* state, int index, const ApiArgument& argument) {
   return IsWithin(vector.x, argument) && IsWithin(vector.y, argument) && IsWithin(vector.z, argument);
 }
 
-/// Raises for the first handle before `end` whose thing is gone: that is what is wrong first then.
+/// Raises an error for the first handle before `end` whose thing was removed, because that is the first mistake.
 void CheckAlive(lua_State* state, int end) {
   for (int index = 1; index < end; ++index) {
     const Handle* handle = ToHandle(state, index);
@@ -175,7 +175,7 @@ int ReadUnknownName(lua_State* state) {
 }  // namespace
 
 const CheckedCall& CheckedCallOf(const ApiFunction& function) {
-  // Worlds of several threads share the table.
+  // Shared by worlds on several threads.
   static std::mutex mutex;
   static std::map<const ApiFunction*, CheckedCall> parsed;
   const std::lock_guard lock(mutex);
@@ -219,7 +219,7 @@ int ArgumentError(lua_State* state, int index, const char* text) {
   lua_Debug frame;
   const bool is_method = lua_getstack(state, 0, &frame) == 1 && lua_getinfo(state, "n", &frame) != 0 &&
                          frame.namewhat && std::string_view(frame.namewhat) == "method";
-  // The agent before the colon is no argument to who writes a method's call.
+  // In a method's call, the agent before the colon is not counted as an argument.
   if (is_method && index == 1) return luaL_error(state, "bad self of '%s' (%s)", name, text);
   return luaL_error(state, "bad argument #%d to '%s' (%s)", is_method ? index - 1 : index, name, text);
 }

@@ -10,28 +10,29 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// What a call of one function must satisfy; made once for each function.
+/// The requirements of a function's calls; created once for each function.
 struct CheckedCall {
-  std::vector<ApiArgument> arguments;  ///< As ParseArguments reads them from the table.
-  bool takes_any_number = false;       ///< It only calculates: what is not finite goes in and comes out.
+  std::vector<ApiArgument> arguments;  ///< From ParseArguments.
+  bool takes_any_number =
+      false;  ///< The function only calculates, so it accepts and returns numbers that are not finite.
   bool gives_result = false;
 };
 const CheckedCall& CheckedCallOf(const ApiFunction& function);
 
-/// Checks the arguments on the stack from the first to the last. The first that is wrong is a Lua error; if it is one
-/// of those that only make a call do nothing, it is a warning, and the answer is false. Replaces numbers and vectors
-/// out of range by the nearest in range, with a warning; what is not finite makes a call without results do nothing.
+/// Checks all arguments on the stack. The first wrong one is a Lua error, or a warning and the result false if its type
+/// only makes the call do nothing. Replaces numbers and vectors out of range by the nearest valid value, with a
+/// warning. In a call without results, a value that is not finite makes the call do nothing.
 bool CheckArguments(lua_State* state, const CheckedCall& call);
 
-/// Like luaL_argerror, but names functions of the API correctly even where Lua does not know their names (called by
-/// pcall, for example).
+/// Like luaL_argerror, but also names functions of the API whose names Lua does not know (for example when pcall calls
+/// them).
 int ArgumentError(lua_State* state, int index, const char* text);
 
-/// Makes it an error to read a name that a table of the API does not have, if it is near one that it has; other names
+/// Makes it an error to read an unknown name from a table of the API if it is near a known one. Other unknown names
 /// still give nil. The table is on top of the stack and stays there.
 void GuardNames(lua_State* state, const char* table);
 
-/// Raises the error for such a name; returns if none is near.
+/// Raises the error for such a name. Returns if no known name is near.
 void RaiseIfNear(lua_State* state, std::string_view table, std::string_view name);
 
 }  // namespace soarbox::script

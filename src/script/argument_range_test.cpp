@@ -6,7 +6,7 @@
 #include "script/api_table.h"
 #include "script/host_fixture.h"
 
-// What the API says of values that it does not take as they are: each function of its table is tried.
+// Checks what the API does with values that it does not accept: tries each function of its table.
 
 namespace soarbox::script {
 namespace {
@@ -32,7 +32,7 @@ function Sandbox_Initialize(s)
 end
 )";
 
-/// Lua for an argument that is right.
+/// Lua code of a valid argument.
 std::string RightValue(const ApiFunction& function, const ApiArgument& argument) {
   static const std::map<std::string_view, std::string> kByName{
       {"Agent.SetLeader leader", "other"},          {"UI.SetWorldPosition ui", "panel"},
@@ -73,7 +73,7 @@ std::string RightValue(const ApiFunction& function, const ApiArgument& argument)
   }
 }
 
-/// The call with `value` in the place of one argument; the arguments behind it that may be left out are left out.
+/// The call with `value` as one argument; optional arguments after it are left out.
 std::string CallWith(const ApiFunction& function, std::size_t index, const std::string& value) {
   std::string text;
   const auto arguments = ParseArguments(function.arguments);
@@ -95,10 +95,10 @@ class ArgumentRangeTest : public HostTest {
     StartWith(kRangesWorld);
   }
 
-  /// What the script is told of a call: its error, or the warnings.
+  /// The error or the warnings of a call.
   std::string Told(const std::string& call) {
     recorder_.warnings.clear();
-    // Each call in a line of its own: one place is told of once.
+    // Each call has its own line, because each place is warned about once.
     const std::string error = Run(std::string(++line_, '\n') + call);
     if (error.starts_with("error: ")) return error;
     std::string told;
@@ -113,7 +113,7 @@ class ArgumentRangeTest : public HostTest {
 
 TEST_F(ArgumentRangeTest, NoNumberThatIsNotFiniteIsTakenWithoutAWord) {
   for (const ApiGroup& group : ApiGroups()) {
-    if (group.name == "Vector") continue;  // They only reckon.
+    if (group.name == "Vector") continue;  // These functions only calculate.
     for (const ApiFunction& function : group.functions) {
       const auto arguments = ParseArguments(function.arguments);
       for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -163,7 +163,7 @@ TEST_F(ArgumentRangeTest, RightValuesAreTakenWithoutAWord) {
             std::clamp(arguments[i].name == "height" ? 4.0 : 0.5, arguments[i].low, arguments[i].high);
         const std::string call = CallWith(function, i, InVector(arguments[i], std::to_string(middle)));
         const std::string told = Told(call);
-        // Others of its arguments do not fit this kind of call.
+        // Other arguments are not valid for this kind of call.
         EXPECT_EQ(told.find("is taken"), std::string::npos) << call << ": " << told;
       }
     }

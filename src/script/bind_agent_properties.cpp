@@ -7,7 +7,7 @@
 #include "script/binding.h"
 #include "script/plain_call.h"
 
-// Agent: what an agent is, where it is, its path and its leader. All are methods of agent handles too.
+// Agent: properties, position, path and leader. All are methods of agent handles too.
 
 namespace soarbox::script {
 namespace {
@@ -83,7 +83,7 @@ int SetNumber(lua_State* state) {
   return 0;
 }
 
-/// The thesis' world lets the mass be anything, but not that of the body.
+/// In the thesis' world, the agent's mass may be any number, but not the body's.
 int SetMass(lua_State* state) {
   const float mass = CheckFloat(state, 2);
   Agent& agent = AgentArgument(state, 1);
@@ -103,8 +103,8 @@ int SetSpeed(lua_State* state) {
   return 0;
 }
 
-/// Directions without a horizontal part have no orientation; the agent keeps facing where it does, without a warning:
-/// scripts hand over the velocity of agents that stand.
+/// A direction without a horizontal part has no heading; the agent keeps its heading. There is no warning, because
+/// scripts pass the velocities of agents that stand still.
 int SetForward(lua_State* state) {
   const Vec3 forward = CheckVector(state, 2);
   AgentArgument(state, 1).SetForward(forward);
@@ -191,7 +191,7 @@ int GetPointOnPath(lua_State* state) {
   return 1;
 }
 
-/// Agent.SetLeader(agent, leader); nil leaves the agent without a leader.
+/// Agent.SetLeader(agent, leader); nil removes the leader.
 int SetLeader(lua_State* state) {
   Agent& agent = AgentArgument(state, 1);
   const world::EntityId leader = lua_isnil(state, 2) ? world::kNoEntity : AgentArgument(state, 2).id();

@@ -11,7 +11,7 @@
 #include "script/lua_order.h"
 #include "world/shown_state.h"
 
-// Agent.Show: a script tells people what state an agent is in.
+// Agent.Show: a script shows the state of an agent to users.
 
 namespace soarbox::script {
 namespace {
@@ -21,7 +21,7 @@ using world::ShownState;
 
 constexpr int kDeepestShown = 8;
 
-/// A value as people read it; empty for tables and functions.
+/// Formats a value for users; empty for tables and functions.
 std::string ShownText(lua_State* state, int index) {
   switch (lua_type(state, index)) {
     case LUA_TNUMBER: {
@@ -57,7 +57,7 @@ void PushRawField(lua_State* state, int table, std::string_view name) {
   lua_rawget(state, table);
 }
 
-/// Reads a table's fields "name", "value" and "active" as what they say of its own row.
+/// Reads a table's fields "name", "value" and "active" as properties of its own row.
 void ReadOwnFields(lua_State* state, int table, ShownRow& row) {
   PushRawField(state, table, "name");
   if (lua_type(state, -1) == LUA_TSTRING) row.name = lua_tostring(state, -1);
@@ -74,8 +74,8 @@ bool IsOwnField(const std::string& name) {
   return name == "name" || name == "value" || name == "active";
 }
 
-/// Adds a row for the value on top of the stack, and rows for what a table holds: its list in order, then its fields by
-/// name. Tables are read raw: no function of the script runs.
+/// Adds a row for the value on top of the stack, and rows for the contents of a table: its list in order, then its
+/// fields by name. Reads tables raw, so no function of the script runs.
 void ReadShownValue(lua_State* state, std::string name, int depth, std::vector<ShownRow>& rows) {
   if (rows.size() >= ShownState::kMostRows) return;
   const int index = lua_gettop(state);
@@ -120,7 +120,7 @@ int Show(lua_State* state) {
     WarnAtCallerOnce(state, "an agent shows at most " + std::to_string(ShownState::kMostRows) + " rows", "rows");
   LuaMachine::Of(state).Charge(20 + 20 * rows.size());
   agent.Show(topic, std::move(rows), ContextOf(state).world.tick());
-  // What a mind does it says itself.
+  // An agent with a mind gets its last command from the mind.
   if (agent.kind() == "lua") agent.SetLastCommand(world::DoingOf(agent.Shown().rows()));
   return 0;
 }

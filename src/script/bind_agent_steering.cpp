@@ -21,7 +21,7 @@ using world::Agent;
 using world::EntityId;
 using world::Vec3;
 
-/// The agent at the stack's top, or an error that names the list's place.
+/// Returns the agent at the top of the stack; the error for other values names the list.
 EntityId ListedAgent(lua_State* state, int list_index) {
   const Handle* handle = ToHandle(state, -1);
   if (!handle || handle->kind != ValueKind::kAgent)
@@ -30,9 +30,9 @@ EntityId ListedAgent(lua_State* state, int list_index) {
   return EntityId{handle->number};
 }
 
-/// Reads the table in Lua's own order; false if that is not 1, 2, 3, ...
+/// Reads the table in Lua's own order; false if the keys are not 1, 2, 3, ...
 bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer) {
-  // An array of agents, which is usual, is read by number: that takes a third of the time.
+  // An array of agents, which is usual, is read by number, which takes a third of the time.
   const int count = static_cast<int>(lua_objlen(state, index));
   for (int i = 1; i <= count; ++i) {
     lua_rawgeti(state, index, i);
@@ -40,7 +40,7 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
     buffer.push_back(ListedAgent(state, index));
     lua_pop(state, 1);
   }
-  // Nothing else may be in it.
+  // The table must contain nothing else.
   const bool is_whole = buffer.size() == static_cast<std::size_t>(count);
   if (!is_whole || count == 0) {
     lua_pushnil(state);
@@ -63,8 +63,8 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
   return true;
 }
 
-/// The agents in the table at `index`, in its order. Answers with the world's own list where it is the same: the
-/// world finds near neighbours faster then.
+/// Returns the agents in the table at `index`, in its order. Returns the world's own list if it is equal, because the
+/// world then finds near neighbours faster.
 std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
   if (lua_isnoneornil(state, index)) return ContextOf(state).world.AgentIds();
   luaL_checktype(state, index, LUA_TTABLE);
@@ -91,7 +91,7 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vecto
   return std::ranges::equal(buffer, everybody) ? everybody : std::span<const EntityId>(buffer);
 }
 
-/// (agent, distance [, team]): those within the distance, in creation order, without the agent itself.
+/// (agent, distance [, team]): the agents within the distance, in creation order, without the agent itself.
 int GetNeighbours(lua_State* state) {
   const Agent& agent = AgentArgument(state, 1);
   const float distance = CheckFloat(state, 2);
@@ -156,7 +156,7 @@ int PushPositionForce(lua_State* state) {
   return 1;
 }
 
-/// (agent, other agent [, longest prediction in seconds]): beyond the sandbox's own forces.
+/// (agent, other agent [, longest prediction in seconds]): not among the original sandbox's forces.
 template <Vec3 (Agent::*Force)(EntityId, float) const>
 int PushChaseForce(lua_State* state) {
   const Agent& agent = AgentArgument(state, 1);

@@ -7,7 +7,8 @@
 #include "script/plain_call.h"
 #include "world/agent_stride.h"
 
-// Agent: from steering to motion. Scripts call these for each agent in each step, so that they are not left to Lua.
+// Agent: from steering to motion. Scripts call these functions for each agent in each step, so they are not written in
+// Lua.
 
 namespace soarbox::script {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 using world::Agent;
 using world::Vec3;
 
-/// The caller's own force, flattened if the agent can be pushed.
+/// The caller's force, made horizontal if the agent can be pushed.
 Vec3 FlattenedForce(lua_State* state, const Agent& agent) {
   Vec3* force = ToVector(state, 2);
   if (force == nullptr) return CheckVector(state, 2);
@@ -24,7 +25,7 @@ Vec3 FlattenedForce(lua_State* state, const Agent& agent) {
   return before;
 }
 
-/// Pushes the agent along the ground for this step, no faster than it can go.
+/// Pushes the agent along the ground for this step, up to its maximum speed.
 void Stride(lua_State* state, Agent& agent, Vec3 force, double step_s) {
   WarnUnless(state, PushAlongGround(agent, force, step_s));
   ClampHorizontalSpeed(agent);
@@ -52,7 +53,7 @@ int ClampSpeed(lua_State* state) {
   return 0;
 }
 
-/// ([look-ahead in seconds [, weight]]) from `index` on.
+/// Reads ([look-ahead in seconds [, weight]]) from `index` on.
 world::GivingWay GivingWayArguments(lua_State* state, int index) {
   world::GivingWay giving_way;
   if (lua_gettop(state) >= index) giving_way.look_ahead_s = CheckFloat(state, index);

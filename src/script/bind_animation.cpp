@@ -10,7 +10,7 @@
 #include "script/binding.h"
 #include "world/animation/animator.h"
 
-// Animation: the movements of a body with a skeleton, and how they are played (spec 5.5).
+// Animation: the animations of a body with a skeleton, and their playback (spec 5.5).
 
 namespace soarbox::script {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using world::Animator;
 using world::NodeId;
 
-/// A movement that is still there; raises otherwise.
+/// Returns an existing animation; raises an error for a removed one.
 world::Scene::FoundAnimation AnimationArgument(lua_State* state) {
   const world::AnimationId id{CheckHandle(state, 1, ValueKind::kAnimation)};
   const auto found = ContextOf(state).world.scene().FindAnimation(id);
@@ -36,7 +36,7 @@ const world::Clip& ClipArgument(lua_State* state) {
   return found.animator->rig().clips[found.clip];
 }
 
-/// A finite number; false after a warning.
+/// Reads a finite number; false after a warning.
 bool FiniteArgument(lua_State* state, float& number) {
   number = CheckFloat(state, 2);
   const bool finite = world::IsFinite(number);
@@ -82,7 +82,7 @@ int GetTime(lua_State* state) {
   return 1;
 }
 
-/// Hands a number to set(animator, clip, number), unless it is not finite.
+/// Passes a number to set(animator, clip, number), unless it is not finite.
 template <class Set>
 int SetFinite(lua_State* state, Set set) {
   const auto found = AnimationArgument(state);

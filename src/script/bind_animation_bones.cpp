@@ -12,14 +12,14 @@
 #include "world/animation/animator.h"
 #include "world/rotation.h"
 
-// Animation: the bones of a body, what hangs on them, and walking by itself (spec 5.5).
+// Animation: the bones of a body, attachments, and locomotion (spec 5.5).
 
 namespace soarbox::script {
 namespace {
 
 using world::NodeId;
 
-/// Says that a bone is not there and which was meant; for calls that return nothing then.
+/// Warns that a bone does not exist and suggests a similar name; for calls that then return nothing.
 void WarnOfBone(lua_State* state, std::string_view bone, const std::vector<std::string_view>& known) {
   std::string text = "there is no bone \"" + std::string(bone) + "\"";
   const std::string_view meant = Suggest(bone, known);
@@ -27,7 +27,7 @@ void WarnOfBone(lua_State* state, std::string_view bone, const std::vector<std::
   WarnIgnored(state, text.c_str());
 }
 
-/// Nothing, after a warning, if the body has no such bone.
+/// Returns nothing, after a warning, if the body has no such bone.
 std::optional<world::BonePose> BoneArgument(lua_State* state) {
   const std::string_view bone = TextArgument(state, 2);
   const NodeId body = BodyArgument(state, 1);
@@ -52,7 +52,7 @@ int GetBoneRotation(lua_State* state) {
   return 1;
 }
 
-/// The table's first index is 0, as in the sandbox.
+/// The table's first index is 0, as in the original sandbox.
 int GetBoneNames(lua_State* state) {
   const Handle* handle = ToHandle(state, 1);
   if (handle && handle->kind == ValueKind::kAgent) return ArgumentError(state, 1, "a mesh expected, got an agent");
@@ -86,7 +86,7 @@ int AttachToBone(lua_State* state) {
     WarnOfBone(state, bone, scene.AnimatorOf(body)->rig().BoneNames());
     return 0;
   }
-  // All that hangs on the node is looked at.
+  // The function visits everything attached to the node.
   LuaMachine::Of(state).Charge(scene.node_count() / 10);
   const bool hangs =
       scene.AttachToBone(body, static_cast<std::size_t>(index), thing, offset, world::FromRotationVector(turn_deg));
@@ -102,8 +102,7 @@ int SetDisplaySkeleton(lua_State* state) {
   return 0;
 }
 
-/// Ours: the body walks, runs, turns and falls by itself as its agent does. Style: "ready", "aim", "crouch" or
-/// "unarmed".
+/// An extension: the body walks, runs, turns and falls with its agent. Style: "ready", "aim", "crouch" or "unarmed".
 int SetLocomotion(lua_State* state) {
   static constexpr std::array<std::string_view, world::kLocomotionStyles> kStyles{"ready", "aim", "crouch", "unarmed"};
   const std::string_view wanted = lua_isnoneornil(state, 3) ? kStyles[0] : TextArgument(state, 3);

@@ -10,7 +10,7 @@
 namespace soarbox::script {
 namespace {
 
-/// Copies the table Agent as it is now: what agent:Name() finds, whatever scripts add to Agent later.
+/// Copies the current table Agent for agent:Name(), so that later additions of scripts to Agent do not count.
 void KeepAgentMethods(lua_State* state) {
   lua_newtable(state);
   lua_getglobal(state, "Agent");

@@ -25,10 +25,11 @@ void BindSandboxSound(lua_State* state);
 void BindUi(lua_State* state);
 void BindUiParts(lua_State* state);
 
-/// Which machine the API is for: only the sandbox's own has the table UI.
+/// The machine that the API is for: only the sandbox's own has the table UI.
 enum class ApiSide { kSandbox, kAgent };
 
-/// Registers all of the above, Vector, and the metatables. Call inside a protected call, in a machine with a context.
+/// Registers all of the above, Vector, and the metatables. Call it inside a protected call, in a machine with a
+/// context.
 void BindApi(lua_State* state, ApiSide side);
 
 }  // namespace soarbox::script

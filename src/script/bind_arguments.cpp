@@ -145,7 +145,7 @@ void WarnOfShortCapsule(lua_State* state, float height, float radius) {
 
 void ChargeForCreation(lua_State* state, Made made) {
   world::World& world = ContextOf(state).world;
-  // Where bodies lie on a heap each further one is looked at beside all of them.
+  // In a pile of bodies, each further body is compared with all others.
   const std::uint64_t price = made == Made::kAgent ? kAgentPrice : kCreationPrice;
   LuaMachine::Of(state).Charge(world.IsCrowded() ? price + kCrowdedPrice : price);
   const WorldLimits& limits = ContextOf(state).budget.limits();

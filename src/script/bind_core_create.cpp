@@ -6,7 +6,7 @@
 #include "script/binding.h"
 #include "script/script_asset.h"
 
-// Core.Create...: a new scene node under the node of the first argument. Nothing is returned if that has none.
+// Core.Create...: a new scene node under the node of the first argument. Returns nothing if that has no node.
 
 namespace soarbox::script {
 namespace {

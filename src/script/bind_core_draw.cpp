@@ -58,7 +58,7 @@ int DrawLine(lua_State* state) {
   return 0;
 }
 
-/// The fourth argument counts only if it is the last one.
+/// The fourth argument is used only if it is the last one.
 bool Filled(lua_State* state) {
   return lua_gettop(state) == 4 && TruthArgument(state, 4);
 }

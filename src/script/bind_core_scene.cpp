@@ -7,7 +7,7 @@
 #include "script/binding.h"
 #include "world/rotation.h"
 
-// Core: where scene nodes and objects are and how they look.
+// Core: positions and appearance of scene nodes and objects.
 
 namespace soarbox::script {
 namespace {
@@ -24,7 +24,7 @@ bool IsObject(lua_State* state, int index) {
   return handle && handle->kind == ValueKind::kObject;
 }
 
-/// A plain scene node, where the sandbox's root and agents do not count; kNone after a warning.
+/// Returns a plain scene node, not the sandbox's root and not an agent; kNone after a warning.
 NodeId PlainNode(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
   if (!handle || handle->kind != ValueKind::kNode) {
@@ -194,7 +194,7 @@ int SetParticleDirection(lua_State* state) {
   return 0;
 }
 
-// IsVisisble and SetVisisble are how the sandbox spells them; the right spelling does too.
+// IsVisisble and SetVisisble are the original sandbox's spellings; the correct spellings work too.
 constexpr Binding kCoreSceneBindings[] = {
     {"CacheResource", CacheResource, 1, 1, WrongCount::kIgnored},
     {"GetPosition", GetPosition, 1, 1, WrongCount::kIgnored},

@@ -9,16 +9,16 @@
 #include "script/script_asset.h"
 #include "script/script_error.h"
 
-// Sandbox: making and finding agents and objects.
+// Sandbox: creating and finding agents and objects.
 
 namespace soarbox::script {
 namespace {
 
 using world::EntityId;
 
-/// Reads the options table into the request; raises an error for values that are no option. Vectors and tables within
-/// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1". `argument` is the table that
-/// was handed over, `index` the one within it that is read.
+/// Reads the options table into the request; raises an error for values of a wrong type. Nested vectors and tables
+/// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1". `argument` is the table in
+/// the call, `index` the nested table to be read.
 void ReadOptions(lua_State* state, int argument, int index, AgentCreationRequest& request,
                  const std::string& prefix = {}) {
   constexpr std::size_t kMostOptions = 200;
@@ -92,7 +92,7 @@ int MakeAgent(lua_State* state, const char* kind) {
   request.kind = kind;
   LocateCaller(state, request.made_in, request.made_in_line);
   if (lua_istable(state, 2) && request.kind == "soar") {
-    // All in one table: the agent needs no script.
+    // One table with all options: the agent needs no script.
     ReadOptions(state, 2, 2, request);
     for (const auto& [option, field] : {std::pair{"rules", &request.rules}, std::pair{"script", &request.script}}) {
       const auto given = request.options.find(option);

@@ -12,7 +12,7 @@
 namespace soarbox::script {
 namespace {
 
-/// Apart, so that no text is alive when the error is raised.
+/// A separate function, so that no C++ string is alive when the error is raised.
 int RaiseFull(lua_State* state) {
   return luaL_error(state, "the waiting events of this world already hold %d MB: no more are accepted",
                     static_cast<int>(ContextOf(state).budget.limits().event_bytes >> 20));
@@ -76,7 +76,7 @@ int End(lua_State* state) {
   return 0;
 }
 
-/// Reads through the scripts' own search path, with its bounds: nothing outside the scenario's folder and the library.
+/// Reads a file on the scripts' search path with its restrictions: only the scenario's folder and the library.
 int ReadText(lua_State* state) {
   const std::string_view name = TextArgument(state, 2);
   if (!SandboxArgument(state, 1)) return 0;
@@ -92,7 +92,7 @@ int ReadText(lua_State* state) {
   return source.ok() ? 1 : -1;
 }
 
-/// Apart, so that no text is alive when the error is raised.
+/// A separate function, so that no C++ string is alive when the error is raised.
 int ReadTextOrRaise(lua_State* state) {
   const int count = ReadText(state);
   return count < 0 ? lua_error(state) : count;

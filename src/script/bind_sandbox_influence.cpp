@@ -14,7 +14,7 @@ namespace {
 
 using world::InfluenceMap;
 
-/// The map that the calls are about; raises while there is none.
+/// Returns the sandbox's map; raises an error if there is none.
 InfluenceMap& MapOf(lua_State* state) {
   InfluenceMap* map = ContextOf(state).world.influence();
   if (!map) luaL_error(state, "there is no influence map yet (make one with Sandbox.CreateInfluenceMap)");
@@ -48,7 +48,7 @@ int ClearInfluenceMap(lua_State* state) {
   return 0;
 }
 
-/// (sandbox, layer, position, value); places off the map are ignored, as agents often stand beside it.
+/// (sandbox, layer, position, value); ignores places outside of the map, because agents are often next to it.
 int SetInfluence(lua_State* state) {
   const int layer = LayerArgument(state, 2);
   const world::Vec3 position = CheckVector(state, 3);

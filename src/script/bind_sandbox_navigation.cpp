@@ -19,7 +19,7 @@ world::World& WorldOf(lua_State* state) {
   return ContextOf(state).world;
 }
 
-/// The mesh of that name, once it is ready; raises if there is none.
+/// Returns the mesh with this name when it is ready; raises an error if there is none.
 const NavigationMesh& MeshArgument(lua_State* state, int index) {
   const Result<const NavigationMesh*> mesh = WorldOf(state).navigation().Find(TextArgument(state, index));
   if (!mesh.ok()) RaiseDiagnostic(state, mesh.error());

@@ -39,7 +39,7 @@ int SetCameraFixed(lua_State* state) {
   if (SandboxArgument(state, 1)) WorldOf(state).camera().SetFixed(lua_toboolean(state, 2) != 0);
   return 0;
 }
-/// The camera ends up looking along -direction, as in the sandbox.
+/// The camera looks along -direction, as in the original sandbox.
 int SetCameraForward(lua_State* state) {
   const Vec3 direction = CheckVector(state, 2);
   if (SandboxArgument(state, 1)) WarnUnless(state, WorldOf(state).camera().SetBackward(direction));
@@ -80,8 +80,8 @@ int GetScreenHeight(lua_State* state) {
   return PushOfSandbox(state, [](const ScriptContext& context) { return context.world.screen_height(); });
 }
 
-/// Scripts are told nominal times, in microseconds: what the clock says differs from run to run, and a script that
-/// heard it could act on it. The window shows the measured ones.
+/// Scripts get nominal times in microseconds: measured times differ from run to run, and a script could act on them.
+/// The window shows the measured ones.
 double NominalStep_us(const ScriptContext& context) {
   return static_cast<double>(context.world.settings().step_s) * 1e6;
 }
@@ -121,7 +121,7 @@ int CreateUIComponent3d(lua_State* state) {
   return 1;
 }
 
-/// -1 after a warning.
+/// Returns -1 after a warning.
 int ColorIndex(lua_State* state) {
   const double index = luaL_checknumber(state, 2);
   if (index >= 0 && index < 10) return static_cast<int>(index);
@@ -129,7 +129,7 @@ int ColorIndex(lua_State* state) {
   return -1;
 }
 
-/// (sandbox, index, r, g, b [, a]); the alpha counts only if it is the last of exactly six.
+/// (sandbox, index, r, g, b [, a]); the alpha is used only if there are exactly six arguments.
 int SetMarkupColor(lua_State* state) {
   const int index = ColorIndex(state);
   const float alpha = lua_gettop(state) == 6 ? CheckFloat(state, 6) : 1;
@@ -137,7 +137,7 @@ int SetMarkupColor(lua_State* state) {
   if (SandboxArgument(state, 1)) WorldOf(state).ui().SetMarkupColor(index, color);
   return 0;
 }
-/// Two results, as in the sandbox: the index and the colour as a table.
+/// Two results, as in the original sandbox: the index and the colour as a table.
 int GetMarkupColor(lua_State* state) {
   const int index = ColorIndex(state);
   if (!SandboxArgument(state, 1)) return 0;

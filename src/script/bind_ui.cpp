@@ -74,7 +74,7 @@ int SetFont(lua_State* state) {
   return 0;
 }
 
-/// The colour from argument 2 on; the alpha counts only if it is the last of exactly five arguments.
+/// Reads the colour from argument 2 on; the alpha is used only if there are exactly five arguments.
 world::Color ColorArgument(lua_State* state) {
   const float alpha = lua_gettop(state) == 5 ? CheckFloat(state, 5) : 1;
   return {CheckFloat(state, 2), CheckFloat(state, 3), CheckFloat(state, 4), alpha};

@@ -89,7 +89,7 @@ int DotProduct(lua_State* state) {
   return 1;
 }
 
-/// The vector to measure; null after a warning.
+/// Returns the vector to measure; null after a warning.
 const Vec3* MeasuredVector(lua_State* state) {
   const Vec3* vector = ToVector(state, 1);
   if (!vector) WarnIgnored(state, lua_pushfstring(state, "argument 1 is not a vector but %s", NameOfValue(state, 1)));
@@ -140,7 +140,7 @@ constexpr Binding kVectorBindings[] = {
     {"RotationTo", RotationTo, 2, 2, WrongCount::kIgnored},
 };
 
-/// Says why an operation on vectors gives nil.
+/// Warns why an operation on vectors gives nil.
 void WarnOfOperands(lua_State* state, const char* operation) {
   if (!ToVector(state, 1) && lua_type(state, 1) == LUA_TNUMBER) {
     WarnAtCaller(state, std::string("a number ") + operation + " a vector gives nil: put the vector on the left");
@@ -152,7 +152,8 @@ void WarnOfOperands(lua_State* state, const char* operation) {
   WarnAtCaller(state, text + " gives nil: put a vector or a number on the right");
 }
 
-/// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither.
+/// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither a vector
+/// nor a number.
 template <class Operation>
 int Componentwise(lua_State* state, const char* name, Operation operation) {
   const Vec3* left = ToVector(state, 1);
@@ -217,7 +218,7 @@ float* Component(Vec3& vector, lua_State* state, int key_index) {
   }
 }
 
-/// A key for messages: its text, or what it is.
+/// Formats a key for messages: its text, or its kind.
 std::string NameOfKey(lua_State* state, int index) {
   std::size_t length = 0;
   const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &length) : nullptr;

@@ -19,20 +19,20 @@
 namespace soarbox::script {
 namespace {
 
-/// In instructions: so that a loop over calls is stopped as early as any other loop of the same length in time.
+/// In instructions, so that a loop over calls is stopped after about the same time as other loops.
 constexpr std::uint64_t kCallPrice = 20;
 constexpr std::uint64_t kWarningPrice = 200;
 
-/// What every machine's function of this binding refers to.
+/// Shared by the functions of all machines for this binding.
 struct Bound {
   const Binding* binding;
   std::string name;         ///< "Table.Name".
-  const CheckedCall* call;  ///< From the table of the API; null: it is not there.
+  const CheckedCall* call;  ///< From the table of the API; null: not in the table.
 };
 
-/// Made once for each binding; it stays where it is.
+/// Created once for each binding; its address never changes.
 const Bound& BoundOf(const Binding& binding, const char* table) {
-  // Worlds of several threads share them.
+  // Shared by worlds on several threads.
   static std::mutex mutex;
   static std::map<std::pair<const Binding*, std::string_view>, Bound> all;
   const std::lock_guard lock(mutex);
@@ -65,7 +65,7 @@ int CallChecked(lua_State* state, const Bound& bound) {
   return 0;
 }
 
-/// Reports names of materials, meshes, ... that the call used and that are unknown, with the script's line.
+/// Reports unknown names of materials, meshes and so on that the call used, at the script's line.
 void PlaceMediaWarnings(lua_State* state, ScriptContext& context) {
   const ScriptPath& path = LuaMachine::Of(state).path();
   for (Diagnostic& warning : context.world.TakeMediaWarnings()) {

@@ -14,18 +14,18 @@ namespace {
 constexpr std::string_view kLuaWords[] = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
                                           "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
                                           "repeat",   "return", "then", "true", "until",  "while"};
-/// Functions of Lua that scripts have.
+/// Lua's own functions that scripts may call.
 constexpr std::string_view kLuaFunctions[] = {
     "assert", "collectgarbage", "error",        "getfenv",  "getmetatable", "ipairs", "load",   "loadstring",
     "next",   "pairs",          "pcall",        "print",    "rawequal",     "rawget", "rawset", "require",
     "select", "setfenv",        "setmetatable", "tonumber", "tostring",     "type",   "unpack", "xpcall"};
 
-/// One name in a script's code, outside of comments and texts.
+/// A name in a script's code, outside of comments and strings.
 struct Word {
   std::string_view name;
   std::size_t at = 0;
   bool is_field = false;    ///< After a dot or a colon.
-  bool is_called = false;   ///< Before a bracket, a brace or a text.
+  bool is_called = false;   ///< Before a parenthesis, a brace or a string.
   bool is_defined = false;  ///< After "function", or before "=" or ",".
   bool is_local = false;    ///< After "local" or "local function".
 };
@@ -34,10 +34,10 @@ bool IsWordPart(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The words of a code whose comments and texts are blanked; `text` is the same with them.
+/// Returns the words of `code`, in which comments and strings are blanked; `text` is the same code with them.
 std::vector<Word> WordsOf(std::string_view text, std::string_view code) {
   std::vector<Word> words;
-  std::string_view before, second_before;  // Names just before, with nothing but blanks between.
+  std::string_view before, second_before;  // The previous names, if only blanks are between.
   for (std::size_t i = 0; i < code.size();) {
     if (!IsWordPart(code[i])) {
       if (std::isspace(static_cast<unsigned char>(code[i])) == 0) before = second_before = {};
@@ -107,10 +107,10 @@ std::vector<std::string> ModulesOf(std::string_view text) {
 std::vector<Diagnostic> CheckCalls(std::string_view text, const std::string& file, const GlobalNames& known) {
   const std::string code = BlankedCode(text);
   const std::vector<Word> words = WordsOf(text, code);
-  std::map<std::string_view, const Word*> calls;  // The first of each name; null: it is known, or may be.
+  std::map<std::string_view, const Word*> calls;  // The first call of each name; null: the name is defined, or may be.
   for (const Word& word : words) {
     if (word.is_field || IsLuaWord(word.name)) continue;
-    // Who reaches globals by texts may define any.
+    // A script that accesses globals by name may define any of them.
     if (word.name == "_G" || word.name == "setfenv" || word.name == "loadstring") return {};
     const auto [at, is_new] = calls.try_emplace(word.name, &word);
     if (!word.is_called || word.is_defined || word.is_local) at->second = nullptr;

@@ -9,7 +9,7 @@
 namespace soarbox::script {
 namespace {
 
-/// What a sandbox calls in its scripts.
+/// The functions of scripts that a sandbox calls.
 constexpr std::string_view kCalled[] = {
     "Agent_Initialize", "Agent_Update",   "Agent_HandleEvent",  "Agent_Cleanup",  "Agent_Sense",
     "Agent_Tick",       "Agent_Withdraw", "Sandbox_Initialize", "Sandbox_Update", "Sandbox_HandleEvent",
@@ -47,7 +47,7 @@ struct Names {
 
   bool IsDefined(const std::string& name) const { return code.find("function " + name) != std::string::npos; }
 
-  /// A method of an agent, or of a table of the script's own that is called agent.
+  /// Whether it is a method that the script itself adds to agents, or to its own table named `agent`.
   bool IsOwnMethod(const std::string& name) const {
     return IsDefined("Agent." + name) || IsDefined("Agent:" + name) || IsDefined("agent:" + name) ||
            IsDefined("agent." + name) || code.find("local agent = {") != std::string::npos;
@@ -83,7 +83,7 @@ struct Names {
       if (!name.starts_with("Agent_") && !name.starts_with("Sandbox_") && name.find("_") == std::string::npos) continue;
       if (std::find(std::begin(kCalled), std::end(kCalled), name) != std::end(kCalled)) continue;
       const std::string_view near = Suggest(name, {std::begin(kCalled), std::end(kCalled)});
-      // Far ones are functions of the script's own.
+      // Less similar names are functions of the script itself.
       const bool close = !near.empty() &&
                          (near.size() > name.size() ? near.size() - name.size() : name.size() - near.size()) <= 2 &&
                          !near.empty() && near.substr(0, 4) == std::string_view(name).substr(0, 4);

@@ -9,15 +9,15 @@
 
 namespace soarbox::script {
 
-/// Names in a script that are nearly those of the API's functions (Agent.SetPositon) or of the functions that a sandbox
-/// calls (Agent_Updat), with line and column, as warnings. Runs nothing.
+/// Warns of names that are nearly those of API functions (Agent.SetPositon) or of functions that a sandbox calls
+/// (Agent_Updat), with line and column. Does not run the script.
 std::vector<Diagnostic> CheckNames(std::string_view text, const std::string& file);
 
-/// Of these, only the functions that a sandbox never calls, as a run reports them: the others are errors when they are
-/// called.
+/// Returns only the second kind: functions that a sandbox never calls. A run reports these; the others are errors when
+/// they are called.
 std::vector<Diagnostic> CheckCallbackNames(std::string_view text, const std::string& file);
 
-/// The text of a script with comments and texts blanked, so that places stay.
+/// Returns the script with comments and strings replaced by blanks, so that positions stay the same.
 std::string BlankedCode(std::string_view text);
 
 }  // namespace soarbox::script

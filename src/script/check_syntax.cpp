@@ -14,7 +14,7 @@ std::optional<Diagnostic> CheckSyntax(std::string_view text, const std::string& 
     problem.message = "there is no memory to check this script";
     return problem;
   }
-  // Text only: a compiled chunk is none that anybody wrote. Nothing of it runs.
+  // Text only: a compiled chunk is not a script. The chunk is not run.
   if (luaL_loadbufferx(state.get(), text.data(), text.size(), "=script", "t") == 0) return std::nullopt;
   const char* message = lua_tostring(state.get(), -1);
   std::string words = message != nullptr ? message : "this does not compile";

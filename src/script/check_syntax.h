@@ -9,7 +9,7 @@
 
 namespace soarbox::script {
 
-/// What keeps a script from compiling, with its line; nothing if it compiles. Runs nothing.
+/// Returns the compile error of a script with its line; nothing if it compiles. Does not run the script.
 std::optional<Diagnostic> CheckSyntax(std::string_view text, const std::string& file);
 
 }  // namespace soarbox::script

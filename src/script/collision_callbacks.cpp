@@ -63,7 +63,7 @@ void CollisionCallbacks::Deliver(std::span<const world::Collision> collisions,
   const auto call = [&](const world::Collision& collision) {
     const auto it = callbacks_.find(collision.a);
     if (it == callbacks_.end()) return;
-    // A callback may register more of them: those hear of the next collision.
+    // A callback may register further callbacks; these receive the next collision.
     const std::vector<Callback> callbacks = it->second;
     for (const Callback& callback : callbacks) {
       if (!may_run(*callback.machine)) continue;

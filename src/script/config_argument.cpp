@@ -12,7 +12,7 @@
 namespace soarbox::script {
 namespace {
 
-/// The value on top of the stack. Raises without any C++ object of the caller's that would be skipped.
+/// Reads the value on top of the stack. May raise; the caller must not have C++ objects with destructors at that time.
 void Take(lua_State* state, int index, const ConfigKey& key) {
   if (key.truth) {
     *key.truth = lua_toboolean(state, -1) != 0;
@@ -32,7 +32,7 @@ void Take(lua_State* state, int index, const ConfigKey& key) {
 }
 
 void WarnOfKey(lua_State* state, std::initializer_list<ConfigKey> keys) {
-  // A copy: lua_tostring would turn the key itself into a string, which lua_next could not go on from.
+  // A copy: lua_tostring would convert the key itself to a string, which breaks lua_next.
   const std::string name = lua_type(state, -2) == LUA_TSTRING ? lua_tostring(state, -2) : luaL_typename(state, -2);
   std::vector<std::string_view> known;
   for (const ConfigKey& key : keys) known.emplace_back(key.name);

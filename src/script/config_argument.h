@@ -11,7 +11,7 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// One key of a table of settings, and where its value goes; the others are null.
+/// A key of a table of settings, and the variable for its value; the other pointers are null.
 struct ConfigKey {
   const char* name;
   float* number = nullptr;
@@ -19,14 +19,14 @@ struct ConfigKey {
   bool* truth = nullptr;
 };
 
-/// Reads the table at `index`, if there is one: keys that it lacks leave their values alone. A value of a wrong type is
-/// a Lua error; a key that is not listed is ignored with a warning that names a near one.
+/// Reads the table at `index`, if there is one. Variables of missing keys are unchanged. A value of a wrong type is a
+/// Lua error. An unknown key is ignored with a warning that suggests a similar one.
 void ReadConfig(lua_State* state, int index, std::initializer_list<ConfigKey> keys);
 
-/// An array {red, green, blue, alpha}, 0 to 1 each; what is missing counts as 0.
+/// An array {red, green, blue, alpha}, 0 to 1 each; missing values are 0.
 world::Color ColorArgument(lua_State* state, int index);
 
-/// Raises the diagnostic as a Lua error at the script's line.
+/// Raises the diagnostic as a Lua error at the current line of the script.
 int RaiseDiagnostic(lua_State* state, const Diagnostic& error);
 
 }  // namespace soarbox::script

@@ -13,7 +13,7 @@ void WarnOfField(lua_State* state, const std::string& key, const char* what) {
   WarnAtCallerOnce(state, "the event's field '" + key.substr(0, 40) + "' is " + what + ", which no event carries", key);
 }
 
-/// Puts the value on top of the stack into the event if it can travel.
+/// Copies the value on top of the stack into the event if it can be copied between machines.
 void CopyField(lua_State* state, std::string key, ScriptEvent& event) {
   if (lua_isnumber(state, -1)) {
     event.fields[std::move(key)] = static_cast<float>(lua_tonumber(state, -1));
@@ -56,7 +56,7 @@ ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index) {
   while (lua_next(state, index) != 0) {
     const int key_type = lua_type(state, -2);
     if (key_type == LUA_TSTRING || key_type == LUA_TNUMBER) {
-      // A copy of the key is turned to text: changing the key itself would confuse lua_next.
+      // Converts a copy of the key to text: converting the key itself would break lua_next.
       lua_pushvalue(state, -2);
       std::string key = lua_tostring(state, -1);
       lua_pop(state, 1);
@@ -114,7 +114,7 @@ void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, 
   const std::vector<ScriptEvent> events = std::exchange(waiting_, {});
   waiting_bytes_ = 0;
   for (const ScriptEvent& event : events) {
-    // Callbacks may set and replace callbacks: walk the numbers, not the map's nodes.
+    // Callbacks may set and replace callbacks: iterate by number, not by the map's nodes.
     auto it = callbacks_.begin();
     while (it != callbacks_.end()) {
       const std::uint32_t number = it->first;

@@ -12,46 +12,47 @@
 
 namespace soarbox::script {
 
-/// One field of a custom event on its way between machines.
+/// A field of a custom event. It can be copied between machines.
 using EventValue = std::variant<float, bool, std::string, world::Vec3, Handle>;
 
-/// A custom event (spec 4.4): a type and the fields that can travel.
+/// A custom event (spec 4.4): a type and its fields.
 struct ScriptEvent {
   std::string type;
   std::map<std::string, EventValue> fields;
 };
 
-/// About how much memory an event takes.
+/// Approximate memory of an event in bytes.
 std::size_t SizeOf(const ScriptEvent& event);
 
-/// Copies what can travel of the table at `index`: keys that are strings or numbers; values that are numbers or numeric
-/// strings, booleans, strings, vectors, and handles of agents, objects and the sandbox.
+/// Copies the fields of the table at `index` that can be copied between machines: keys that are strings or numbers;
+/// values that are numbers or numeric strings, booleans, strings, vectors, and handles of agents, objects and the
+/// sandbox.
 ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index);
 /// Pushes a new table with the fields of the event.
 void PushEvent(lua_State* state, const ScriptEvent& event);
 
-/// Events that wait for the next step, and who wants to hear of them. Every callback hears of every event.
+/// Events that wait for the next step, and their callbacks. Every callback receives every event.
 class EventQueue {
  public:
-  /// What came of a callback of that machine: its error, or null.
+  /// Called after a callback of a machine: its error, or null.
   using OnResult = std::function<void(LuaMachine&, const ScriptError*)>;
 
   void Add(ScriptEvent event);
   std::size_t waiting() const { return waiting_.size(); }
-  /// About how much memory the waiting events take.
+  /// Approximate memory of the waiting events in bytes.
   std::size_t waiting_bytes() const { return waiting_bytes_; }
   std::size_t callbacks() const { return callbacks_.size(); }
 
-  /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces an earlier
-  /// one.
+  /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces the
+  /// previous one.
   void SetCallback(Handle target, LuaMachine& machine, int function);
   /// Drops the callback of an agent or object that is gone.
   void RemoveTarget(std::uint32_t number);
   /// Drops all callbacks that this machine keeps: it is about to go.
   void RemoveMachine(LuaMachine& machine);
 
-  /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending
-  /// number of their target. Events that are added meanwhile wait for the next step. `may_run` skips machines.
+  /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending number
+  /// of their target. Events that are added meanwhile wait for the next step. `may_run` excludes machines.
   void Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnResult& on_result);
 
  private:

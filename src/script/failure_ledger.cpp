@@ -14,7 +14,7 @@ void FailureLedger::Failed(world::EntityId agent, std::string_view callback, con
     Count& count = found->second;
     ++count.count;
     ++count.agents[agent];
-    // Told once: agents that have it in a later tick are counted for the end of the run.
+    // Reported once: agents in which it occurs in a later tick are counted for the end of the run.
     if (count.told == 0 || count.news) {
       count.news = true;
       ++count.told;

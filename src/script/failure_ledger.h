@@ -13,48 +13,48 @@
 
 namespace soarbox::script {
 
-/// What is reported about calls of scripts that failed.
+/// A report about failed calls of scripts.
 struct ScriptTrouble {
   enum class Kind : std::uint8_t {
-    kError,         ///< A call failed, in each of these agents; only this call is lost.
-    kKeepsFailing,  ///< The same callback of these agents keeps failing; it is still called, but no longer reported.
-    kWorksAgain,    ///< It kept failing until now.
+    kError,         ///< A call failed in each of these agents. Only this call is lost.
+    kKeepsFailing,  ///< The same callback of these agents keeps failing. It is still called, but no longer reported.
+    kWorksAgain,    ///< It kept failing, but the last call succeeded.
   };
   Kind kind = Kind::kError;
   std::vector<world::EntityId> agents;  ///< In ascending id; kSandbox for the sandbox's own scripts.
   std::string callback;                 ///< "Agent_Update", "event callback", ...
-  ScriptError error;                    ///< Of the first of them; not for kWorksAgain.
+  ScriptError error;                    ///< Of the first agent; not for kWorksAgain.
 };
 
-/// An error that was reported, and how often it has come since.
+/// A reported error with the number of its occurrences.
 struct ErrorCount {
   Diagnostic error;
   std::vector<world::EntityId> agents;
   std::uint64_t count = 0;
 };
 
-/// Counts the calls of scripts that failed, so that each error is reported once, with all agents that it came in,
-/// however many agents fail in however many ticks.
+/// Counts failed calls of scripts. Each error is reported once, with all agents in which it occurred, regardless of the
+/// number of agents and ticks.
 class FailureLedger {
  public:
-  /// A call failed.
+  /// Notes a failed call.
   void Failed(world::EntityId agent, std::string_view callback, const ScriptError& error);
-  /// A call ended well. Costs nothing while nothing is failing.
+  /// Notes a successful call. Costs nothing while no callback is failing.
   void Succeeded(world::EntityId agent, std::string_view callback) {
     if (!failing_.empty()) NoteSuccess(agent, callback);
   }
 
-  /// What there is to report since the last call, in the order in which it first happened.
+  /// Returns the reports since the last call, in the order of their first occurrence.
   std::vector<ScriptTrouble> TakeNews();
-  /// Errors that came more often than was reported: what the end of a run should say.
+  /// Returns errors that occurred more often than was reported, for the end of a run.
   std::vector<ErrorCount> Untold() const;
 
  private:
-  /// This many failures in a row make a callback one that keeps failing.
+  /// Number of consecutive failures after which a callback counts as one that keeps failing.
   static constexpr std::uint64_t kKeepsFailing = 3;
-  /// How often a callback that fails and recovers time after time is reported.
+  /// Maximum number of reports about a callback that repeatedly fails and recovers.
   static constexpr int kMostTold = 3;
-  /// Distinct errors that are remembered: error texts may hold numbers that change.
+  /// Maximum number of distinct errors that are remembered, because error texts may contain changing numbers.
   static constexpr std::size_t kMostErrors = 500;
 
   using Callback = std::pair<world::EntityId, std::string>;
@@ -65,20 +65,20 @@ class FailureLedger {
   struct Count {
     Diagnostic error;
     std::map<world::EntityId, std::uint64_t> agents;
-    std::uint64_t told = 0;  ///< Failures that some news covered.
+    std::uint64_t told = 0;  ///< Failures that were reported.
     std::uint64_t count = 0;
-    bool news = false;  ///< In the news that TakeNews will give: further agents join it.
+    bool news = false;  ///< TakeNews will report it: further agents are added to that report.
   };
 
   void NoteSuccess(world::EntityId agent, std::string_view callback);
-  /// Adds the agent to the news of this kind about this callback and error.
+  /// Adds the agent to the report of this kind about this callback and error.
   void AddNews(ScriptTrouble::Kind kind, world::EntityId agent, std::string_view callback, const ScriptError& error,
                const std::string& text);
 
   std::map<Callback, Failing> failing_;  ///< Callbacks whose last call failed.
-  std::map<Callback, int> times_told_;   ///< How often a callback was reported to keep failing.
+  std::map<Callback, int> times_told_;   ///< Number of reports that a callback keeps failing.
   std::map<std::string, Count, std::less<>> errors_;
-  std::vector<std::pair<std::string, ScriptTrouble>> news_;  ///< With the text of the error.
+  std::vector<std::pair<std::string, ScriptTrouble>> news_;  ///< With the error's text.
 };
 
 }  // namespace soarbox::script

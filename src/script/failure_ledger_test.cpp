@@ -24,7 +24,7 @@ TEST(FailureLedger, OneErrorOfSeveralAgentsIsOneNews) {
   ASSERT_EQ(news.size(), 2u);
   EXPECT_EQ(news[0].agents, (std::vector{EntityId{1}, EntityId{3}}));
   EXPECT_EQ(news[1].error.diagnostic.message, "b");
-  // Later it is counted only.
+  // Later it is only counted.
   ledger.Failed(EntityId{7}, "Agent_Update", Error("a"));
   EXPECT_TRUE(ledger.TakeNews().empty());
   ASSERT_EQ(ledger.Untold().size(), 1u);

@@ -10,11 +10,11 @@
 namespace soarbox::script {
 namespace {
 
-/// More of a game's words are not looked at.
+/// Maximum number of words of a game that are read.
 constexpr int kMostWords = 100;
 
-/// The words of the list on top of the stack. Like all here, it makes nothing in Lua, so that no error of Lua jumps
-/// over texts of ours.
+/// Returns the words of the list on top of the stack. Like all functions here, it creates nothing in Lua, so that no
+/// Lua error can skip destructors of our strings.
 std::vector<std::string> WordsOf(lua_State* state) {
   std::vector<std::string> words;
   for (int i = 1; lua_istable(state, -1) && i <= kMostWords; ++i) {

@@ -15,7 +15,7 @@
 
 namespace soarbox::script {
 
-/// Keeps what scripts print and what goes wrong in them.
+/// Records what scripts print and their failures.
 class Recorder final : public ScriptListener {
  public:
   void OnPrint(std::string_view, std::string_view text) override { prints.emplace_back(text); }
@@ -35,7 +35,7 @@ class Recorder final : public ScriptListener {
   std::vector<ErrorCount> counts;
 };
 
-/// A test double at the border to the simulation: minds that give a fixed command.
+/// A test double for the simulation: minds that give a fixed command.
 class FixedMinds final : public MindFactory {
  public:
   Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) override {
@@ -73,7 +73,7 @@ class HostTest : public testing::Test {
 
   void Write(const std::string& name, std::string_view text) { std::ofstream(folder_ / name) << text; }
 
-  /// A fresh world; runs the sandbox's main script and Sandbox_Initialize.
+  /// Creates a new world; runs the sandbox's main script and Sandbox_Initialize.
   void Start(std::string_view main = "Sandbox.lua", std::uint64_t seed = 1) {
     host_.reset();
     recorder_ = {};
@@ -91,7 +91,7 @@ class HostTest : public testing::Test {
     Start("Sandbox.lua", seed);
   }
 
-  /// One tick as the simulation sequences it.
+  /// Executes one tick in the order of the simulation.
   void Tick() {
     host_->BeginTick();
     host_->DeliverEvents();
@@ -117,7 +117,8 @@ class HostTest : public testing::Test {
     return it == commands_.end() ? "none" : it->second;
   }
 
-  /// What the text printed in the sandbox's (or an agent's) machine, lines joined by "|"; "error: ..." if it failed.
+  /// Runs a text in the sandbox's (or an agent's) machine and returns what it printed, lines joined by "|"; "error:
+  /// ..." if it failed.
   std::string Run(std::string_view text, world::EntityId who = world::EntityId::kSandbox) {
     recorder_.prints.clear();
     const auto error = host_->RunText(who, text);

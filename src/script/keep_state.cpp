@@ -13,10 +13,10 @@ namespace soarbox::script {
 namespace {
 
 constexpr std::string_view kMark = "\n--@reload\t";
-constexpr std::string_view kOldMark = "\n--@keep";  ///< In recordings made before files had their names in it.
+constexpr std::string_view kOldMark = "\n--@keep";  ///< Used by recordings that contain no file name.
 constexpr const char* kTable = "soarbox.kept";
-constexpr int kDeepest = 16;          ///< Functions and tables that functions and tables hold.
-constexpr std::size_t kMost = 10000;  ///< Functions and tables looked at.
+constexpr int kDeepest = 16;          ///< Maximum depth of nested functions and tables.
+constexpr std::size_t kMost = 10000;  ///< Maximum number of functions and tables that are visited.
 
 bool IsName(std::string_view word) {
   return !word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0 &&
@@ -24,8 +24,8 @@ bool IsName(std::string_view word) {
                      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
 
-/// Declarations at the beginning of a line, "local x = 3" and "x = {...", each up to the next line that begins at the
-/// margin with more than a closing bracket.
+/// Finds declarations at the beginning of a line, "local x = 3" and "x = {...". Each extends to the next line without
+/// indentation that contains more than a closing bracket.
 std::vector<std::pair<std::string, std::string>> Declarations(std::string_view text) {
   std::vector<std::pair<std::string, std::string>> found;
   std::string statement;
@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> Declarations(std::string_view t
   return found;
 }
 
-/// The names of a table's fields in their order, so that it does not matter how they are stored.
+/// Returns the names of a table's fields, sorted, so that their order in memory does not matter.
 std::vector<std::string> FieldNames(lua_State* state, int table) {
   std::vector<std::string> names;
   lua_pushnil(state);
@@ -77,8 +77,8 @@ void PushField(lua_State* state, int table, const std::string& name) {
   lua_rawget(state, table);
 }
 
-/// Calls visit(function at the top of the stack) for the functions of a script: those in globals, in the tables that
-/// globals hold, and in upvalues of such functions.
+/// Calls visit() with a function on top of the stack for each function of a script: those in globals, in tables in
+/// globals, and in upvalues of these functions.
 class Functions {
  public:
   Functions(lua_State* state, std::string_view script) : state_(state), script_(script) {}
@@ -98,7 +98,7 @@ class Functions {
     return source.ends_with(script_) || source.ends_with("console");
   }
 
-  /// The value at the top of the stack.
+  /// Visits the value on top of the stack.
   void Visit(const std::function<void()>& visit, int depth) {
     const bool is_table = lua_istable(state_, -1);
     const bool is_function = lua_isfunction(state_, -1) && lua_iscfunction(state_, -1) == 0;
@@ -133,8 +133,8 @@ class Functions {
   std::set<const void*> seen_;
 };
 
-/// Gives the functions of the table at `from` to the table at `to`, and fields that are new there. The same for tables
-/// that both hold under the same name.
+/// Copies the functions of the table at `from`, and its new fields, to the table at `to`. Does the same for tables that
+/// both contain under the same name.
 void TakeFunctions(lua_State* state, int to, int from, std::set<const void*>& seen, int depth = 0) {
   if (depth > kDeepest || lua_rawequal(state, to, from) != 0 || lua_checkstack(state, 8) == 0) return;
   if (seen.size() >= kMost || !seen.insert(lua_topointer(state, from)).second) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// The Lua library (media/scripts) by its tests in Lua (tests/lua).
+// Runs the tests of the Lua library (media/scripts) that are written in Lua (tests/lua).
 
 namespace soarbox::script {
 namespace {

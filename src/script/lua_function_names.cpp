@@ -14,7 +14,7 @@ std::string NameOfGlobalFunction(lua_State* state, const lua_Debug& call) {
   lua_pushnil(state);
   while (lua_next(state, LUA_GLOBALSINDEX) != 0) {
     if (lua_type(state, -2) == LUA_TSTRING && lua_rawequal(state, -1, function) != 0) {
-      // Of several names the first in order, whatever the order of the table.
+      // If there are several names, the first in alphabetical order, because the order of the table may differ.
       const std::string found = lua_tostring(state, -2);
       if (name.empty() || found < name) name = found;
     }

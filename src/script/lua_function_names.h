@@ -8,8 +8,8 @@ struct lua_Debug;
 
 namespace soarbox::script {
 
-/// The name of the global variable that holds the function of a call, else "the function at line 12". Lua names a
-/// function by the code that calls it, and the world calls functions by the names of global variables. Never raises.
+/// Returns the name of the global variable that contains the called function, else "the function at line 12". Lua names
+/// a function by the code that calls it, but the world calls functions by the names of global variables. Never raises.
 std::string NameOfGlobalFunction(lua_State* state, const lua_Debug& call);
 
 }  // namespace soarbox::script

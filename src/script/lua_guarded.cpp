@@ -20,17 +20,17 @@ NestedCall::NestedCall(lua_State* state) : machine_(LuaMachine::Of(state)) {
 
 namespace {
 
-/// Bytes or table slots that one instruction's time moves.
+/// Bytes or table slots moved in the time of one instruction.
 constexpr std::uint64_t kMovedPerInstruction = 32;
 
-/// Takes the price of work off the budget before it is done; an error if the budget does not reach.
+/// Charges the budget for work before it is done; raises an error if the budget is too small.
 void ChargeFor(lua_State* state, double work) {
   if (work <= 0) return;
   const std::uint64_t price = work < 1e18 ? static_cast<std::uint64_t>(work) : std::uint64_t{1} << 60;
   LuaMachine::Of(state).ChargeOrRaise(state, price);
 }
 
-/// Calls the built-in function (upvalue 1) with all arguments and returns all that it returns.
+/// Calls the built-in function (upvalue 1) with all arguments and returns all of its results.
 int CallBuiltIn(lua_State* state) {
   lua_pushvalue(state, lua_upvalueindex(1));
   lua_insert(state, 1);
@@ -43,7 +43,7 @@ int CallNested(lua_State* state) {
   return CallBuiltIn(state);
 }
 
-/// Bytes of all texts among the first `count` elements of the table at index 1. One element may be used many times.
+/// Total bytes of the strings among the first `count` elements of the table at index 1. A string may occur many times.
 double TextBytes(lua_State* state, std::uint64_t count) {
   double bytes = 0;
   for (std::uint64_t i = 1; i <= count; ++i) {
@@ -58,13 +58,13 @@ int Sort(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   const auto count = static_cast<std::uint64_t>(lua_objlen(state, 1));
   ChargeFor(state, static_cast<double>(count) * std::bit_width(count));
-  // Long texts are compared byte by byte.
+  // Long strings are compared byte by byte.
   ChargeFor(state, TextBytes(state, count) / kMovedPerInstruction * std::bit_width(count));
   return CallNested(state);
 }
 
-/// The price of moving all elements from a position to the end. Elements before the first do not lie in the array, and
-/// each of them is looked up.
+/// The price of moving all elements from a position to the end. Positions before the first element are not in the
+/// array, so each of them is looked up.
 double MovePrice(double size, double position) {
   constexpr double kPerLookUp = 8;
   const double first = std::max(position, 1.0);
@@ -90,14 +90,14 @@ int Remove(lua_State* state) {
   return CallBuiltIn(state);
 }
 
-/// For functions that look at a whole table.
+/// For functions that visit an entire table.
 int WalkTable(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   ChargeFor(state, static_cast<double>(lua_objlen(state, 1)) / 4);
   return CallNested(state);
 }
 
-/// table.concat: pays for the bytes that it copies, up to what the memory allows.
+/// table.concat: charges for the bytes that it copies, up to the memory limit.
 int Concat(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   const auto count = static_cast<std::uint64_t>(lua_objlen(state, 1));
@@ -109,7 +109,7 @@ int Concat(lua_State* state) {
   return CallNested(state);
 }
 
-/// table.maxn: looks at every element, also outside of the array.
+/// table.maxn: visits every element, also outside of the array part.
 int LargestNumber(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   constexpr std::uint64_t kPayEvery = 1024;
@@ -127,19 +127,19 @@ int Repeat(lua_State* state) {
   std::size_t length = 0;
   luaL_checklstring(state, 1, &length);
   const lua_Number count = luaL_checknumber(state, 2);
-  // A text of nothing is nothing however often: the built-in function would count that far.
+  // Repeating an empty string gives an empty string; the built-in function would still count up.
   if (length == 0 && lua_gettop(state) < 3) {
     lua_pushliteral(state, "");
     return 1;
   }
-  // What the memory does not allow costs no more than what it does: it fails at once.
+  // A result above the memory limit costs no more than one at the limit, because it fails at once.
   const double most = static_cast<double>(LuaMachine::Of(state).memory().limit_bytes());
   const std::size_t between = lua_type(state, 3) == LUA_TSTRING ? lua_objlen(state, 3) : 0;
   ChargeFor(state, std::min(static_cast<double>(length + between + 1) * count, most) / kMovedPerInstruction);
   return CallBuiltIn(state);
 }
 
-/// For functions that look at a whole text.
+/// For functions that read an entire string.
 int WalkText(lua_State* state) {
   std::size_t length = 0;
   luaL_checklstring(state, 1, &length);
@@ -147,7 +147,7 @@ int WalkText(lua_State* state) {
   return CallBuiltIn(state);
 }
 
-/// coroutine.wrap: what it returns is guarded too.
+/// coroutine.wrap: the returned function is guarded too.
 int Wrap(lua_State* state) {
   lua_pushvalue(state, lua_upvalueindex(1));
   lua_insert(state, 1);

@@ -20,7 +20,7 @@ std::string Quoted(std::string_view text) {
   return end == std::string_view::npos ? std::string() : std::string(text.substr(begin + 1, end - begin - 1));
 }
 
-/// A script that does not compile.
+/// For a script that does not compile.
 std::string HintForSyntax(std::string_view message, std::string_view line) {
   constexpr std::pair<std::string_view, std::string_view> kForms[] = {
       {"!=", "not equal is written ~="},
@@ -51,7 +51,7 @@ std::string HintForSyntax(std::string_view message, std::string_view line) {
   return {};
 }
 
-/// Something that is nil.
+/// For a value that is nil.
 std::string HintForNil(std::string_view message, std::string_view line) {
   const std::string name = Quoted(message);
   if (name.empty()) return {};

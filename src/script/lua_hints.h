@@ -6,9 +6,9 @@
 
 namespace soarbox::script {
 
-/// What to do about an error of Lua: `message` without its place, `line` the text of the line that it is about. Knows
-/// forms of other languages, names without a value, and functions that the sandbox does not have. Empty if it knows
-/// nothing.
+/// Returns advice about a Lua error: `message` without its place, `line` is the text of the line of the error.
+/// Recognises syntax of other languages, names without a value, and functions that the sandbox does not have. Empty if
+/// there is no advice.
 std::string HintForLua(std::string_view message, std::string_view line);
 
 }  // namespace soarbox::script

@@ -37,7 +37,7 @@ int Print(lua_State* state) {
   return 0;
 }
 
-/// Lua 5.1's rule: limits are cut to whole numbers first, so that random(5.95, 8.05) draws from 5 to 8.
+/// Lua 5.1's rule: limits are truncated to integers first, so random(5.95, 8.05) returns 5 to 8.
 int Random(lua_State* state) {
   const int count = lua_gettop(state);
   if (count > 2) return luaL_error(state, "wrong number of arguments");
@@ -60,7 +60,7 @@ int RandomSeed(lua_State* state) {
   return 0;
 }
 
-/// load and loadstring for source text only: bytecode could crash the machine.
+/// load and loadstring for source text only, because bytecode could crash the machine.
 int LoadText(lua_State* state) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(state, 1, &length);
@@ -105,14 +105,14 @@ int CollectGarbage(lua_State* state) {
   return 1;
 }
 
-/// Ends the loading of a module however that ends: Lua's errors run destructors.
+/// Ends the loading of a module in every case: Lua's errors run destructors.
 struct LoadingMark {
   LuaMachine& machine;
   const std::string& module;
   ~LoadingMark() { machine.EndLoading(module); }
 };
 
-/// require(name): runs <name>.lua of the search path once per machine. Returns nothing, as in the sandbox.
+/// require(name): runs <name>.lua of the search path once per machine. Returns nothing, as in the original sandbox.
 int Require(lua_State* state) {
   if (lua_gettop(state) != 1) return 0;
   const std::string name = luaL_checkstring(state, 1);
@@ -140,11 +140,11 @@ int Require(lua_State* state) {
   return 0;
 }
 
-/// debug.traceback([message]): the calls that led here, innermost first. Nothing else of Lua's debug library is there.
+/// debug.traceback([message]): the current calls, innermost first. The rest of Lua's debug library is missing.
 int DebugTraceback(lua_State* state) {
   const NestedCall nested(state);
   const bool has_message = !lua_isnoneornil(state, 1);
-  if (has_message && !lua_isstring(state, 1)) {  // As in Lua: an error object that is no text stays what it is.
+  if (has_message && !lua_isstring(state, 1)) {  // As in Lua, an error object that is no string is returned unchanged.
     lua_settop(state, 1);
     return 1;
   }
@@ -156,9 +156,9 @@ int DebugTraceback(lua_State* state) {
   return 1;
 }
 
-/// xpcall whose handler runs after the failed call is unwound. The built-in one runs it in the middle, where
-/// instructions are not counted: a handler could loop for ever. Scripts see no difference, as they have no debug
-/// library.
+/// xpcall that runs its handler after the failed call is unwound. The built-in one runs it during the failed call,
+/// where instructions are not counted, so a handler could loop forever. Scripts cannot see the difference, because they
+/// have no debug library.
 constexpr std::string_view kXpcall = R"(
 local pcall = pcall
 local function finish(handler, ok, ...)
@@ -216,7 +216,7 @@ void InstallLibrary(lua_State* state) {
   lua_setfield(state, -2, "randomseed");
   lua_pop(state, 1);
 
-  // package has nothing but the list of what is loaded.
+  // package only contains the list of loaded modules.
   lua_newtable(state);
   lua_getfield(state, LUA_REGISTRYINDEX, "_LOADED");
   lua_setfield(state, -2, "loaded");

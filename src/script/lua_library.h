@@ -9,15 +9,14 @@ namespace soarbox::script {
 
 struct ScriptSource;
 
-/// Opens the standard library as scripts may have it: the language's own functions, table, string, math, bit and
-/// coroutine, and what is harmless of os, without files, processes, bytecode or a view into the machine, with `require`
-/// and `print` of our own.
-/// Call inside a protected call.
+/// Opens the part of the standard library that scripts may use: the base functions, table, string, math, bit,
+/// coroutine, and harmless parts of os; with our own `require` and `print`. Files, processes, bytecode and access to
+/// the machine are left out. Call it inside a protected call.
 void InstallLibrary(lua_State* state);
 
-/// Compiles and runs a text; raises its errors. Messages name `name` as the file.
+/// Compiles and runs a text; raises its errors. Messages use `name` as the file name.
 void RunChunk(lua_State* state, std::string_view text, std::string_view name);
-/// The same for a file. It is parsed once in a run: other machines reuse the first one's result.
+/// The same for a file. It is parsed once in a run; other machines reuse the result.
 void RunSource(lua_State* state, const ScriptSource& source, std::string_view name);
 
 /// Enters the table on top of the stack into package.loaded, so that `require` of it does nothing.

@@ -16,15 +16,15 @@ namespace soarbox::script {
 namespace {
 
 constexpr std::uint64_t kCountInterval = 1000;
-/// So many bytes are cleared or copied in the time of one instruction.
+/// Bytes cleared or copied in the time of one instruction.
 constexpr std::size_t kBytesPerInstruction = 64;
-/// A call costs this much even if it does nothing.
+/// Minimum cost of a call.
 constexpr std::uint64_t kCallPrice = 100;
-/// A machine grows by this much at least before its garbage is collected.
+/// Minimum growth of a machine before its garbage is collected.
 constexpr std::size_t kLeastGrowth_bytes = std::size_t{32} << 10;
-/// Looking through so many bytes takes the time of one instruction.
+/// Bytes that a collection visits in the time of one instruction.
 constexpr std::size_t kCollectedBytesPerInstruction = 4;
-/// Of the processor's cache.
+/// Size of a line of the processor's cache.
 constexpr std::size_t kLine_bytes = 64;
 
 std::atomic<bool> interrupted{false};
@@ -41,7 +41,7 @@ LuaMachine::LuaMachine(MachineSetup setup)
   state_ = lua_newstate(Allocate, this);
   if (!state_) return;
   luaJIT_setmode(state_, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
-  // Everything below may run out of memory, so it runs protected; without these two kept functions nothing can run.
+  // Everything below may run out of memory, so it runs protected. Nothing can run without these two functions.
   const int status = lua_cpcall(
       state_,
       [](lua_State* state) {
@@ -69,7 +69,7 @@ LuaMachine::~LuaMachine() {
 }
 
 void LuaMachine::FetchSelf() const {
-  // All but the free lists of large blocks, which are seldom used.
+  // Everything except the free lists of large blocks, which are seldom used.
   const auto* begin = reinterpret_cast<const std::byte*>(this);
   const auto* end = begin + sizeof *this;
   for (const auto* line = begin; line < begin + 6 * kLine_bytes; line += kLine_bytes) __builtin_prefetch(line);
@@ -78,7 +78,7 @@ void LuaMachine::FetchSelf() const {
 }
 
 void LuaMachine::FetchState() const {
-  // The state, and behind it what all coroutines of a machine share.
+  // The state, followed by the data that all coroutines of a machine share.
   const auto* begin = reinterpret_cast<const std::byte*>(state_);
   for (std::size_t line = 0; line < 14; ++line) __builtin_prefetch(begin + line * kLine_bytes);
   if (!names_.empty()) __builtin_prefetch(names_.data());
@@ -100,16 +100,16 @@ void LuaMachine::CollectGarbage() {
   memory_.BeginCollection();
   lua_gc(state_, LUA_GCCOLLECT, 0);
   memory_.EndCollection();
-  // A collection starts Lua's own collector again.
+  // A collection restarts Lua's own collector.
   lua_gc(state_, LUA_GCSTOP, 0);
-  // Whoever collects what was due, it is due no more: instructions are counted as before.
+  // The pending collection is done: instructions are counted as before.
   if (collection_due_) SetHook(state_, instructions_left_ > 0 ? kCountInterval : 1);
   SetCollectionPoint();
 }
 
 void LuaMachine::SetCollectionPoint() {
-  // Near the limit it comes sooner: what is garbage should not make a script fail. Growing by as much as there is pays
-  // for looking through it; growing by less does not.
+  // Near the limit the next collection comes sooner, so that a script does not fail because of garbage. Growth pays for
+  // visiting as many bytes; the rest of a collection is charged.
   const std::size_t used = memory_.used_bytes();
   const std::size_t room = memory_.limit_bytes() - std::min(used, memory_.limit_bytes());
   const std::size_t growth = std::max(std::min(used, room / 2), kLeastGrowth_bytes);
@@ -186,7 +186,7 @@ ScriptError LuaMachine::TakeError(int status) {
                   std::to_string(setup_.world->other_bytes() >> 20) + " MB; --memory gives it more"
             : "the script needs more than its limit of " + std::to_string(memory_.limit_bytes() >> 10) +
                   " KB of memory";
-    // What the script held is garbage now; without this the next call would fail at once.
+    // The data of the failed call are garbage now; without a collection the next call would fail at once.
     CollectGarbage();
     memory_.ReleaseFreeChunks();
   } else if (!error) {
@@ -215,12 +215,12 @@ void LuaMachine::UpdateHooks() {
   const int wanted = setup_.observer == nullptr ? 0 : MaskOf(setup_.observer->WantsOf(*this));
   if (wanted == observed_events_) return;
   observed_events_ = wanted;
-  // Between two calls nothing runs: the next one sets the hook.
+  // Nothing runs between two calls: the next call sets the hook.
   if (depth_ > 0) SetHookAgain();
 }
 
 void LuaMachine::SetHookAgain() {
-  // It begins to count anew. What was counted since the last time is not known; a script must not win by it.
+  // The count restarts. The count since the last hook is not known, and a script must not gain by this.
   Charge(kCountInterval);
   SetHook(state_, instructions_left_ > 0 && !collection_due_ ? kCountInterval : 1);
 }
@@ -252,7 +252,7 @@ void LuaMachine::OnHook(lua_State* state, lua_Debug* frame) {
 
 void LuaMachine::OnCount(lua_State* state) {
   if (collection_due_) {
-    // What was counted since the last time is not known; half of it is as likely as not.
+    // The count since the last hook is not known; charge half an interval, the expected value.
     Charge(kCountInterval / 2 + collection_price_);
     CollectGarbage();
   }
@@ -265,7 +265,7 @@ void LuaMachine::OnCount(lua_State* state) {
 
 void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   instructions_left_ = 0;
-  // From here on each instruction fails, so that a script cannot catch the error with pcall and go on.
+  // From here on every instruction fails, so that a script cannot catch the error with pcall and continue.
   lua_sethook(state, OnHook, LUA_MASKCOUNT, 1);
   if (interrupted.load(std::memory_order_relaxed)) {
     lua_pushliteral(state, "the run is being ended");
@@ -315,7 +315,7 @@ int LuaMachine::OnError(lua_State* state) {
 }
 
 bool LuaMachine::PushGlobalFunction(lua_State* state, const char* name) {
-  // The same few names, again and again: their texts are kept, so that they need not be looked for among all texts.
+  // A few names are used repeatedly: their strings are kept, so that they need not be interned each time.
   auto known = std::find_if(names_.begin(), names_.end(), [&](const auto& entry) { return entry.first == name; });
   if (known == names_.end()) {
     lua_pushstring(state, name);

@@ -26,33 +26,34 @@ class ScriptObserver;
 class ScriptPath;
 struct ScriptContext;
 
-/// What a machine may use up.
+/// Limits of a machine.
 struct MachineLimits {
   std::size_t memory_bytes = std::size_t{64} << 20;
-  /// Virtual-machine instructions per call from outside (one Agent_Update, one chunk, ...). A script that uses more is
-  /// stopped with an error. Counted, not timed, so that a run ends the same way on a slow computer.
+  /// Virtual-machine instructions per call from outside (one Agent_Update, one chunk, ...). A script that exceeds them
+  /// is stopped with an error. Instructions are counted, not timed, so that a run ends in the same way on a slow
+  /// computer.
   std::uint64_t instructions = 50'000'000;
 };
 
-/// The numbers behind math.random in one machine.
+/// The random numbers of math.random in one machine.
 class RandomSource {
  public:
   virtual ~RandomSource() = default;
   /// [0, 1)
   virtual double Unit() = 0;
-  /// Restarts the stream at a place that the number and the run's seed decide.
+  /// Restarts the stream at a position that the number and the run's seed determine.
   virtual void Reseed(std::int64_t number) = 0;
 };
 
-/// Where print goes.
+/// Receives the output of print.
 class PrintSink {
  public:
   virtual ~PrintSink() = default;
-  /// `script`: the main script of the machine that prints.
+  /// `script` is the main script of the machine that prints.
   virtual void OnPrint(std::string_view script, std::string_view text) = 0;
 };
 
-/// What a machine is made with. All that is pointed to must outlive it.
+/// The settings of a machine. All objects that it points to must outlive the machine.
 struct MachineSetup {
   std::string script;       ///< Its main script's file name, for messages.
   std::uint32_t owner = 0;  ///< Number of the agent that it belongs to; 0: the sandbox.
@@ -60,24 +61,24 @@ struct MachineSetup {
   ScriptPath* path = nullptr;  ///< For chunks and require.
   RandomSource* random = nullptr;
   PrintSink* print = nullptr;
-  WorldBudget* world = nullptr;        ///< What all machines may use together; null: no bound.
-  ScriptContext* context = nullptr;    ///< What the bindings of the sandbox's API work on; null for bare machines.
-  ScriptObserver* observer = nullptr;  ///< Follows what the machine executes; null: nobody does.
+  WorldBudget* world = nullptr;        ///< What all machines may use together; null: no limit.
+  ScriptContext* context = nullptr;    ///< The context of the sandbox's API; null for machines without the API.
+  ScriptObserver* observer = nullptr;  ///< Observes what the machine executes; null: none.
 };
 
-/// One Lua machine: LuaJIT with the language of Lua 5.1, its standard library without what reaches outside (io,
-/// most of os, debug, ffi, bytecode), stable iteration order, seeded random numbers and limits on memory and
-/// instructions.
+/// One Lua machine: LuaJIT with the language of Lua 5.1 and limits on memory and instructions. It has a stable
+/// iteration order and seeded random numbers. The parts of the standard library that reach outside are missing: io,
+/// most of os, debug, ffi, bytecode.
 ///
-/// The just-in-time compiler stays off: compiled loops do not pass the instruction count, so an endless loop could not
-/// be stopped, and what gets compiled depends on more than the script. The interpreter alone is deterministic.
+/// The just-in-time compiler is off. Compiled loops do not count instructions, so an endless loop could not be stopped,
+/// and what is compiled does not depend only on the script. The interpreter alone is deterministic.
 ///
-/// Garbage collection is deterministic as well, because the machine decides when: all of it at once, at the first
-/// instruction after the memory has doubled since the last time. Lua's own collector works in small steps, in the order
-/// of a hash that differs from process to process; what a script holds at some moment, and when it reaches a limit,
-/// would then differ, too.
+/// Garbage collection is deterministic as well, because the machine decides when it runs: completely, at the first
+/// instruction after the memory has doubled since the last collection. Lua's own collector works in small steps in the
+/// order of a hash that differs from process to process. Then the memory of a script at a given moment, and the moment
+/// at which it reaches a limit, would differ too.
 ///
-/// All that runs Lua goes through a protected call; errors come back as values. One thread at a time.
+/// All Lua code runs in protected calls, which return errors as values. Use it on one thread at a time.
 class LuaMachine {
  public:
   explicit LuaMachine(MachineSetup setup);
@@ -85,12 +86,12 @@ class LuaMachine {
   LuaMachine(const LuaMachine&) = delete;
   LuaMachine& operator=(const LuaMachine&) = delete;
 
-  /// Asks the processor for the memory that a call begins with: first its own, then that of its Lua state. Others of a
-  /// crowd have their turn between these two and the call, so nobody waits for the memory.
+  /// Prefetches the memory that a call uses first: that of this object, then that of its Lua state. Other machines of a
+  /// crowd are called between these two and the call, so the call does not wait for memory.
   void FetchSelf() const;
   void FetchState() const;
 
-  /// The machine that a Lua state belongs to.
+  /// Returns the machine of a Lua state.
   static LuaMachine& Of(lua_State* state);
 
   /// Loads and runs a script file of the search path.
@@ -106,8 +107,8 @@ class LuaMachine {
                         const_cast<void*>(static_cast<const void*>(&body)));
   }
 
-  /// Calls the global function of this name (a literal) with the arguments that push(lua_State*) pushes and counts.
-  /// Nothing happens if there is no such function; `called`, if given, says whether there is.
+  /// Calls the global function `name` (a literal) with arguments. `push(lua_State*)` pushes the arguments and returns
+  /// their number. Does nothing if there is no such function; `called`, if given, says whether it exists.
   template <class Push>
   std::optional<ScriptError> CallGlobal(const char* name, Push&& push, bool* called = nullptr) {
     return Protected([&](lua_State* state) {
@@ -117,8 +118,8 @@ class LuaMachine {
     });
   }
 
-  /// The same; read(lua_State*) then finds so many results on top of the stack. It is not called if there is no such
-  /// function.
+  /// The same with results: `read(lua_State*)` finds `results` values on top of the stack. It is not called if there is
+  /// no such function.
   template <class Push, class Read>
   std::optional<ScriptError> AskGlobal(const char* name, int results, Push&& push, Read&& read) {
     return Protected([&](lua_State* state) {
@@ -128,7 +129,7 @@ class LuaMachine {
     });
   }
 
-  /// Calls a function that was kept with Keep.
+  /// Calls a function that Keep() has kept.
   template <class Push>
   std::optional<ScriptError> CallKept(int reference, Push&& push) {
     return Protected([&](lua_State* state) {
@@ -136,29 +137,29 @@ class LuaMachine {
       Call(state, push(state));
     });
   }
-  /// Keeps the value at `index` alive; inside a protected call only.
+  /// Keeps the value at `index` alive; only inside a protected call.
   int Keep(int index);
   void Release(int reference);
   static void PushKept(lua_State* state, int reference);
 
-  /// Takes instructions off the budget of the present call, for work done on a script's behalf.
+  /// Charges the budget of the current call for work done on a script's behalf.
   void Charge(std::uint64_t instructions) {
     instructions_left_ -= instructions < instructions_left_ ? instructions : instructions_left_;
   }
-  /// The same, but ends the call at once if nothing is left: for work that takes long by itself.
+  /// The same, but ends the call at once if nothing is left. For work that takes long by itself.
   void ChargeOrRaise(lua_State* state, std::uint64_t instructions) {
     Charge(instructions);
     if (instructions_left_ == 0) RaiseOutOfBudget(state);
   }
   std::uint64_t instructions_left() const { return instructions_left_; }
-  /// Raises the Lua error that ends a call whose budget is used up.
+  /// Raises the Lua error that ends a call without budget.
   void RaiseOutOfBudget(lua_State* state);
 
-  /// Frees what nothing refers to.
+  /// Frees everything that is not referenced.
   void CollectGarbage();
 
-  /// While one lives, built-in functions may be called from a hook of Lua, where no instructions are counted: the
-  /// budget of the present call is left as it was, and they use at most `instructions` of their own.
+  /// While such an object exists, built-in functions may be called from a Lua hook, where instructions are not counted.
+  /// The budget of the current call is not changed; these functions use at most `instructions` of their own.
   class OwnBudget {
    public:
     OwnBudget(LuaMachine& machine, std::uint64_t instructions);
@@ -171,18 +172,18 @@ class LuaMachine {
     std::uint64_t left_, armed_;
   };
 
-  /// Makes each call that is under way or begins later, in each machine, end with an error as soon as it can, because
-  /// the process is about to end. You may call it from a signal handler.
+  /// Makes all current and later calls in all machines end with an error as soon as possible, because the process is
+  /// about to end. May be called from a signal handler.
   static void InterruptAll();
   static bool Interrupted();
 
-  /// Marks a module as being run by require; false if it is already.
+  /// Marks a module as being loaded by require; false if it already is.
   bool BeginLoading(const std::string& module) { return loading_.insert(module).second; }
   void EndLoading(const std::string& module) { loading_.erase(module); }
 
-  /// Notes that a file of the search path runs in this machine.
+  /// Notes that this machine runs a file of the search path.
   void NoteFile(std::string_view name);
-  /// The files that were run in it, in the order of their first run: the main script and what it loads with require.
+  /// The files that it has run, in the order of their first run: the main script and those loaded with require.
   const std::vector<std::string>& files() const { return files_; }
 
   const std::string& script() const { return setup_.script; }
@@ -193,7 +194,7 @@ class LuaMachine {
   PrintSink& print() const { return *setup_.print; }
   WorldBudget* world() const { return setup_.world; }
 
-  /// References that the values of the sandbox's API keep (lua_values.cpp): looking up a number is faster than a name.
+  /// References to values of the sandbox's API (lua_values.cpp): looking up a number is faster than looking up a name.
   struct ValueReferences {
     std::array<int, 7> metatables{};  ///< By ValueKind.
     int agent_handles = 0;
@@ -222,7 +223,7 @@ class LuaMachine {
   static int OnError(lua_State* state);
   void SetHook(lua_State* state, int count) const;
   ScriptObserver* observer() const { return setup_.observer; }
-  /// Asks the observer again what it wants.
+  /// Asks the observer again which events it wants.
   void UpdateHooks();
   void SetHookAgain();
   static void OnHook(lua_State* state, lua_Debug* frame);
@@ -231,23 +232,24 @@ class LuaMachine {
   MachineSetup setup_;
   ScriptMemory memory_;
   lua_State* state_ = nullptr;
-  int run_body_ = 0;  // Kept functions, so that a call needs no memory before it is protected.
+  int run_body_ = 0;  // References to functions, so that a call needs no memory before it is protected.
   int on_error_ = 0;
-  std::vector<std::pair<const char*, int>> names_;  // Of functions called from outside, and where their texts are kept.
-  int nested_calls_ = 0;                            // See NestedCall.
-  int depth_ = 0;                                   // Of protected calls within each other.
-  int observed_events_ = 0;                         // LUA_MASKLINE and others that the observer wants.
-  /// File and line of a call of the API that did nothing and returned nil: an error that follows may come from that. 0:
-  /// there was none in the present call.
+  std::vector<std::pair<const char*, int>>
+      names_;                // Names of functions called from outside, with references to their strings.
+  int nested_calls_ = 0;     // See NestedCall.
+  int depth_ = 0;            // Of nested protected calls.
+  int observed_events_ = 0;  // LUA_MASKLINE and others that the observer wants.
+  /// File and line of an ignored API call that returned nil: it may be the cause of a later error. 0: there was none in
+  /// the current call.
   std::pair<std::string, int> ignored_;
   std::set<std::string> loading_;
   std::vector<std::string> files_;
   std::uint64_t instructions_left_ = 0;
-  std::uint64_t armed_ = 0;             // What the present call began with.
-  std::size_t collect_at_bytes_ = 0;    // The next collection is due when this much is used; 0: not yet.
+  std::uint64_t armed_ = 0;             // The budget at the start of the current call.
+  std::size_t collect_at_bytes_ = 0;    // Used memory at which the next collection is due; 0: not set yet.
   std::uint64_t collection_price_ = 0;  // In instructions.
-  bool collection_due_ = false;         // The next instruction begins with it.
-  bool world_bound_ = false;            // The world's budget allowed it less than its own.
+  bool collection_due_ = false;         // It runs at the next instruction.
+  bool world_bound_ = false;            // The world's budget allowed less than its own limit.
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;
   std::optional<ScriptError> error_;  // From the message handler.

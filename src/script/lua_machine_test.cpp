@@ -30,7 +30,7 @@ class Lines final : public PrintSink {
   std::vector<std::string> lines;
 };
 
-/// A machine over a folder of its own, and what it printed.
+/// A machine with its own folder, and its output.
 class MachineTest : public testing::Test {
  protected:
   MachineTest() {
@@ -57,7 +57,7 @@ class MachineTest : public testing::Test {
   }
   void Write(const std::string& name, std::string_view text) { std::ofstream(folder_ / name) << text; }
 
-  /// What the script printed, lines joined by "|"; "error: ..." if it failed.
+  /// Returns the output, lines joined by "|"; "error: ..." if the script failed.
   std::string Run(std::string_view text) {
     lines_.lines.clear();
     const auto error = machine_->RunText(text, "test.lua");
@@ -239,8 +239,8 @@ TEST_F(MachineTest, StopsEndlessLoopsAtTheSameInstructionEachTime) {
 }
 
 TEST_F(MachineTest, EachFunctionOfTheLibraryPaysForItsWorstCase) {
-  // A budget of 2 million instructions ends each loop after so many calls at most: a call is never much cheaper than
-  // the work that it does.
+  // A budget of 2 million instructions ends each loop after at most this number of calls: the price of a call is never
+  // much below its work.
   struct Case {
     const char *prepare, *call;
     int most_calls;
@@ -342,7 +342,7 @@ TEST_F(MachineTest, AFileIsParsedOnceForAllMachinesAndKeepsItsLines) {
     if (machine == 0) compiled = source.compiled;
     EXPECT_EQ(source.compiled, compiled);
     EXPECT_FALSE(compiled.empty());
-    // Each machine has variables of its own, and errors tell the place in the file.
+    // Each machine has its own variables, and errors name the place in the file.
     EXPECT_EQ(Run("print(Next(), Next(), keys.a + keys.b, keys[3])"), "1\t2\t3\tc");
     const auto error = machine_->RunText("Next()", "test.lua");
     ASSERT_TRUE(error);
@@ -352,7 +352,7 @@ TEST_F(MachineTest, AFileIsParsedOnceForAllMachinesAndKeepsItsLines) {
   }
 }
 
-// Each machine hashes texts in its own way, as each process does.
+// Each machine hashes strings differently, as each process does.
 TEST_F(MachineTest, GarbageGoesAtTheSameInstructionInEachMachine) {
   constexpr std::string_view kScript = R"lua(
     local weak = setmetatable({}, {__mode = "v"})
@@ -392,7 +392,7 @@ TEST_F(MachineTest, GarbageDoesNotMakeAScriptReachItsLimit) {
   MachineLimits limits;
   limits.memory_bytes = std::size_t{4} << 20;
   Start(limits);
-  // Two megabytes stay, and a hundred go.
+  // Two megabytes are kept, and a hundred are freed.
   EXPECT_EQ(Run(R"lua(
     local kept, length = {}, 0
     for i = 1, 2000 do kept[i] = string.rep("k", 1000) .. i end

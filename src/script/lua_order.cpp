@@ -13,10 +13,10 @@
 namespace soarbox::script {
 namespace {
 
-/// Ranking a key takes so many instructions' time.
+/// Cost of ranking a key, in instructions.
 constexpr std::uint64_t kPricePerKey = 8;
 
-/// What decides a key's place. Text points into a string that the table keeps alive.
+/// The sort key of a table's key. Text points into a string that the table keeps alive.
 struct KeyRank {
   int group = 0;  // 0 numbers, 1 strings, 2 booleans, 3 objects.
   double number = 0;
@@ -56,7 +56,7 @@ KeyRank RankOf(lua_State* state, int index) {
   return rank;
 }
 
-/// next(table [, key]): the smallest key above the given one. Looks at the whole table each time; `pairs` does not.
+/// next(table [, key]): the smallest key above the given one. Visits the entire table each time; `pairs` does not.
 int Next(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_settop(state, 2);
@@ -88,7 +88,7 @@ int Next(lua_State* state) {
   return found ? 2 : 1;
 }
 
-/// The step of a pairs loop. Upvalues: the ordered keys, how many were visited. Argument 1: the table.
+/// The step of a pairs loop. Upvalues: the ordered keys, the number of visited keys. Argument 1: the table.
 int NextOfPairs(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   int visited = static_cast<int>(lua_tointeger(state, lua_upvalueindex(2)));
@@ -154,7 +154,7 @@ void PushOrderedKeys(lua_State* state, int index) {
   if (index < 0) index = lua_gettop(state) + index + 1;
   luaL_checkstack(state, 8, "too many nested calls");
   int count = 0;
-  bool is_array = true;  // Already 1, 2, 3, ... as it comes: the common case, which needs no sorting.
+  bool is_array = true;  // The keys already come in the order 1, 2, 3, ...: the common case, which needs no sorting.
   lua_newtable(state);
   const int keys = lua_gettop(state);
   lua_pushnil(state);

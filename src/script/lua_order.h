@@ -5,16 +5,16 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// Replaces pairs, next and table.foreach in a machine, so that tables are visited in an order that depends on their
-/// contents alone: numbers ascending, then strings by their bytes, then false and true, then other objects in the
-/// order in which the machine made them. Lua's own order follows hashes that differ from process to process.
+/// Replaces pairs, next and table.foreach in a machine. Tables are then visited in an order that depends only on their
+/// contents: numbers ascending, then strings by their bytes, then false and true, then other objects in the order of
+/// their creation. Lua's own order depends on hashes that differ from process to process.
 ///
 /// `pairs` fixes the order when the loop begins; fields removed during the loop are skipped, new ones are not visited.
-/// Call inside a protected call.
+/// Call it inside a protected call.
 void InstallOrder(lua_State* state);
 
-/// Whether the table at `index` holds nothing but the keys 1 to `count`, in Lua's own order too: then it can be walked
-/// by number, without PushOrderedKeys.
+/// Whether the table at `index` contains exactly the keys 1 to `count`, in this order in Lua, too. Then it can be
+/// iterated by number, without PushOrderedKeys.
 bool IsPlainArray(lua_State* state, int index, int& count);
 
 /// Pushes an array of the keys of the table at `index`, in that order. May raise for lack of memory.

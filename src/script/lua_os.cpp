@@ -15,10 +15,10 @@ namespace {
 
 /// Midnight of 1 January 2000, UTC, in seconds since 1970.
 constexpr std::time_t kFirstMoment_s = 946'684'800;
-/// Further from 1970 no time is told: 30,000 years.
+/// Maximum distance from 1970: 30,000 years.
 constexpr double kMostSeconds = 1e12;
 
-/// The letters behind '%' that a date's format may have.
+/// The letters that are allowed after '%' in a date's format.
 constexpr std::string_view kConversions = "aAbBcdHIjmMpSUwWxXyYZ%";
 
 double SimulatedSeconds(lua_State* state) {
@@ -35,7 +35,7 @@ int Clock(lua_State* state) {
   return 1;
 }
 
-/// A field of the table given to os.time; `otherwise` if it is not there, an error if that is negative.
+/// A field of the table passed to os.time. If it is missing: `otherwise`, or an error if that is negative.
 int Field(lua_State* state, const char* name, int otherwise) {
   lua_getfield(state, 1, name);
   const bool is_number = lua_isnumber(state, -1) != 0;
@@ -91,7 +91,7 @@ int Date(lua_State* state) {
   const auto seconds = static_cast<std::time_t>(std::floor(asked));
   std::tm parts{};
   gmtime_r(&seconds, &parts);
-  // '!' asks for UTC, which is the only time there is here.
+  // '!' requests UTC, which is the only time zone here.
   if (!format.empty() && format[0] == '!') format.remove_prefix(1);
   if (format.substr(0, 2) == "*t") {
     PushParts(state, parts);

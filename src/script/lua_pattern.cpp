@@ -20,7 +20,8 @@ std::string_view TextAt(lua_State* state, int index) {
   return {text, length};
 }
 
-/// The first match from `start` on, or at `start` only; kNone if there is none. Raises the pattern's errors.
+/// Finds the first match from `start` on, or only at `start` if `anchored`; kNone if there is none. Raises the
+/// pattern's errors.
 std::size_t FindMatch(lua_State* state, TextPattern& pattern, std::size_t& start, std::size_t size, bool anchored) {
   LuaMachine& machine = LuaMachine::Of(state);
   const std::uint64_t before = pattern.steps();
@@ -45,7 +46,7 @@ void PushCapture(lua_State* state, const TextPattern& pattern, int index, std::s
   }
 }
 
-/// All captures, or the whole match if the pattern has none. Returns how many were pushed.
+/// Pushes all captures, or the entire match if the pattern has none. Returns the number of pushed values.
 int PushCaptures(lua_State* state, const TextPattern& pattern, std::string_view subject, std::size_t start,
                  std::size_t end) {
   if (pattern.capture_count() == 0) {
@@ -57,7 +58,7 @@ int PushCaptures(lua_State* state, const TextPattern& pattern, std::string_view 
   return pattern.capture_count();
 }
 
-/// Lua's place (from 1; from the end if negative) as an offset.
+/// Converts Lua's position (from 1; from the end if negative) to an offset.
 std::size_t OffsetArgument(lua_State* state, int index, std::size_t size) {
   const auto place = static_cast<std::ptrdiff_t>(luaL_optinteger(state, index, 1));
   const auto length = static_cast<std::ptrdiff_t>(size);
@@ -70,7 +71,7 @@ int FindOrMatch(lua_State* state, bool find) {
   std::string_view text = TextAt(state, 2);
   std::size_t start = OffsetArgument(state, 3, subject.size());
   if (find && (lua_toboolean(state, 4) || text.find_first_of(kSpecials) == std::string_view::npos)) {
-    // memmem takes time in proportion to both texts, whatever they are.
+    // memmem takes time in proportion to the sum of both lengths.
     constexpr std::size_t kReadPerInstruction = 16;
     LuaMachine::Of(state).ChargeOrRaise(state, (subject.size() - start + text.size()) / kReadPerInstruction);
     const void* const at = memmem(subject.data() + start, subject.size() - start, text.data(), text.size());
@@ -104,7 +105,7 @@ int Match(lua_State* state) {
   return FindOrMatch(state, false);
 }
 
-/// The step of a gmatch loop. Upvalues: subject, pattern, where to go on.
+/// The step of a gmatch loop. Upvalues: subject, pattern, position of the next search.
 int NextMatch(lua_State* state) {
   const std::string_view subject = TextAt(state, lua_upvalueindex(1));
   auto start = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
@@ -126,7 +127,7 @@ int GMatch(lua_State* state) {
   return 1;
 }
 
-/// Adds the replacement text of one match: %0 to %9 stand for captures, % before others for these.
+/// Adds the replacement text of one match: %0 to %9 are captures, % before other characters is that character.
 void AddReplacementText(lua_State* state, luaL_Buffer& result, const TextPattern& pattern, std::string_view subject,
                         std::size_t start, std::size_t end) {
   const std::string_view text = TextAt(state, 3);
@@ -202,14 +203,14 @@ int GSub(lua_State* state) {
     if (end == TextPattern::kNone) break;
     luaL_addlstring(&result, subject.data() + at, start - at);
     ++count;
-    // What is copied and called for a match, besides the steps of the search.
+    // Prices of a match, in addition to the steps of the search.
     constexpr std::size_t kPerMatch = 8, kCopiedPerInstruction = 16;
     const std::size_t copied = start - at + (type == LUA_TSTRING ? lua_objlen(state, 3) : end - start);
     LuaMachine::Of(state).ChargeOrRaise(state, kPerMatch + copied / kCopiedPerInstruction);
     AddReplacement(state, result, pattern, subject, start, end);
     at = end;
     if (end == start) {
-      // An empty match: the character after it stays, and the search goes on behind that.
+      // An empty match: the next character is copied, and the search continues after it.
       if (at >= subject.size()) break;
       luaL_addchar(&result, subject[at++]);
     }

@@ -7,8 +7,8 @@
 
 namespace soarbox::script {
 
-/// Runs body(lua_State*) in a protected call of its own on this state, also inside of a hook. Returns the message of
-/// the error in which it ended.
+/// Runs body(lua_State*) in its own protected call on this state, also inside a hook. Returns the message of its error,
+/// if it failed.
 template <class Body>
 std::optional<std::string> Guarded(lua_State* state, Body body) {
   const auto run = [](lua_State* inner) {

@@ -10,11 +10,11 @@
 namespace soarbox::script {
 namespace {
 
-// Registry keys: the addresses are what counts.
+// Registry keys; only their addresses are used.
 char names_key;
 char count_key;
 
-/// Pushes the number of the object at `index`, giving it the next one if it has none yet.
+/// Pushes the number of the object at `index`; an object without a number gets the next one.
 void PushNumberOf(lua_State* state, int index) {
   lua_pushlightuserdata(state, &names_key);
   lua_rawget(state, LUA_REGISTRYINDEX);
@@ -43,7 +43,7 @@ int ToString(lua_State* state) {
   return 1;
 }
 
-/// string.format with objects turned to text by us, since the built-in one prints their addresses.
+/// string.format that formats objects itself, because the built-in one prints their addresses.
 int FormatText(lua_State* state) {
   std::size_t length = 0;
   const char* format = luaL_checklstring(state, 1, &length);

@@ -13,7 +13,7 @@
 namespace soarbox::script {
 namespace {
 
-/// Metatables by kind; Sandbox, SandboxObject and SceneNode share one, told apart by the kind.
+/// Metatables by kind. Sandbox, SandboxObject and SceneNode share one and are distinguished by the kind.
 const char* MetatableOf(ValueKind kind) {
   switch (kind) {
     case ValueKind::kVector:
@@ -33,7 +33,7 @@ void PushMetatable(lua_State* state, ValueKind kind) {
   lua_rawgeti(state, LUA_REGISTRYINDEX, LuaMachine::Of(state).values.metatables[static_cast<std::size_t>(kind)]);
 }
 
-/// Files the metatable on top of the stack for its kind, and pops it.
+/// Stores the metatable on top of the stack for its kind, and pops it.
 void KeepMetatable(lua_State* state, ValueKind kind) {
   LuaMachine::Of(state).values.metatables[static_cast<std::size_t>(kind)] = luaL_ref(state, LUA_REGISTRYINDEX);
 }
@@ -49,7 +49,7 @@ int HandlesAreEqual(lua_State* state) {
   return 1;
 }
 
-/// agent:Name() where there is no such function: an error if one of nearly that name is.
+/// agent:Name() without such a function: an error if there is one with a similar name.
 int IndexUnknownMethod(lua_State* state) {
   std::size_t length = 0;
   if (lua_type(state, 2) != LUA_TSTRING) return 0;

@@ -10,33 +10,33 @@
 
 namespace soarbox::script {
 
-/// What a script asked for with Sandbox.CreateAgent or one of the CreateSoar... functions.
+/// The arguments of Sandbox.CreateAgent or of one of the CreateSoar... functions.
 struct AgentCreationRequest {
-  /// "lua" for an agent that its script alone drives; "seeking", "follower" and "waypoint" for the thesis' three kinds;
-  /// "soar" for any other agent with rules.
+  /// "lua" for an agent that only its script controls; "seeking", "follower" and "waypoint" for the three kinds of the
+  /// thesis; "soar" for any other agent with rules.
   std::string kind = "lua";
   std::string script;  ///< Its body script, "SeekingAgent.lua".
-  std::string rules;   ///< The .soar file that was named; empty: the kind's own.
+  std::string rules;   ///< The .soar file that was given; empty: the default of the kind.
   /// The options table, field by field. "name" is the agent's name.
   std::map<std::string, std::variant<bool, double, std::string>> options;
 
-  /// The script and its line where this was asked for; empty if none.
+  /// The script and the line of the call; empty if none.
   std::string made_in;
   int made_in_line = 0;
 
   bool HasMind() const { return kind != "lua"; }
 };
 
-/// Makes the minds of agents that are not driven by Lua alone. Scripts know nothing of rules: whoever runs the
-/// simulation implements this.
+/// Creates the minds of agents that are not controlled by Lua alone. The script module does not depend on rules; the
+/// simulation implements this interface.
 class MindFactory {
  public:
   virtual ~MindFactory() = default;
 
-  /// Called when the agent has its body and its target and Agent_Initialize has run. On failure the agent stays in the
-  /// world, marked as failed, and the diagnostic is reported; the script goes on.
+  /// Called after Agent_Initialize, when the agent has its body and its target. If it fails, the agent stays in the
+  /// world, marked as failed, the diagnostic is reported, and the script continues.
   virtual Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) = 0;
-  /// What all minds take of the world's memory, as last measured.
+  /// Memory of all minds, as last measured.
   virtual std::size_t MemoryBytes() const { return 0; }
 };
 

@@ -3,12 +3,12 @@
 
 #include "script/host_fixture.h"
 
-// Navigation meshes and influence maps as scripts see them.
+// Navigation meshes and influence maps as seen from scripts.
 
 namespace soarbox::script {
 namespace {
 
-/// A floor of 30 by 30 m with a wall across it that leaves a gap at one end, and a mesh over it.
+/// A floor of 30 by 30 m, divided by a wall with a gap at one end, and its mesh.
 class NavigationApiTest : public HostTest {
  protected:
   NavigationApiTest() {

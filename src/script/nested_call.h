@@ -5,8 +5,8 @@
 
 namespace soarbox::script {
 
-/// One lives in each built-in function while it may call a script's function. Such nested calls use up the process's
-/// own stack, so only so many are allowed; one more is a Lua error. Lua's errors run destructors.
+/// Create one in each built-in function while it may call a script's function. Such nested calls use the process's own
+/// stack, so their number is limited; one more raises a Lua error. Lua's errors run destructors.
 class NestedCall {
  public:
   explicit NestedCall(lua_State* state);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostNodes = 2'000, kMostElements = 20'000;
 constexpr const char *kKey = "_key", *kNew = "_new";
 
-/// Numbers the tables that it meets. The stack holds a list of them, which keeps them where they are.
+/// Numbers the tables that it visits. A list on the stack keeps the tables alive.
 class GraphCopier {
  public:
   explicit GraphCopier(lua_State* state) : state_(state) {
@@ -44,7 +44,7 @@ class GraphCopier {
     return at->second;
   }
 
-  /// In alphabetical order, as Lua's own order differs from process to process: it decides the numbers.
+  /// In alphabetical order, because it determines the numbers and Lua's own order differs from process to process.
   void CopyFields(std::size_t node, int table) {
     std::vector<std::string> names;
     lua_pushnil(state_);
@@ -59,7 +59,7 @@ class GraphCopier {
       lua_rawget(state_, table);
       const int value = lua_gettop(state_);
       if (name == kNew) {
-        // It says something of the others.
+        // It describes the other fields.
       } else if (name == kKey) {
         if (lua_isstring(state_, value) != 0) graph_.nodes[node].key = lua_tostring(state_, value);
       } else if (IsList(value)) {
@@ -71,7 +71,7 @@ class GraphCopier {
     }
   }
 
-  /// Which constants of a table are new.
+  /// Reads which constants of a table are new.
   void ReadNew(int table) {
     new_names_.clear();
     lua_getfield(state_, table, kNew);
@@ -140,7 +140,7 @@ class GraphCopier {
   lua_State* state_;
   int found_ = 0;
   std::size_t elements_ = 0;
-  bool all_are_new_ = false;  ///< In the table that is read.
+  bool all_are_new_ = false;  ///< In the table that is being read.
   std::set<std::string> new_names_;
   std::map<const void*, std::size_t> numbers_;
   PerceptGraph graph_;

@@ -11,18 +11,18 @@
 
 namespace soarbox::script {
 
-/// A short way through a function that scripts call in every step (Binding::plain). It does what the function does if
-/// each argument is exactly what it should be, without looking at anything twice; else it answers kNotPlain before
-/// anything has happened, and the function itself handles the call.
+/// A fast path for a function that scripts call in every step (Binding::plain). It does the same as the function if
+/// each argument has exactly the expected type. Otherwise it returns kNotPlain before it has any effect, and the
+/// function itself handles the call.
 inline constexpr int kNotPlain = -1;
 
-/// The whole name of the function of the API that runs, "Agent.GetPosition"; null if it is no such function.
+/// Returns the full name of the running API function, "Agent.GetPosition"; null if it is none.
 const char* NameOfRunning(lua_State* state);
 
-/// PushVector for callers that already know the state's machine.
+/// PushVector for callers that already have the state's machine.
 void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector);
 
-// Arguments: each of these refuses everything that is not exactly so.
+// Arguments: each of these functions rejects all other values.
 
 /// The agent at `index`; null for everything else, also for a removed agent.
 inline world::Agent* PlainAgent(lua_State* state, const LuaMachine& machine, int index) {
@@ -32,7 +32,7 @@ inline world::Agent* PlainAgent(lua_State* state, const LuaMachine& machine, int
   return agent != nullptr && !agent->IsGone() ? agent : nullptr;
 }
 
-/// The number at `index`, if there is one.
+/// Reads the number at `index`, if it is one.
 inline bool PlainNumber(lua_State* state, int index, double& number) {
   number = lua_tonumber(state, index);
   return number != 0 || lua_type(state, index) == LUA_TNUMBER;
@@ -44,7 +44,7 @@ inline bool PlainFloat(lua_State* state, int index, float& number) {
   return true;
 }
 
-/// Finite, and within every range that the table of the API knows, but for those that end at 0.
+/// Finite, and within every range of the API's table, except the ranges that end at 0.
 inline bool IsUsual(float number) {
   return std::abs(number) <= 1e5f;
 }
@@ -52,12 +52,12 @@ inline bool IsUsual(world::Vec3 vector) {
   return IsUsual(vector.x) && IsUsual(vector.y) && IsUsual(vector.z);
 }
 
-/// The call's only argument, if that is an agent.
+/// Returns the agent if it is the call's only argument.
 inline world::Agent* OnlyAgent(lua_State* state, const LuaMachine& machine) {
   return lua_gettop(state) == 1 ? PlainAgent(state, machine, 1) : nullptr;
 }
 
-/// The call's two arguments, if they are an agent and a usual vector.
+/// Reads the call's two arguments, if they are an agent and a usual vector.
 inline bool AgentAndVector(lua_State* state, const LuaMachine& machine, world::Agent*& agent, world::Vec3& vector) {
   if (lua_gettop(state) != 2) return false;
   agent = PlainAgent(state, machine, 1);

@@ -7,10 +7,10 @@ namespace {
 
 using world::EntityId;
 
-/// Edits of files while they run, and what scripts say to and hear from people.
+/// Edits of running files, and the communication of scripts with users.
 class ReloadTest : public HostTest {
  protected:
-  /// As a watched file that was saved: in the machine of the sandbox, or of an agent.
+  /// Like a watched file that was saved: in the machine of the sandbox, or of an agent.
   std::optional<ScriptError> Reload(const std::string& file, const std::string& before, const std::string& after,
                                     EntityId who = EntityId::kSandbox) {
     recorder_.prints.clear();
@@ -31,7 +31,7 @@ TEST_F(ReloadTest, AFileThatWasRequiredIsKnownAndItsNewFunctionsAreCalled) {
   EXPECT_EQ(Printed(), "one1\tone2");
   EXPECT_FALSE(Reload("Lib.lua", before, after));
   Tick();
-  EXPECT_EQ(Printed(), "two3\ttwo4");  // New functions, the old count, and the table that others hold.
+  EXPECT_EQ(Printed(), "two3\ttwo4");  // New functions, the old count, and the same table, to which others refer.
 }
 
 TEST_F(ReloadTest, AgentsThatAreMadeLaterRunTheNewVersion) {

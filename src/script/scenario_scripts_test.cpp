@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_fixture.h"
 
-// Whole scenarios: the thesis' world in the dialect of its scripts with minds that always say the same, and agents of
-// scripts alone, over our Lua library.
+// Entire scenarios: the thesis' world in the dialect of its scripts with minds that always give the same command, and
+// agents that only scripts control, with our Lua library.
 
 namespace soarbox::script {
 namespace {

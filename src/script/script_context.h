@@ -15,14 +15,14 @@
 
 namespace soarbox::script {
 
-/// Makes an agent with its own machine; implemented by the ScriptHost.
+/// Creates an agent with its own machine. ScriptHost implements it.
 class AgentMaker {
  public:
   virtual ~AgentMaker() = default;
   virtual Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) = 0;
 };
 
-/// All that the functions of the sandbox's API work on. One for all machines of a sandbox.
+/// The data of the functions of the sandbox's API. One for all machines of a sandbox.
 struct ScriptContext {
   world::World& world;
   ScriptReporter& reporter;
@@ -34,7 +34,7 @@ struct ScriptContext {
   std::map<std::string, std::string, std::less<>> assets{};  ///< By the name of a file its key (script_asset.h).
 };
 
-/// The context of the machine that a state belongs to. The API is bound only in machines that have one.
+/// Returns the context of a state's machine. The API is bound only in machines that have one.
 ScriptContext& ContextOf(lua_State* state);
 
 }  // namespace soarbox::script

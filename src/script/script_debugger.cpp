@@ -80,7 +80,7 @@ bool ScriptDebugger::IsWanted() const {
 }
 
 void ScriptDebugger::OnWorld() {
-  // What refers to another world's machines is gone with it.
+  // References to another world's machines are void.
   view_.references_.clear();
   view_.machines_.clear();
   marks_by_script_.clear();
@@ -133,7 +133,7 @@ bool ScriptDebugger::IsStepOver(const LuaMachine& machine, lua_State* state, con
   if (step_from_.state == nullptr) return true;
   if (state != step_from_.state) {
     if (step_ == ScriptStep::kInto) return true;
-    // Over a coroutine that goes on; but not if the one that was stepped waits or has ended.
+    // A coroutine that continues is stepped over, but not if the stepped coroutine waits or has ended.
     lua_Debug call;
     return lua_status(step_from_.state) != 0 || lua_getstack(step_from_.state, 0, &call) == 0;
   }
@@ -149,7 +149,7 @@ bool ScriptDebugger::IsStepOver(const LuaMachine& machine, lua_State* state, con
 }
 
 bool ScriptDebugger::IsHit(const Place& place) {
-  // What lies deeper has returned, and a call that has gone on to another line may pause again.
+  // Deeper calls have returned, and a call that has reached another line may pause again.
   std::erase_if(hits_, [&](const Place& hit) {
     return hit.state == place.state && (hit.call > place.call || (hit.call == place.call && hit.line != place.line));
   });
@@ -180,7 +180,7 @@ void ScriptDebugger::OnError(LuaMachine& machine, lua_State* state) {
   const char* message = lua_tostring(state, -1);
   PauseHere(machine, state, 1, "error", message == nullptr ? "an error that is no text" : message);
   EndStep();
-  // The call is over now: a step leads to the next one.
+  // The call has ended: a step leads to the next one.
   if (next_step_ == ScriptStep::kGo) return;
   step_ = ScriptStep::kInto;
   step_machine_ = &machine;
@@ -189,7 +189,7 @@ void ScriptDebugger::OnError(LuaMachine& machine, lua_State* state) {
 void ScriptDebugger::OnEnd(LuaMachine& machine) {
   std::erase_if(hits_, [&](const Place& hit) { return hit.machine == &machine; });
   if (step_machine_ != &machine || step_ == ScriptStep::kGo) return;
-  // What was stepped has returned to the world: the step ends in the next call.
+  // The stepped function has returned to the world: the step ends in the next call.
   EndStep();
   step_ = ScriptStep::kInto;
   step_machine_ = &machine;

@@ -26,7 +26,7 @@ end
 
 class ScriptDebuggerTest : public HostTest {
  protected:
-  /// One agent with the script above; `at_pause` is called at each pause and says how to go on.
+  /// Runs one agent with the script above. `at_pause` is called at each pause and returns how to continue.
   void Debug(std::string_view agent, std::vector<ScriptBreakpoint> marks) {
     Write("A.lua", agent);
     const ObserveNewHosts observed(&debugger_);
@@ -51,7 +51,7 @@ class ScriptDebuggerTest : public HostTest {
   }
 
   std::vector<std::string> places_;
-  std::vector<ScriptStep> steps_;  ///< How to go on after each pause; kGo at the end.
+  std::vector<ScriptStep> steps_;  ///< How to continue after each pause; kGo at the end.
   std::function<void()> look_ = [] {};
   ScriptView& View() { return debugger_.view(); }
 
@@ -84,7 +84,7 @@ TEST_F(ScriptDebuggerTest, StepsOverIntoAndOut) {
   EXPECT_EQ(places_, (std::vector<std::string>{"breakpoint Agent_Update:10", "step Twice:4 Agent_Update:10",
                                                "step Twice:5 Agent_Update:10", "step Agent_Update:10",
                                                "step Agent_Update:9", "step Agent_Update:10", "step Agent_Update:9"}));
-  // Out of the outermost function: the next call.
+  // Out of the outermost function: stops in the next call.
   host_->UpdateAgent(EntityId{1});
   EXPECT_EQ(places_.at(7), "step Agent_Update:8");
 }

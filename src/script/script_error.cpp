@@ -16,12 +16,13 @@ namespace {
 
 constexpr int kTracebackLimit = 20;
 
-/// Chunk names are "@" and the file's name; anything else is a chunk that a script made from a string.
+/// Chunk names are "@" and the file's name; other names are chunks that a script created from a string.
 std::string FileOf(const lua_Debug& frame) {
   return frame.source && frame.source[0] == '@' ? std::string(frame.source + 1) : std::string(frame.short_src);
 }
 
-/// Splits "place:line: text" where `place` is how Lua shortens the chunk's name. Returns false if it has no place.
+/// Splits "place:line: text", where `place` is the chunk's name as shortened by Lua. Returns false if there is no
+/// place.
 bool SplitPlace(std::string_view message, std::string_view& place, int& line, std::string_view& text) {
   for (std::size_t colon = message.find(':'); colon != std::string_view::npos; colon = message.find(':', colon + 1)) {
     const char* begin = message.data() + colon + 1;
@@ -68,7 +69,7 @@ std::string Traceback(lua_State* state) {
     frames.push_back(frame);
     if (level > 10'000) break;
   }
-  // The outermost calls are ours, around the script: they say nothing to a reader.
+  // The outermost calls are our own, around the script; they do not help the user.
   while (!frames.empty() && *frames.back().what == 'C') frames.pop_back();
   const std::size_t count = frames.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -131,7 +132,7 @@ ScriptError DescribeMessage(std::string_view message, std::string_view script_na
   std::string_view place, text;
   int line = 0;
   if (SplitPlace(message, place, line, text)) {
-    // Lua shortens long names ("...end/of/name.lua"); the script's own name is better where it is meant.
+    // Lua shortens long names ("...end/of/name.lua"); use the script's own name if it is meant.
     const std::string_view end_of_place = place.starts_with("...") ? place.substr(3) : place;
     if (!script_name.ends_with(end_of_place)) diagnostic.file = std::string(place);
     diagnostic.line = line;

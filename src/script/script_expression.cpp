@@ -12,11 +12,11 @@
 namespace soarbox::script {
 namespace {
 
-constexpr int kDeepest = 60;  ///< Brackets and operators within each other.
+constexpr int kDeepest = 60;  ///< Maximum nesting of brackets and operators.
 
 struct Operator {
   std::string_view text;
-  int left, right;  ///< How strongly it binds to each side.
+  int left, right;  ///< Binding strength to each side.
   const char* metamethod = nullptr;
 };
 constexpr Operator kOperators[] = {
@@ -28,7 +28,7 @@ constexpr Operator kOperators[] = {
 };
 constexpr int kUnary = 8;
 
-/// Reads the expression from left to right and computes at once; the values are on the state's stack.
+/// Parses the expression from left to right and evaluates it; the values are on the state's stack.
 class Reader {
  public:
   Reader(lua_State* state, std::string_view text, const PushVariable& variable)
@@ -89,7 +89,7 @@ class Reader {
     return nullptr;
   }
 
-  /// Pushes the value of an expression of operators that bind more strongly than `limit`.
+  /// Pushes the value of an expression whose operators bind more strongly than `limit`.
   void Read(int limit) {
     if (++depth_ > kDeepest) Fail("the expression is too deep");
     luaL_checkstack(state_, 10, "the expression is too long");
@@ -268,12 +268,12 @@ class Reader {
     Fail("__index leads in a circle");
   }
 
-  /// Pops so many values below the top.
+  /// Pops `count` values below the top.
   void Replace(int count) {
     for (int i = 0; i < count; ++i) lua_remove(state_, -2);
   }
 
-  /// The function, `given` arguments, and then those up to the closing bracket.
+  /// Calls a function with `given` arguments and those up to the closing bracket.
   void CallWith(const std::string& name, int given) {
     int count = given;
     if (!Accept(")")) {
@@ -290,7 +290,7 @@ class Reader {
 
   bool IsScriptFunction(int index) { return lua_isfunction(state_, index) && lua_iscfunction(state_, index) == 0; }
 
-  /// Raises an error unless the function below `count` arguments is a built-in one that cannot call scripts.
+  /// Raises an error unless the function below `count` arguments is built in and cannot call scripts.
   void RefuseScripts(int count, const std::string& name) {
     const int function = lua_gettop(state_) - count;
     if (!lua_isfunction(state_, function))
@@ -361,7 +361,7 @@ class Reader {
   void Compare(std::string_view sign) {
     bool result = false;
     if (sign == "==" || sign == "~=") {
-      // Things of the API are equal if they mean the same; comparing them calls no script.
+      // Things of the API are equal if they refer to the same thing; the comparison calls no script.
       const bool are_things = lua_isuserdata(state_, -1) && lua_isuserdata(state_, -2);
       const bool equal = are_things ? lua_equal(state_, -2, -1) != 0 : lua_rawequal(state_, -2, -1) != 0;
       result = equal == (sign == "==");
@@ -384,7 +384,7 @@ class Reader {
   const PushVariable& variable_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  bool dry_ = false;  ///< What `and` and `or` skip is read, and not computed.
+  bool dry_ = false;  ///< Parses without evaluation: operands that `and` and `or` skip.
   std::string last_name_;
 };
 

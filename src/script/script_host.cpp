@@ -18,10 +18,10 @@ namespace {
 
 using world::EntityId;
 
-/// Agents whose initialisation makes agents whose initialisation makes agents ...
+/// Maximum depth of agents whose initialisation creates agents.
 constexpr int kMaxCreationDepth = 16;
 
-/// Hands a stream of the world to a machine.
+/// Makes a random stream of the world available to a machine.
 class WorldRandom final : public RandomSource {
  public:
   WorldRandom(world::RandomStream& stream, std::uint64_t seed, std::uint64_t number)
@@ -110,12 +110,12 @@ void SetGlobalUnlessThere(lua_State* state, const char* name, Handle handle) {
   lua_setglobal(state, name);
 }
 
-/// Runs a text that somebody typed. An expression's values become the answer.
+/// Runs a text that a user typed. The values of an expression become the answer.
 std::optional<ScriptError> RunTyped(LuaMachine& machine, std::string_view text, std::string* answer) {
   return machine.Protected([&](lua_State* state) {
     SetGlobalUnlessThere(state, "sandbox", {ValueKind::kSandbox, 0});
     if (machine.owner() != 0) SetGlobalUnlessThere(state, "agent", {ValueKind::kAgent, machine.owner()});
-    // As the argument of a call, so that the text's own line is known if it fails.
+    // The text is an argument of a call, so that its own line is known if it fails.
     const std::string expression = "return (function(...) return ... end)(" + std::string(text) + "\n)";
     if (answer == nullptr || luaL_loadbufferx(state, expression.data(), expression.size(), "@console", "t") != 0) {
       RunChunk(state, text, "console");
@@ -138,11 +138,11 @@ struct ScriptHost::AgentScript {
   AgentCreationRequest request;
   std::unique_ptr<RandomSource> random;
   std::unique_ptr<LuaMachine> machine;
-  bool runs = false;                           ///< Its chunk ran, and nothing failed since.
-  std::map<std::uint64_t, int> commands = {};  ///< Under way, by tag: where their parameters are kept.
-  std::size_t files_looked_at = 0;             ///< How many of its files `ticks` is about.
-  bool ticks = false;                          ///< One of them mentions Agent_Tick.
-  bool senses = true;                          ///< Has a function Agent_Sense, as far as is known.
+  bool runs = false;                           ///< Its chunk has run, and the agent has not been stopped.
+  std::map<std::uint64_t, int> commands = {};  ///< Running commands by tag, with the references of their parameters.
+  std::size_t files_looked_at = 0;             ///< Number of its files that `ticks` covers.
+  bool ticks = false;                          ///< One of them contains the name Agent_Tick.
+  bool senses = true;                          ///< May have a function Agent_Sense.
 };
 
 ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
@@ -160,7 +160,7 @@ ScriptHost::~ScriptHost() = default;
 
 std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, EntityId owner, MachineLimits limits,
                                                     RandomSource& random) {
-  // The sandbox's machine comes first; those of agents may be made at any time after.
+  // The sandbox's machine is the first; those of agents may be created at any time later.
   ScriptObserver* const observer = sandbox_ ? sandbox_->observer() : ObserveNewHosts::Current();
   return std::make_unique<LuaMachine>(MachineSetup{std::string(script), Number(owner), limits, &path_, &random,
                                                    &reporter_, &budget_, &context_, observer});
@@ -277,7 +277,7 @@ bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> com
     lua_pushinteger(state, world_.step_millis());
     if (!command) return 2;
     lua_pushlstring(state, command->data(), command->size());
-    // The thesis' three kinds have no parameters, and their scripts expect none.
+    // The thesis' three kinds have no parameters, and their scripts do not expect any.
     if (parameters.empty() && script->request.kind != "soar") return 3;
     PushTable(state, parameters);
     return 4;
@@ -297,14 +297,14 @@ CommandAnswer ScriptHost::AskForCommand(AgentScript& script, std::string_view co
         PushAgent(state, script.id);
         lua_pushinteger(state, world_.step_millis());
         lua_pushlstring(state, command.data(), command.size());
-        // The thesis' three kinds have no parameters, and their scripts expect none.
+        // The thesis' three kinds have no parameters, and their scripts do not expect any.
         if (!has_table) return 3;
         if (parameters != nullptr) {
           PushTable(state, *parameters);
         } else {
           LuaMachine::PushKept(state, kept);
         }
-        // Once more below the function, where it is after the call.
+        // A copy below the function, which is still on the stack after the call.
         lua_pushvalue(state, -1);
         lua_insert(state, function);
         return 4;
@@ -375,7 +375,7 @@ void ScriptHost::WithdrawCommand(EntityId agent, std::uint64_t tag, std::string_
 void ScriptHost::TickAgent(EntityId agent) {
   AgentScript* script = Find(agent);
   if (!script || !script->runs) return;
-  // Most scripts have none: they are not called for nothing.
+  // Most scripts have no such function, so the call is avoided.
   const std::vector<std::string>& files = script->machine->files();
   if (files.size() != script->files_looked_at) {
     script->files_looked_at = files.size();
@@ -536,7 +536,7 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
     return refusal;
   }
   if (!has_script) {
-    // Its body is not a script's matter; the minds give it one.
+    // A script does not control its body; the minds create the body.
     if (const Result<void> made = minds_->MakeMind(id, request); !made.ok()) {
       world_.FindAgent(id)->SetFailed(true);
       reporter_.FailedForGood(id, ScriptError{PlacedAt(request, made.error()), {}});

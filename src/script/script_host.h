@@ -24,18 +24,18 @@
 namespace soarbox::script {
 
 struct ScriptHostSettings {
-  /// Where scripts are looked for: the scenario's folder first, the library's last.
+  /// The search path of scripts: first the scenario's folder, last the library's.
   std::vector<std::filesystem::path> script_folders;
   MachineLimits sandbox_limits{std::size_t{256} << 20, 200'000'000};
   MachineLimits agent_limits{std::size_t{64} << 20, 20'000'000};
   std::size_t max_agents = 20'000;
   WorldLimits world_limits;  ///< Of all machines together.
-  int turn_ticks = 1;        ///< What the sandbox's script finds in Sandbox_TurnTicks.
+  int turn_ticks = 1;        ///< The value of Sandbox_TurnTicks in the sandbox's script.
 };
 
-/// All scripts of one world: the sandbox's machine and one machine for each agent, with the API between them and the
-/// world. It knows no minds: agents that have one are made through the MindFactory, and whoever runs the simulation
-/// hands their commands to UpdateAgent.
+/// All scripts of a world: the sandbox's machine and one machine for each agent, with the API between them and the
+/// world. It does not depend on minds: the MindFactory creates them, and the simulation passes their commands to
+/// UpdateAgent.
 ///
 /// One tick, in the sandbox's order:
 ///   host.BeginTick();                    // and the world's: removed agents and objects go
@@ -48,21 +48,21 @@ struct ScriptHostSettings {
 ///   host.UpdateSandbox();
 ///   host.TellTroubles();                 // what failed, each error once
 ///
-/// Nothing that a script does ends the world. An error costs the call in which it came, and the agent goes on with the
-/// next one; each error is reported once, with the agents that had it. Only a script that does not load, or whose mind
-/// cannot be made, stops its agent: it is marked (world::Agent::Failed) and no longer updated. One thread at a time,
-/// the world's.
+/// No script can end the world. An error ends only the call in which it occurs, and the agent continues with its next
+/// call. Each error is reported once, with the agents in which it occurred. An agent is stopped only if its script does
+/// not load or its mind cannot be created: it is marked (world::Agent::Failed) and no longer updated. Use it only on
+/// the world's thread.
 class ScriptHost final : private AgentMaker {
  public:
-  /// `minds` may be null: then asking for an agent with a mind is a Lua error. All must outlive the host.
+  /// `minds` may be null: then creating an agent with a mind is a Lua error. All arguments must outlive the host.
   ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener);
   ~ScriptHost() override;
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;
 
-  /// Runs the sandbox's main script ("Sandbox.lua"). False if it is missing or fails; the listener hears why.
+  /// Runs the sandbox's main script ("Sandbox.lua"). False if it is missing or fails; the listener gets the error.
   bool LoadSandbox(std::string_view script);
-  /// Calls Sandbox_Initialize. False if it failed; what it made before that stays.
+  /// Calls Sandbox_Initialize. False if it failed; the things that it created are kept.
   bool Initialize();
 
   /// Begins the world's tick. Agent_Cleanup is called for agents that are removed; then their scripts end. Returns the
@@ -75,56 +75,57 @@ class ScriptHost final : private AgentMaker {
   /// Files a custom event of the type "Order" with the fields `agent` and `order`: what a user asks an agent to do.
   void AddOrder(world::EntityId agent, const std::string& order);
   void DeliverEvents();
-  /// Agent_Update(agent, milliseconds [, command, parameters]). Nothing happens for agents that failed. False if it
+  /// Calls Agent_Update(agent, milliseconds [, command, parameters]). Does nothing for failed agents. False if it
   /// failed.
   bool UpdateAgent(world::EntityId agent, std::optional<std::string_view> command = std::nullopt,
                    const Table& parameters = {});
-  /// Agent_Update(agent, milliseconds, command, parameters) for a new command of the agent's mind.
+  /// Calls Agent_Update(agent, milliseconds, command, parameters) for a new command of the agent's mind.
   CommandAnswer CommandAgent(world::EntityId agent, std::uint64_t tag, std::string_view command,
                              const Table& parameters);
-  /// The same call again, with the same table of parameters, for a command that is under way.
+  /// Repeats the call for a running command, with the same table of parameters.
   CommandAnswer ContinueCommand(world::EntityId agent, std::uint64_t tag, std::string_view command);
-  /// Agent_Withdraw(agent, command, parameters): the mind has withdrawn a command that was under way.
+  /// Calls Agent_Withdraw(agent, command, parameters): the mind has withdrawn a running command.
   void WithdrawCommand(world::EntityId agent, std::uint64_t tag, std::string_view command);
-  /// Agent_Tick(agent, milliseconds), for agents whose mind gives the commands: in every tick, whatever the mind does.
+  /// Calls Agent_Tick(agent, milliseconds) for agents whose mind gives the commands: in every tick, whatever the mind
+  /// does.
   void TickAgent(world::EntityId agent);
-  /// Agents are about to be updated in this order, starting with `next`: asks for the memory of those after it, so that
-  /// the scripts of a crowd, each in a place of its own, need not wait for it.
+  /// Agents will be updated in this order, starting with `next`. Prefetches the memory of the ones after it, so that
+  /// the scripts of a crowd, each in its own memory, do not wait for it.
   void Foresee(std::span<const world::EntityId> order, std::size_t next) const;
-  /// What Agent_Sense(agent) returns; nothing if there is no such function, it fails or it returns no table.
+  /// Returns the result of Agent_Sense(agent); nothing if the function does not exist, fails or returns no table.
   std::optional<Table> SenseAgent(world::EntityId agent);
-  /// What Sandbox_Sense(sandbox, agent) returns, for agents whose bodies are up to the sandbox. Nothing if there is no
-  /// such function, it fails or it returns no table: then the agent's mind has no turn.
+  /// Returns the result of Sandbox_Sense(sandbox, agent), for agents whose bodies the sandbox controls. Nothing if the
+  /// function does not exist, fails or returns no table: then the agent's mind has no turn.
   std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
-  /// Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
+  /// Calls Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
   GameAnswer CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
   /// Also files the events "SensorEntered" and "SensorLeft" of the last step.
   void HandleCollisions();
-  /// Sandbox_Update(sandbox, milliseconds).
+  /// Calls Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();
-  /// Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
+  /// Calls Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
   void Cleanup();
-  /// Reports to the listener what failed since the last call. Call it when new agents have been announced.
+  /// Reports failures since the last call to the listener. Call it after new agents have been announced.
   void TellTroubles() { reporter_.TellTroubles(); }
-  /// Reports what was not reported because it came again and again; call it at the end of a run.
+  /// Reports errors that occurred more often than was reported. Call it at the end of a run.
   void TellCounts() { reporter_.TellCounts(); }
 
-  /// What all machines take of the world's memory.
+  /// Memory of all machines.
   std::size_t memory_bytes() const { return budget_.used_bytes(); }
 
-  /// How a script ended all scripts (os.exit): none is called any more. Nothing if none did.
+  /// How a script ended all scripts (os.exit); no script is called any more. Nothing if none did.
   const std::optional<ScriptsEnd>& End() const { return budget_.end(); }
 
-  /// True if the agent is driven by its script alone, false if a mind decides.
+  /// True if only its script controls the agent, false if a mind decides.
   bool IsLuaAgent(world::EntityId agent) const;
-  /// How the agent was asked for; null for unknown ids.
+  /// The request that created the agent; null for unknown ids.
   const AgentCreationRequest* RequestOf(world::EntityId agent) const;
-  /// The script files that have run in the machine of the sandbox, or of an agent, as scripts call them: the main one,
-  /// and those that it loaded with require.
+  /// The script files that the machine of the sandbox or of an agent has run, by the names that scripts use: the main
+  /// script, and those loaded with require.
   std::span<const std::string> FilesOf(world::EntityId agent_or_sandbox) const;
-  /// Runs a text in the machine of the sandbox, or of an agent: for consoles, edits of files (keep_state.h) and tests.
-  /// In other texts than edits, `sandbox` and `agent` are known. If `answer` is given and the text is an expression, it
-  /// becomes its value as print shows it.
+  /// Runs a text in the machine of the sandbox or of an agent: for consoles, edits of files (keep_state.h) and tests.
+  /// Except in edits, the variables `sandbox` and `agent` are defined. If `answer` is given and the text is an
+  /// expression, `answer` becomes its value as print shows it.
   std::optional<ScriptError> RunText(world::EntityId agent_or_sandbox, std::string_view text,
                                      std::string* answer = nullptr);
   ScriptPath& path() { return path_; }
@@ -133,7 +134,7 @@ class ScriptHost final : private AgentMaker {
   struct AgentScript;
 
   Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) override;
-  /// Counts what minds and bodies take now.
+  /// Counts the memory of minds and bodies.
   void CountOthers();
   void InitializeAgent(AgentScript& script);
   void CleanUpAgent(const AgentScript& script);
@@ -141,18 +142,18 @@ class ScriptHost final : private AgentMaker {
   /// Ends the script of an agent that was removed.
   void EndScript(world::EntityId agent);
   AgentScript* Find(world::EntityId agent);
-  /// Hands a command to Agent_Update. `kept`: where its table of parameters is kept; LUA_NOREF: nowhere yet.
+  /// Passes a command to Agent_Update. `kept` is the reference of its table of parameters; LUA_NOREF: none yet.
   CommandAnswer AskForCommand(AgentScript& script, std::string_view command, const Table* parameters, int& kept);
   const AgentScript* Find(world::EntityId agent) const;
   std::string NameFor(const AgentCreationRequest& request);
-  /// A problem without a place gets the one where a script asked for the agent.
+  /// Adds the place where a script requested the agent, if the problem has no place.
   Diagnostic PlacedAt(const AgentCreationRequest& request, Diagnostic problem) const;
-  /// Warns of options that concern a body which a script moves and shows itself.
+  /// Warns of options about the body if the script moves and shows the body itself.
   void WarnOfBodyOptions(const AgentCreationRequest& request);
-  /// Warns of functions that are nearly those that a sandbox calls; once for each script.
+  /// Warns of functions whose names are nearly those that a sandbox calls; once for each script.
   void WarnOfSlips(std::string_view script);
   bool MayRun(const LuaMachine& machine) const;
-  /// Notes how a call ended; `error` may be null. False if it failed.
+  /// Notes the result of a call; `error` may be null. False if it failed.
   bool NoteResult(world::EntityId agent, const char* callback, const ScriptError* error);
   bool NoteResult(world::EntityId agent, const char* callback, const std::optional<ScriptError>& error) {
     return NoteResult(agent, callback, error ? &*error : nullptr);
@@ -171,9 +172,9 @@ class ScriptHost final : private AgentMaker {
   ScriptContext context_;
   std::unique_ptr<RandomSource> sandbox_random_;
   std::unique_ptr<LuaMachine> sandbox_;
-  std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, thus in ascending id.
+  std::vector<std::unique_ptr<AgentScript>> agents_;  // In creation order, so in ascending id.
   std::vector<AgentScript*> by_id_;                   // Null for ids without a script.
-  std::map<std::string, int> names_;                  // How many agents of each name's stem there are.
+  std::map<std::string, int> names_;                  // Number of agents for each stem of a name.
   std::set<std::string, std::less<>> looked_over_;    // Scripts whose slips were reported.
   int creation_depth_ = 0;
 };

@@ -222,7 +222,7 @@ TEST_F(HostTest, AgentsDrawFromStreamsOfTheirOwn) {
   const std::vector<std::string> first = recorder_.prints;
   ASSERT_EQ(first.size(), 2u);
   EXPECT_NE(first[0], first[1]);
-  // What others draw does not matter.
+  // Random numbers of others do not change it.
   StartWith("math.random() math.random() " + script);
   EXPECT_EQ(recorder_.prints, first);
   StartWith(script, 2);

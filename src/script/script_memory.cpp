@@ -47,7 +47,7 @@ void* ScriptMemory::Take(std::size_t size_class) {
     const bool was_near = world_ != nullptr && world_->IsNearShare(reserved_bytes_);
     reserved_bytes_ += chunk_size;
     near_refusal_ |= world_ != nullptr && !was_near && world_->IsNearShare(reserved_bytes_);
-    if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 4);  // Nothing below may throw.
+    if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 4);  // Code below must not throw.
     Chunk chunk{std::unique_ptr<std::byte[]>(TakePages(chunk_size)), chunk_size, own_chunk ? chunk_size : 0};
     if (!chunk.bytes) {
       if (world_ != nullptr) world_->GiveMemoryBack(chunk_size);
@@ -60,7 +60,7 @@ void* ScriptMemory::Take(std::size_t size_class) {
     next_ = start;
     rest_ = chunk_size;
     shared_chunk_ = chunks_.size() - 1;
-    // A quarter more each time: of a small machine nearly all is in use.
+    // Grows by a quarter each time, so that a small machine uses nearly all of its memory.
     next_chunk_size_ = std::clamp(std::bit_floor(reserved_bytes_ / 4), kSmallestSharedChunk, kLargestSharedChunk);
   }
   void* block = next_;
@@ -88,13 +88,13 @@ void ScriptMemory::PutInOrder(std::size_t size_class) {
   for (FreeBlock* block = waiting_[size_class]; block != nullptr; block = block->next)
     blocks.emplace_back(OrderOf(block), block);
   waiting_[size_class] = nullptr;
-  // The first in order is taken first.
+  // The first block in order is used first.
   std::sort(blocks.begin(), blocks.end(), std::greater<>());
   for (const auto& [order, block] : blocks) GiveBack(block, size_class);
 }
 
 void ScriptMemory::ReleaseFreeChunks() {
-  std::vector<std::pair<const std::byte*, std::size_t>> starts;  // With the chunk's place, by address.
+  std::vector<std::pair<const std::byte*, std::size_t>> starts;  // With the chunk's index, sorted by address.
   for (std::size_t i = 0; i < chunks_.size(); ++i)
     if (chunks_[i].bytes) starts.emplace_back(chunks_[i].bytes.get(), i);
   std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return std::less<>()(a.first, b.first); });
@@ -112,7 +112,7 @@ void ScriptMemory::ReleaseFreeChunks() {
   const auto is_released = [&](std::size_t chunk) {
     return chunks_[chunk].bytes != nullptr && free_bytes[chunk] == chunks_[chunk].handed_out;
   };
-  // Blocks of chunks that stay keep their order.
+  // Blocks of kept chunks keep their order.
   for (FreeBlock*& list : free_) {
     FreeBlock** link = &list;
     while (*link != nullptr) {
@@ -129,7 +129,7 @@ void ScriptMemory::ReleaseFreeChunks() {
     GivePagesBack(chunks_[i].bytes.release(), chunks_[i].size);
     if (world_ != nullptr) world_->GiveMemoryBack(chunks_[i].size);
     reserved_bytes_ -= chunks_[i].size;
-    chunks_[i] = {};  // Later chunks keep their places: OrderOf is about those.
+    chunks_[i] = {};  // Later chunks keep their indices, because OrderOf depends on them.
   }
 }
 
@@ -174,7 +174,7 @@ std::uint64_t ScriptMemory::OrderOf(const void* address) const {
   const auto* byte = static_cast<const std::byte*>(address);
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     const std::byte* start = chunks_[i].bytes.get();
-    // Addresses of different chunks compare as integers.
+    // Addresses in different chunks are compared as integers.
     const auto offset = reinterpret_cast<std::uintptr_t>(byte) - reinterpret_cast<std::uintptr_t>(start);
     if (reinterpret_cast<std::uintptr_t>(byte) >= reinterpret_cast<std::uintptr_t>(start) && offset < chunks_[i].size)
       return (static_cast<std::uint64_t>(i + 1) << 32) + offset;

@@ -12,37 +12,37 @@ namespace soarbox::script {
 
 class WorldBudget;
 
-/// The memory of one Lua machine: size classes with free lists over a few large chunks, up to a limit.
+/// The memory of one Lua machine: size classes with free lists in a few large chunks, with a limit.
 ///
-/// Where a block lies is decided by the sequence of requests alone, never by what else the process does. So the
-/// order of two blocks (`OrderOf`) is the same in every process, which is what lets `pairs` visit keys that are
-/// tables or functions in a stable order. Used by one thread at a time.
+/// The place of a block depends only on the sequence of requests, not on the rest of the process. Therefore the order
+/// of two blocks (`OrderOf`) is the same in every process, and `pairs` can visit keys that are tables or functions in a
+/// stable order. Use it on one thread at a time.
 class ScriptMemory {
  public:
-  /// `world`, if given, bounds what all machines take together; it must outlive this.
+  /// `world`, if given, limits all machines together; it must outlive this object.
   explicit ScriptMemory(std::size_t limit_bytes, WorldBudget* world = nullptr)
       : limit_bytes_(limit_bytes), world_(world) {}
   ~ScriptMemory();
   ScriptMemory(const ScriptMemory&) = delete;
   ScriptMemory& operator=(const ScriptMemory&) = delete;
 
-  /// lua_Alloc's contract: grows, shrinks or frees a block; null if the limit forbids it.
+  /// Follows the contract of lua_Alloc: grows, shrinks or frees a block; null if the limit forbids it.
   void* Reallocate(void* block, std::size_t old_size, std::size_t new_size);
 
-  /// The place of a block in the order of this memory; 0 for addresses that are not of this memory.
+  /// Position of a block in the order of this memory; 0 for other addresses.
   std::uint64_t OrderOf(const void* address) const;
 
-  /// Between these two, blocks that are freed wait. Lua frees texts in the order of a hash that differs from process to
-  /// process; EndCollection puts all of them in order, so that what is taken later lies at the same places.
+  /// Between these two calls, freed blocks wait. Lua frees strings in the order of a hash that differs from process to
+  /// process. EndCollection sorts the blocks, so that later allocations are at the same places.
   void BeginCollection() { collecting_ = true; }
   void EndCollection();
 
-  /// Returns chunks in which nothing is used to the world. For a machine that was refused memory: blocks of one size
-  /// are not used for another, so freed memory alone may not let it go on. Call it after a collection.
+  /// Returns unused chunks to the world. For a machine that was refused memory: blocks of one size are not used for
+  /// another, so freed blocks alone may not be enough. Call it after a collection.
   void ReleaseFreeChunks();
 
-  /// True if the last chunk brought this memory near its share of the world's. Then garbage should be collected before
-  /// more is refused. Resets the answer.
+  /// True if the last chunk brought this memory near its share of the world's: then garbage should be collected before
+  /// an allocation is refused. Resets the flag.
   bool TakeNearRefusal() { return std::exchange(near_refusal_, false); }
 
   /// The block that was taken last, and its size as it was asked for.
@@ -53,14 +53,14 @@ class ScriptMemory {
 
   std::size_t used_bytes() const { return used_bytes_; }
   std::size_t limit_bytes() const { return limit_bytes_; }
-  /// True if the last refusal was the world's: this memory is below its own limit.
+  /// True if the last refusal was because of the world's limit, not its own.
   bool world_refused() const { return world_refused_; }
 
  private:
   static constexpr std::size_t kSmallStep = 16;
   static constexpr std::size_t kSmallLimit = 1024;
   static constexpr std::size_t kSmallClasses = kSmallLimit / kSmallStep;
-  /// Above that, four classes for each doubling, up to a gigabyte: at most a fifth of a block is unused.
+  /// Above kSmallLimit, four classes for each doubling, up to a gigabyte: at most a fifth of a block is unused.
   static constexpr std::size_t kPerDoubling = 4, kDoublings = 20;
   static constexpr std::size_t kClasses = kSmallClasses + kPerDoubling * kDoublings;
 
@@ -68,9 +68,9 @@ class ScriptMemory {
     FreeBlock* next;
   };
   struct Chunk {
-    std::unique_ptr<std::byte[]> bytes;  ///< Null: given back.
+    std::unique_ptr<std::byte[]> bytes;  ///< Null: released.
     std::size_t size = 0;
-    std::size_t handed_out = 0;  ///< The blocks that were made from it.
+    std::size_t handed_out = 0;  ///< Number of blocks created from it.
   };
 
   static std::size_t ClassOf(std::size_t size);
@@ -90,11 +90,11 @@ class ScriptMemory {
   const void* watched_ = nullptr;
   bool collecting_ = false;
   std::array<FreeBlock*, kClasses> free_{};
-  std::array<FreeBlock*, kClasses> waiting_{};  ///< Freed in the present collection.
-  std::vector<Chunk> chunks_;                   // In the order of their making.
+  std::array<FreeBlock*, kClasses> waiting_{};  ///< Freed in the current collection.
+  std::vector<Chunk> chunks_;                   // In the order of their creation.
   std::byte* next_ = nullptr;                   // The unused rest of the newest shared chunk.
   std::size_t rest_ = 0;
-  std::size_t shared_chunk_ = 0;  // Place of the newest shared chunk in chunks_, if rest_ is not 0.
+  std::size_t shared_chunk_ = 0;  // Index of the newest shared chunk in chunks_, if rest_ is not 0.
   std::size_t next_chunk_size_ = std::size_t{32} * 1024;
 };
 

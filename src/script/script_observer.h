@@ -8,9 +8,9 @@ namespace soarbox::script {
 
 class LuaMachine;
 
-/// Follows the execution of the scripts of a world: a debugger or a profiler. Machines call it from the hooks of Lua,
-/// on the thread that runs the scripts. A machine without an observer, or with one that wants nothing, runs at full
-/// speed. An observer never changes what a script does; limits of instructions count as without it.
+/// Observes the execution of a world's scripts: a debugger or a profiler. Machines call it from Lua hooks, on the
+/// thread that runs the scripts. A machine without an observer, or whose observer wants no events, runs at full speed.
+/// An observer never changes what a script does; limits of instructions are the same.
 class ScriptObserver {
  public:
   struct Wants {
@@ -19,7 +19,7 @@ class ScriptObserver {
   };
 
   virtual ~ScriptObserver() = default;
-  /// The scripts of another world begin: machines that it knows of are about to go.
+  /// The scripts of another world begin: the known machines are about to be destroyed.
   virtual void OnWorld() {}
   /// A machine of this world has been made; it lives as long as the world, or until OnGone.
   virtual void OnMachine(LuaMachine&) {}
@@ -39,8 +39,8 @@ class ScriptObserver {
   virtual void OnEnd(LuaMachine&) {}
 };
 
-/// While one lives, each host that is made on this thread reports to the observer, so that it also sees the set-up of a
-/// world. The observer must outlive these hosts.
+/// While such an object exists, each host that is created on this thread reports to the observer, so that it also
+/// observes the set-up of a world. The observer must outlive these hosts.
 class ObserveNewHosts {
  public:
   explicit ObserveNewHosts(ScriptObserver* observer);
@@ -48,7 +48,7 @@ class ObserveNewHosts {
   ObserveNewHosts(const ObserveNewHosts&) = delete;
   ObserveNewHosts& operator=(const ObserveNewHosts&) = delete;
 
-  /// Null: there is none.
+  /// The observer of this thread; null: none.
   static ScriptObserver* Current();
 
  private:

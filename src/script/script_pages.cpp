@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{2} << 20;
 constexpr std::size_t kSmallest = 4096;
-/// What is longer gets memory of its own.
+/// Larger requests get their own memory.
 constexpr std::size_t kLargest = kBlock / 2;
 
-/// Pieces of blocks. Each is as long as a power of two and goes back to those of its length; the blocks go when no
-/// piece is in use any more.
+/// Pieces of blocks. The size of a piece is a power of two, and a released piece goes to the free list of its size. The
+/// blocks are released when no piece is in use.
 class Pages {
  public:
   std::byte* Take(std::size_t size) {
@@ -69,9 +69,9 @@ class Pages {
     auto* block = static_cast<std::byte*>(std::aligned_alloc(kBlock, kBlock));
     if (!block) return false;
 #ifdef __linux__
-    madvise(block, kBlock, MADV_HUGEPAGE);  // Where there are none, usual pages do.
+    madvise(block, kBlock, MADV_HUGEPAGE);  // Without large pages, normal pages are used.
 #endif
-    // What is left of the block before serves shorter pieces.
+    // The rest of the previous block becomes smaller pieces.
     while (rest_ >= kSmallest) {
       const std::size_t piece = std::bit_floor(rest_);
       Keep(next_, piece);
@@ -85,7 +85,7 @@ class Pages {
   }
 
   std::mutex mutex_;
-  std::array<Piece*, 64> free_{};  // By the logarithm of their length.
+  std::array<Piece*, 64> free_{};  // By the logarithm of their sizes.
   std::vector<std::byte*> blocks_;
   std::byte* next_ = nullptr;  // The unused rest of the newest block.
   std::size_t rest_ = 0;

@@ -5,13 +5,13 @@
 
 namespace soarbox::script {
 
-/// Memory for the chunks of all machines of this process, taken in blocks as long as the processor's large pages. A
-/// crowd's step touches a little of each of its machines: with pages of the usual size, finding out where those lie
-/// takes longer than running the scripts. For any thread.
+/// Memory for the chunks of all machines of this process, allocated in blocks of the size of the processor's large
+/// pages. A step of a crowd touches a little of each machine. With normal pages, address translation takes longer than
+/// running the scripts. May be called on any thread.
 
-/// This many bytes; null if there are none.
+/// Returns `bytes` bytes; null if there is no memory.
 std::byte* TakePages(std::size_t bytes);
-/// Gives them back; `bytes` as when they were taken.
+/// Releases them; `bytes` as in the call that allocated them.
 void GivePagesBack(std::byte* pages, std::size_t bytes);
 
 }  // namespace soarbox::script

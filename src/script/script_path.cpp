@@ -18,7 +18,7 @@ bool LeadsOutside(const fs::path& name) {
   return name.is_absolute() || std::any_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".."; });
 }
 
-/// The names of the Lua files in a folder, sorted, so that the answer does not depend on the file system.
+/// Returns the names of the Lua files in a folder, sorted, so that the result does not depend on the file system.
 std::vector<std::string> FileNames(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -39,10 +39,10 @@ std::optional<fs::path> FindIn(const fs::path& folder, const fs::path& name) {
 }
 
 constexpr std::size_t kLongestName = 1000;
-/// More than anyone writes; a file of this size is something else.
+/// Maximum size of a script.
 constexpr std::size_t kLargestScript = 8 << 20;
 
-/// What stands under a name in place of a file; empty if nothing does.
+/// Describes what is at a path instead of a file; empty if nothing is there.
 std::string OtherThan(const fs::path& place) {
   std::error_code error;
   const fs::file_status status = fs::symlink_status(place, error);
@@ -108,7 +108,7 @@ Result<fs::path> ScriptPath::Locate(std::string_view name, const std::string& ki
       searched += (searched.empty() ? "" : ", ") + folder.string();
     }
     std::string_view near = Suggest(name, {names.begin(), names.end()});
-    const auto whole = std::ranges::find(names, std::string(name) + ".lua");  // Its ending was left out.
+    const auto whole = std::ranges::find(names, std::string(name) + ".lua");  // The extension was left out.
     if (whole != names.end()) near = *whole;
     error.hint = near.empty() ? "searched in " + searched : "did you mean \"" + std::string(near) + "\"?";
     return error;

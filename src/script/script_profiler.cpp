@@ -23,7 +23,7 @@ void ScriptProfiler::OnCall(LuaMachine& machine, lua_State* state, lua_Debug& fr
   if (lua_getinfo(state, "S", &info) == 0 || *info.what == 'C' || info.source == nullptr) return;
   const double now_s = Now_s();
   begun_.emplace(&machine, calls_.size());
-  // Calls that ended by a tail call or an error have left no other trace.
+  // Calls that ended by a tail call or an error were not reported.
   EndCalls(state, frame.i_ci, now_s);
   const Function function{info.source[0] == '@' ? info.source + 1 : "text", info.linedefined};
   std::string& name = names_[function];

@@ -4,7 +4,7 @@
 namespace soarbox::script {
 namespace {
 
-/// A longer text is cut.
+/// Longer texts are cut.
 constexpr std::size_t kLongestPrint = std::size_t{64} << 10;
 
 }  // namespace

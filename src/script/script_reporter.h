@@ -12,24 +12,24 @@
 
 namespace soarbox::script {
 
-/// Who wants to hear what scripts print and what goes wrong in them.
+/// Receives the output and the failures of scripts.
 class ScriptListener {
  public:
   virtual ~ScriptListener() = default;
   virtual void OnPrint(std::string_view script, std::string_view text) = 0;
-  /// A script failed for good: it did not load, or the agent has no mind. `agent` is kSandbox for the sandbox's own.
+  /// A script failed permanently: it did not load, or the agent has no mind. `agent` is kSandbox for the sandbox's own.
   virtual void OnScriptFailed(world::EntityId agent, const ScriptError& error) = 0;
-  /// Calls of scripts failed, or work again; the scripts go on.
+  /// Calls of scripts failed, or succeed again; the scripts continue.
   virtual void OnScriptTrouble(const ScriptTrouble& trouble) = 0;
-  /// An error came more often than was reported. For the end of a run.
+  /// An error occurred more often than was reported; at the end of a run.
   virtual void OnErrorCount(const ErrorCount& count) = 0;
-  /// Something a script did had no effect. Distinct messages only.
+  /// An action of a script had no effect. Each distinct message is reported once.
   virtual void OnScriptWarning(const Diagnostic& warning) = 0;
-  /// A script says that the run has come to an end (Sandbox.End), and which. Scripts go on.
+  /// A script has ended the run (Sandbox.End); `end` names the ending. Scripts continue.
   virtual void OnEndReached(std::string_view /*end*/) {}
 };
 
-/// Passes on errors and warnings, each distinct message once, and texts as far as the world's budget for them goes.
+/// Forwards errors and warnings, each distinct message once, and printed texts within the world's budget.
 class ScriptReporter final : public PrintSink {
  public:
   ScriptReporter(ScriptListener& listener, WorldBudget& budget) : listener_(listener), budget_(budget) {}
@@ -39,17 +39,17 @@ class ScriptReporter final : public PrintSink {
     if (!budget_.end()) listener_.OnScriptFailed(agent, error);
   }
   void EndReached(std::string_view end) { listener_.OnEndReached(end); }
-  /// `subject`: what it is about, if only one of its messages is to be reported for each place in a script.
+  /// `subject`: the subject of the message, if only one message about it is to be reported for each place in a script.
   void Warn(const Diagnostic& warning, std::string_view subject = {});
 
-  /// A call of a script failed, or ended well.
+  /// Notes a failed or a successful call of a script.
   void Failed(world::EntityId agent, std::string_view callback, const ScriptError& error) {
     if (!LuaMachine::Interrupted() && !budget_.end()) ledger_.Failed(agent, callback, error);
   }
   void Succeeded(world::EntityId agent, std::string_view callback) { ledger_.Succeeded(agent, callback); }
-  /// Reports what went wrong since the last call.
+  /// Reports the failures since the last call.
   void TellTroubles();
-  /// Reports what was not reported at once because it came again and again.
+  /// Reports errors that were not reported at once because they occurred repeatedly.
   void TellCounts();
 
  private:

@@ -16,7 +16,7 @@ constexpr int kMostFields = 1000;
 
 void CopyFields(lua_State* state, int index, Table& table, int depth, int& left, const std::string& list_name);
 
-/// Copies the value on top of the stack under a name.
+/// Copies the value on top of the stack under this name.
 void CopyValue(lua_State* state, const std::string& name, Table& table, int depth, int& left) {
   if (left <= 0) return;
   --left;
@@ -43,7 +43,7 @@ void CopyValue(lua_State* state, const std::string& name, Table& table, int dept
       return;
     case LUA_TTABLE: {
       if (depth >= kDeepest) return;
-      // A list becomes several attributes of the list's name; anything else an object.
+      // A list becomes several attributes with the list's name; any other table becomes an object.
       lua_rawgeti(state, top, 1);
       const bool is_list = !lua_isnil(state, -1);
       lua_pop(state, 1);

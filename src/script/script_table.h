@@ -9,18 +9,19 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// A Lua table as plain data: named fields, and tables within. What a mind perceives from a script and gives to it.
+/// A Lua table as plain data: named fields and nested tables. Used for percepts that a script gives to a mind, and for
+/// parameters that it gets.
 struct TableField {
   std::string name;
   std::variant<double, std::string, std::vector<TableField>> value;
 };
 using Table = std::vector<TableField>;
 
-/// Copies the table at `index`: keys that are strings, in their order; numbers in lists get the list's own name. Values
-/// that are numbers, strings, booleans ("yes", "no"), vectors ({x, y, z}), agents (their names) and tables, at most 8
-/// deep and 1000 in all; others are left out.
+/// Copies the table at `index`: keys that are strings, in their order; numbers in lists get the list's name. Copies
+/// values that are numbers, strings, booleans ("yes", "no"), vectors ({x, y, z}), agents (their names) and tables, at
+/// most 8 deep and 1000 in all. Leaves out other values.
 Table CopyTable(lua_State* state, int index);
-/// Pushes a new table of these fields. Fields of one name become the first one's value; the rest is left out.
+/// Pushes a new table with these fields. If several fields have one name, only the first is used.
 void PushTable(lua_State* state, const Table& table);
 
 }  // namespace soarbox::script

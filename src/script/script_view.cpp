@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMostFrames = 200, kMostFields = 500, kMostReferences = 20'000;
 constexpr std::size_t kLongestText = 300, kPreviewed = 4;
-/// What the built-in functions of one expression may use.
+/// Limit of the built-in functions of one expression, in instructions.
 constexpr std::uint64_t kEvaluationBudget = 5'000'000;
 
 std::string Quoted(const char* text, std::size_t length) {
@@ -50,12 +50,12 @@ std::string NumberText(double number) {
   return text;
 }
 
-/// Keys of the table at `index` in a fixed order: numbers, names, others. Each as the text that shows it.
+/// Keys of the table at `index` in a fixed order: numbers, names, others. Each with its text.
 struct Key {
   int rank = 0;
   double number = 0;
   std::string text;
-  int place = 0;  ///< Where in the list on the stack it lies.
+  int place = 0;  ///< Index in the list on the stack.
   friend bool operator<(const Key& a, const Key& b) {
     if (a.rank != b.rank) return a.rank < b.rank;
     return a.rank == 0 ? a.number < b.number : a.text < b.text;
@@ -123,7 +123,7 @@ std::string DescribedFunction(lua_State* state, int index) {
   return "function " + file + ":" + std::to_string(info.linedefined);
 }
 
-/// What a debugger shows of the value at `index`, which is not relative to the top. Calls no script.
+/// Formats the value at `index` (not relative to the top) for a debugger. Calls no script.
 std::string Described(lua_State* state, int index, bool is_inner) {
   switch (lua_type(state, index)) {
     case LUA_TNIL:
@@ -157,7 +157,7 @@ std::string Described(lua_State* state, int index, bool is_inner) {
   }
 }
 
-/// Keeps the last of the variables of each name.
+/// Adds a variable and replaces an earlier one with the same name.
 void Put(std::vector<ScriptVariable>& list, ScriptVariable variable) {
   const auto same = std::ranges::find(list, variable.name, &ScriptVariable::name);
   if (same != list.end()) list.erase(same);
@@ -166,7 +166,7 @@ void Put(std::vector<ScriptVariable>& list, ScriptVariable variable) {
 
 }  // namespace
 
-/// The calls of a paused script, as Lua knows them while it is paused.
+/// The calls of a paused script, from Lua's stack.
 struct ScriptView::Calls {
   std::vector<lua_Debug> list;
 };
@@ -196,7 +196,7 @@ std::vector<ScriptFrame> ScriptView::Frames() const {
     }
     list.push_back(std::move(frame));
   }
-  // The outermost calls are those around all scripts.
+  // The outermost calls are our own, around all scripts.
   while (!list.empty() && list.back().line == 0) list.pop_back();
   return list;
 }
@@ -336,8 +336,8 @@ std::vector<ScriptVariable> ScriptView::Fields(int reference) {
 
 namespace {
 
-/// Pushes the variable that `name` means in the call at this level: a local one, one of an enclosing function, or a
-/// global one.
+/// Pushes the variable to which `name` refers in the call at this level: a local one, one of an enclosing function, or
+/// a global one.
 bool PushVariableOf(lua_State* state, int level, const std::string& name) {
   lua_Debug call{};
   if (lua_getstack(state, level, &call) == 0) return false;

@@ -16,7 +16,7 @@ namespace soarbox::script {
 
 class LuaMachine;
 
-/// A call that is under way.
+/// An active call.
 struct ScriptFrame {
   std::string function;  ///< "Agent_Update", "the main chunk".
   std::string file;      ///< Path of the script file; empty for a built-in function.
@@ -26,13 +26,13 @@ struct ScriptFrame {
 /// A variable, a field of a table, or the value of an expression.
 struct ScriptVariable {
   std::string name, value, type;
-  int reference = 0;  ///< For Fields; 0: it has none.
+  int reference = 0;  ///< Argument of Fields; 0: it has no fields.
 };
 
-/// What a debugger sees of the scripts of a world: machines, and of one that is paused calls and variables.
+/// A debugger's view of a world's scripts: machines, and the calls and variables of a paused one.
 ///
-/// Expressions are evaluated by EvaluateExpression, which calls built-in functions only: a function of a script could
-/// run for ever, because Lua counts no instructions inside of a hook. Used by the thread that runs the scripts.
+/// Expressions are evaluated by EvaluateExpression, which calls only built-in functions: a function of a script could
+/// run forever, because Lua counts no instructions inside a hook. Used by the thread that runs the scripts.
 class ScriptView {
  public:
   ScriptView();
@@ -44,10 +44,10 @@ class ScriptView {
     std::uint32_t owner = 0;  ///< The agent's number; 0: the sandbox.
     std::string name;         ///< Of the agent; "sandbox".
   };
-  /// In the order in which they were made, the sandbox first.
+  /// In the order of their creation, the sandbox first.
   std::vector<Machine> Machines() const;
 
-  // While a script is paused, and about it.
+  // While a script is paused:
   bool is_paused() const { return state_ != nullptr; }
   /// Of the paused script; 0: the sandbox.
   std::uint32_t owner() const;
@@ -55,19 +55,19 @@ class ScriptView {
   const std::string& reason() const { return reason_; }
   /// The error's message; empty for other reasons.
   const std::string& error() const { return error_; }
-  /// The innermost first.
+  /// Innermost first.
   std::vector<ScriptFrame> Frames() const;
-  /// Parameters and local variables; of two with one name the one that counts.
+  /// Parameters and local variables; if two have one name, the visible one.
   std::vector<ScriptVariable> Locals(std::size_t frame);
-  /// Local variables of enclosing functions that the frame's function uses.
+  /// Local variables of enclosing functions that the function of this frame uses.
   std::vector<ScriptVariable> Upvalues(std::size_t frame);
   /// The value of an expression in a frame.
   Result<ScriptVariable> Evaluate(std::size_t frame, std::string_view expression);
 
-  // Always.
-  /// Global variables of a machine's scripts, without what the language and the API define.
+  // At any time:
+  /// Global variables of a machine's scripts, without those of the language and the API.
   std::vector<ScriptVariable> Globals(std::uint32_t owner);
-  /// Fields of a value, by ScriptVariable::reference. References end when scripts go on.
+  /// Fields of a value, by ScriptVariable::reference. References end when scripts continue.
   std::vector<ScriptVariable> Fields(int reference);
   /// The value of an expression of global variables.
   Result<ScriptVariable> EvaluateGlobal(std::uint32_t owner, std::string_view expression);
@@ -78,17 +78,17 @@ class ScriptView {
   friend class ScriptDebugger;
   struct Calls;
 
-  /// `first_level`: of the innermost call that is shown.
+  /// `first_level` is the level of the innermost call that is shown.
   void BeginPause(LuaMachine& machine, lua_State* state, int first_level, std::string reason, std::string error);
   void EndPause();
   /// The machine is about to go; references to its values lead to nothing from now on.
   void Forget(LuaMachine& machine);
   /// Evaluates a condition in the innermost call; also true if it cannot be evaluated, so that the user notices.
   static bool Holds(LuaMachine& machine, lua_State* state, const std::string& condition);
-  /// The level of a call inside of a protected call of our own, where Lua finds its local variables.
+  /// The level of a call inside our own protected call, where Lua finds its local variables.
   int LevelOf(std::size_t frame) const { return first_level_ + 1 + static_cast<int>(frame); }
   LuaMachine* MachineOf(std::uint32_t owner) const;
-  /// Names and describes the value on top of the stack, and pops it.
+  /// Describes the value on top of the stack under this name, and pops it.
   ScriptVariable Take(LuaMachine& machine, lua_State* state, std::string name);
   std::vector<ScriptVariable> FieldsAt(LuaMachine& machine, lua_State* state, int index);
 

@@ -28,7 +28,7 @@ bool IsPrintable(unsigned char c) {
   return c > 32 && c < 127;
 }
 
-/// %a and its like; a letter that names no class stands for itself.
+/// %a and similar; a letter that names no class is itself.
 bool IsInClass(unsigned char c, unsigned char name) {
   bool inside = false;
   switch (IsUpper(name) ? name + ('a' - 'A') : name) {
@@ -206,18 +206,18 @@ std::size_t TextPattern::MatchBalanced(std::size_t at, std::size_t item) {
   return kNone;
 }
 
-/// %1 to %9: the text of an earlier capture.
+/// %1 to %9: matches the text of an earlier capture.
 std::size_t TextPattern::MatchAgain(std::size_t at, char digit) {
   const int index = digit - '1';
   if (index < 0 || index >= count_ || capture(index).open) return Fail("invalid capture index");
   const Capture& earlier = capture(index);
-  if (earlier.is_position) return kNone;  // A place has no text.
+  if (earlier.is_position) return kNone;  // A position capture has no text.
   const std::string_view text = subject_.substr(earlier.start, earlier.length);
   steps_ += text.size();
   return subject_.substr(at).starts_with(text) ? at + text.size() : kNone;
 }
 
-/// %f[set]: the place where the set begins to hold. Both ends of the subject count as the character 0.
+/// %f[set]: a position where the set begins to match. Both ends of the subject count as the character 0.
 bool TextPattern::IsFrontier(std::size_t at, std::size_t set) {
   const std::size_t end = EndOfItem(set);
   const auto before = static_cast<unsigned char>(at == 0 ? '\0' : subject_[at - 1]);
@@ -240,7 +240,7 @@ bool TextPattern::MatchesSingle(std::size_t at, std::size_t item, std::size_t it
   }
 }
 
-/// `set` is the place of '[', `set_end` that of the ']' that closes it.
+/// `set` is the index of '[', `set_end` that of the closing ']'.
 bool TextPattern::IsInSet(unsigned char c, std::size_t set, std::size_t set_end) const {
   std::size_t i = set + 1;
   const bool negated = pattern_[i] == '^';
@@ -269,7 +269,7 @@ std::size_t TextPattern::EndOfItem(std::size_t item) {
   if (pattern_[item] != '[') return item + 1;
   std::size_t i = item + 1;
   if (i < pattern_.size() && pattern_[i] == '^') ++i;
-  // A ']' in the first place stands for itself.
+  // A ']' in the first position is itself.
   for (bool first = true; i < pattern_.size(); first = false) {
     if (pattern_[i] == ']' && !first) return i + 1;
     i += pattern_[i] == '%' ? 2 : 1;

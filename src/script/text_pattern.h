@@ -8,10 +8,10 @@
 
 namespace soarbox::script {
 
-/// Matching of Lua 5.1's patterns (reference manual, 5.4.1) that can be stopped: some patterns take exponential time,
+/// A matcher for Lua 5.1's patterns (reference manual, 5.4.1) that can be stopped. Some patterns take exponential time,
 /// and the library's own matcher cannot be interrupted.
 ///
-/// Characters are classified as ASCII, whatever the locale. One matcher serves one subject and one pattern.
+/// Characters are classified as ASCII, independent of the locale. A matcher is for one subject and one pattern.
 class TextPattern {
  public:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -24,16 +24,16 @@ class TextPattern {
     bool open = false;
   };
 
-  /// `max_steps`: how much work all matches together may take.
+  /// `max_steps` limits the work of all matches together.
   TextPattern(std::string_view subject, std::string_view pattern, std::uint64_t max_steps)
       : subject_(subject), pattern_(pattern), max_steps_(max_steps) {}
 
-  /// Matches the whole pattern at exactly this place; returns the end of the match, or kNone. Then see error().
+  /// Matches the entire pattern exactly at `start`. Returns the end of the match, or kNone; then see error().
   std::size_t MatchAt(std::size_t start);
 
   int capture_count() const { return count_; }
   const Capture& capture(int index) const { return captures_[static_cast<std::size_t>(index)]; }
-  /// What is wrong with the pattern; null if nothing is.
+  /// The error in the pattern; null if there is none.
   const char* error() const { return error_; }
   bool out_of_steps() const { return steps_ > max_steps_; }
   std::uint64_t steps() const { return steps_; }

@@ -10,11 +10,11 @@
 
 namespace soarbox::script {
 
-/// About what a body takes in physics, the scene and the senses of others.
+/// Approximate memory of a body in physics, the scene and the senses of others.
 inline constexpr std::size_t kAgentBodyBytes = std::size_t{24} << 10, kObjectBodyBytes = std::size_t{8} << 10;
 
-/// What all scripts, and all minds, of a world may use together. All of it is counted, none of it timed, so that a
-/// limit is reached at the same place in every run.
+/// The limits of all scripts and minds of a world together. They are counted, not timed, so that a limit is reached at
+/// the same place in every run.
 struct WorldLimits {
   std::uint64_t setup_instructions = 2'000'000'000;  ///< Until the first tick.
   std::uint64_t tick_instructions = 100'000'000;     ///< In each tick.
@@ -27,19 +27,19 @@ struct WorldLimits {
   std::size_t waiting_events = 10'000;
   std::size_t event_bytes = std::size_t{64} << 20;  ///< Of all waiting events.
   std::size_t callbacks = 20'000;
-  std::size_t print_bytes = std::size_t{1} << 20;  ///< At once; this many more may be printed in each tick:
+  std::size_t print_bytes = std::size_t{1} << 20;  ///< At most at once; each tick adds:
   std::size_t print_bytes_per_tick = std::size_t{16} << 10;
 };
 
 /// How a script ended all scripts of its world (os.exit).
 struct ScriptsEnd {
-  std::string script;  ///< Who asked for it.
+  std::string script;  ///< The script that requested it.
   int exit_code = 0;
 };
 
-/// What is left of it. Whoever asks for much when little is left is refused first: a call may use a tenth of the
-/// instructions that are left, and a machine may grow by an eighth of the memory, so that scripts that ask for more
-/// than their share stop long before the others run short.
+/// The rest of these limits. A call may use a tenth of the remaining instructions, and a machine may grow by an eighth
+/// of the remaining memory. Therefore scripts that ask for more than their share are stopped long before the others run
+/// short.
 class WorldBudget {
  public:
   explicit WorldBudget(const WorldLimits& limits = {})
@@ -47,7 +47,7 @@ class WorldBudget {
 
   const WorldLimits& limits() const { return limits_; }
 
-  /// From now on no script of the world runs any more. Only the first request counts.
+  /// From now on no script of the world runs. Only the first call counts.
   void EndScripts(ScriptsEnd end) {
     if (!end_) end_ = std::move(end);
   }
@@ -58,33 +58,33 @@ class WorldBudget {
     print_left_ = std::min(limits_.print_bytes, print_left_ + limits_.print_bytes_per_tick);
   }
 
-  /// How many instructions the next call may use.
+  /// Number of instructions that the next call may use.
   std::uint64_t InstructionsForCall() const { return instructions_left_ / 10; }
   void UseInstructions(std::uint64_t count) { instructions_left_ -= std::min(count, instructions_left_); }
   std::uint64_t instructions_left() const { return instructions_left_; }
 
-  /// Takes memory for a machine that has `has_bytes`; false: refused.
+  /// Reserves memory for a machine that has `has_bytes`; false: refused.
   bool TakeMemory(std::size_t bytes, std::size_t has_bytes) {
     const std::size_t left = memory_left();
     if (bytes > left || (has_bytes >= kSmallMachine && has_bytes + bytes > left / 8)) return false;
     used_bytes_ += bytes;
     return true;
   }
-  /// True if a machine of this size has most of what it may take.
+  /// True if a machine of this size has most of its share.
   bool IsNearShare(std::size_t has_bytes) const { return has_bytes >= kSmallMachine && has_bytes > memory_left() / 16; }
   void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
   std::size_t used_bytes() const { return used_bytes_; }
 
-  /// What minds and bodies take of the world's memory now.
+  /// Sets the memory that minds and bodies currently take from the world's.
   void SetOthers(std::size_t bytes) { other_bytes_ = bytes; }
   std::size_t other_bytes() const { return other_bytes_; }
-  /// An eighth is not for scripts: minds that think go on when scripts have taken all that they may.
+  /// An eighth is reserved for minds, so that they continue when scripts have used all of their memory.
   std::size_t memory_left() const {
     const std::size_t most = limits_.memory_bytes - limits_.memory_bytes / 8;
     return most - std::min(most, used_bytes_ + other_bytes_);
   }
 
-  /// Takes room for a printed text; false: there is none, and the text is left out.
+  /// Reserves space for a printed text; false: there is none, and the text must be left out.
   bool TakePrint(std::size_t bytes) {
     if (bytes > print_left_) return false;
     print_left_ -= bytes;
@@ -92,7 +92,7 @@ class WorldBudget {
   }
 
  private:
-  /// Up to here a machine may grow whatever the others have: it holds the library and a script.
+  /// Up to this size a machine may always grow: it contains the library and a script.
   static constexpr std::size_t kSmallMachine = std::size_t{1} << 20;
 
   WorldLimits limits_;
