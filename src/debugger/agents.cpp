@@ -11,7 +11,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// What is known at the end of a tick; what comes later may be known already.
+/// The data at the end of tick `tick`. `troubles` may also contain later ones.
 AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles, std::uint64_t tick) {
   AgentRow row;
   row.id = agent.id;
@@ -34,7 +34,7 @@ AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles,
   return row;
 }
 
-/// The operator that came last, up to a tick; empty if there was none.
+/// The last operator up to a tick; empty if there was none.
 std::string LastOperator(const Timeline& timeline, std::string_view agent, std::uint64_t tick) {
   const TimelineTrack* track = timeline.Find(agent);
   if (track == nullptr) return {};
@@ -45,7 +45,7 @@ std::string LastOperator(const Timeline& timeline, std::string_view agent, std::
   return at == track->spans.rend() ? std::string() : NameAndId(at->text, at->id);
 }
 
-/// All that a filter looks at.
+/// All text that a filter searches.
 std::string TextOf(const AgentRow& row) {
   return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.last_op + " " +
          row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");

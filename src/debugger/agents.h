@@ -17,7 +17,7 @@
 
 namespace soarbox::debugger {
 
-/// What went wrong with each agent so far; each problem once, as the run tells it.
+/// The problems of each agent so far. Each problem is listed once, when the run reports it.
 class AgentTroubles {
  public:
   struct Trouble {
@@ -35,30 +35,31 @@ class AgentTroubles {
   std::map<std::string, std::vector<Trouble>, std::less<>> troubles_;
 };
 
-/// One agent of the world, as the list shows it.
+/// One row of the list of agents.
 struct AgentRow {
   std::uint32_t id = 0;  ///< As in the scene's snapshot.
   std::string name;
   std::string kind;    ///< "lua", "soar seeking", ...
-  std::string team;    ///< Empty: none.
-  std::string script;  ///< File name of its body script; empty for bodies that the vocabulary drives.
+  std::string team;    ///< Empty if it has none.
+  std::string script;  ///< File name of its body script; empty if commands of the vocabulary control the body.
   bool has_mind = false;
   bool alive = true;
   bool failed = false;  ///< Its script or its Soar program has stopped.
   float health = 0;
   std::string state;    ///< The lowest state: "S1", "S3 (operator tie)"; empty without a mind.
-  std::string op;       ///< The lowest operator that is selected: "seek (O3)"; empty if none is.
-  std::string last_op;  ///< The one that was selected last, now or in a tick before, if a timeline tells it.
-  std::string command;  ///< What its mind said last.
-  std::string error;    ///< The newest error, all of it, with file and line; empty if there was none.
+  std::string op;       ///< The lowest selected operator: "seek (O3)"; empty if none is selected.
+  std::string last_op;  ///< The operator that was selected last, in this tick or an earlier one; empty without a
+                        ///< timeline.
+  std::string command;  ///< The last command that its mind gave.
+  std::string error;    ///< The complete text of the newest error, with file and line; empty if there was none.
   std::string error_file;
-  int error_line = 0;      ///< 0: not known.
-  std::size_t errors = 0;  ///< How many there were.
+  int error_line = 0;      ///< 0 if it is not known.
+  std::size_t errors = 0;  ///< Number of errors so far.
   std::uint64_t decisions = 0;
-  double decide_us = 0;  ///< Real time that the last tick's decisions took; differs from run to run.
+  double decide_us = 0;  ///< Real time that the decisions of the last tick took, in µs; differs from run to run.
 };
 
-/// Whether another simulation moves it (docs/dis.md).
+/// Whether another simulation controls the agent (docs/dis.md).
 inline bool IsForeign(const AgentRow& row) {
   return row.kind == sim::kForeignKind;
 }
@@ -66,7 +67,7 @@ inline bool IsForeign(const AgentRow& row) {
 /// All agents, in creation order.
 std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentTroubles& troubles,
                                  const Timeline* timeline = nullptr);
-/// The same from what is recorded of a tick; states and operators as the timeline has them then.
+/// The same from the record of a tick. States and operators come from the timeline at that tick.
 std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline& timeline,
                                  const AgentTroubles& troubles);
 
@@ -83,12 +84,12 @@ enum class AgentColumn : std::uint8_t {
   kDecisions,
   kTime,
 };
-/// Stable: rows that are equal in this column keep their order.
+/// Sorts rows by a column. Rows that are equal in it keep their order.
 void SortAgents(std::vector<AgentRow>& rows, AgentColumn column, bool descending = false);
-/// Those that have each word of the text somewhere (name, kind, team, state, operator, command, error).
+/// The rows that contain each word of `text` in name, kind, team, state, operator, command or error.
 std::vector<AgentRow> FilterAgents(const std::vector<AgentRow>& rows, std::string_view text);
 
-/// Without decision times, which differ from run to run.
+/// Without decision times, because they differ from run to run.
 std::string ToText(const std::vector<AgentRow>& rows);
 Json ToJson(const std::vector<AgentRow>& rows);
 

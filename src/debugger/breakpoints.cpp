@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kRelations[] = {"<", "<=", ">", ">=", "=", "<>"};
 
-/// "ID ^attribute < 20" in its parts.
+/// The parts of "ID ^attribute < 20".
 struct NumberTest {
   std::string id = "*", attribute, relation;
   double limit = 0;
@@ -62,12 +62,12 @@ bool Holds(const NumberTest& test, double number) {
   return (number == test.limit) == (test.relation == "=");
 }
 
-/// A rule's name holds * itself: one that is meant literally is found first.
+/// Names of rules can contain *, so an exact match is tested first.
 bool IsRule(std::string_view name, std::string_view pattern) {
   return name == pattern || IsLikePattern(name, pattern);
 }
 
-/// A kind with a name that may be left out, and hold *.
+/// Whether a name matches the pattern of a breakpoint, which may be empty or contain *.
 bool IsNamed(const Breakpoint& point, std::string_view name) {
   return point.what.empty() || IsLikePattern(name, point.what);
 }
@@ -116,13 +116,13 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
   }
 }
 
-/// Of what happened in the world, not in a mind.
+/// For events of the world, not of a mind.
 std::optional<std::string> CauseIn(const Breakpoint& point, const sim::RunEvent& event) {
   if (point.kind == BreakKind::kDeath && event.kind == sim::EventKind::kNews && event.news == "dies") {
     if (!point.agent.empty() && point.agent != event.agent) return std::nullopt;
     return "it dies" + (event.text.empty() ? std::string() : ", " + event.text);
   }
-  // A check that is news and still open says that it begins.
+  // An event about an open check reports that the check exists.
   if (point.kind == BreakKind::kCheck && event.news == "check" && event.parameters != "open" &&
       IsNamed(point, event.text))
     return "check '" + event.text + "': " + event.parameters;
@@ -202,7 +202,7 @@ void Breakpoints::Prepare(sim::Simulation& simulation) {
 std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const sim::MindReport& report) {
   const NumberTest test = *ReadNumberTest(point.what);
   std::optional<std::string> first;
-  // All of a tick are looked at: the next tick is compared with the last of them.
+  // All elements of the tick are tested, because the next tick is compared with the last of them.
   report.events.ForEachOf<mind::ElementChanged>([&](const mind::ElementChanged& element) {
     if (!element.added || element.is_object || !IsLikePattern(element.attribute, test.attribute) ||
         !IsLikePattern(element.id, test.id))

@@ -18,23 +18,24 @@ namespace soarbox::debugger {
 
 enum class BreakKind : std::uint8_t {
   kFire,      ///< A rule of this name fires.
-  kMatch,     ///< A rule of this name has a whole match that it did not have the tick before.
-  kElement,   ///< An element like this comes: "S1 ^color red", "^color *", "* ^operator * +".
-  kRemoved,   ///< An element like this goes.
-  kNumber,    ///< A number comes to fulfil this: "^health < 20". It did not fulfil it before.
+  kMatch,     ///< A rule of this name has a complete match that it did not have in the tick before.
+  kElement,   ///< An element like this is added: "S1 ^color red", "^color *", "* ^operator * +".
+  kRemoved,   ///< An element like this is removed.
+  kNumber,    ///< A number begins to satisfy this: "^health < 20". It did not satisfy it before.
   kOperator,  ///< An operator of this name is selected; empty: any.
   kImpasse,   ///< An impasse like this: "tie", "operator no-change"; empty: any.
-  kCommand,   ///< A command of this name is said; empty: any.
+  kCommand,   ///< A command of this name is given; empty: any.
   kFailed,    ///< A command of this name ends with an error; empty: any.
-  kDeath,     ///< The agent dies. It says nothing else: what is meant is the agent.
-  kCheck,     ///< A check of the mission is decided, or another way than before; empty: any. Of no agent.
-  kTime,      ///< The world comes to this second: "12.5". Of no agent.
+  kDeath,     ///< The agent dies. The breakpoint has no text: only its agent matters.
+  kCheck,     ///< A check of the mission gets a result, or another result than before; empty: any. It belongs to no
+              ///< agent.
+  kTime,      ///< The world reaches this second: "12.5". It belongs to no agent.
 };
-/// How users and programs name a kind.
+/// The words for a kind in commands and panels.
 struct BreakKindWords {
   std::string_view name;   ///< "fire".
   std::string_view title;  ///< After "Stop the world when": "a rule fires".
-  std::string_view hint;   ///< What to write beside it.
+  std::string_view hint;   ///< What to enter for the kind.
 };
 /// In the order of BreakKind.
 inline constexpr BreakKindWords kBreakKinds[] = {
@@ -59,8 +60,8 @@ std::optional<BreakKind> BreakKindNamed(std::string_view name);
 struct Breakpoint {
   int number = 0;
   BreakKind kind = BreakKind::kFire;
-  std::string agent;  ///< Empty: any with a Soar mind.
-  std::string what;   ///< Words may hold * for anything.
+  std::string agent;  ///< Empty: any agent with a Soar mind.
+  std::string what;   ///< The pattern; words may contain * for any text.
   bool enabled = true;
   std::uint64_t hits = 0;
 };
@@ -72,37 +73,39 @@ struct BreakHit {
   std::string why;  ///< "breakpoint 2: scout: rule attack*enemy fired"
 };
 
-/// Looks in each finished tick for what the user waits for. The run itself is the same with breakpoints and
-/// without; whoever drives it pauses when there is a hit.
+/// Checks after each tick whether a breakpoint was hit. Breakpoints do not change the run; the caller pauses it after a
+/// hit.
 class Breakpoints {
  public:
-  /// Fails if no mind can have such a thing: no name of a rule, an element without attribute, no number to compare
-  /// with.
+  /// Adds a breakpoint and returns its number. Fails if the pattern can match nothing: no name of a rule, an element
+  /// without an attribute, no number to compare with.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
   bool Clear(int number);
   void ClearAll() { list_.clear(); }
   bool Enable(int number, bool on);
   const std::vector<Breakpoint>& list() const { return list_; }
 
-  /// Has the minds tell as much as the breakpoints need. Before each tick; costs nothing if there are none.
+  /// Sets the detail that the minds record to what the breakpoints need. Call it before each tick. Costs nothing
+  /// without breakpoints.
   void Prepare(sim::Simulation& simulation);
-  /// After each tick, with what happened in it: what was hit, in order; empty: continue.
+  /// Call after each tick, with its events. Returns the hits in order of the breakpoints; empty if the run can
+  /// continue.
   std::vector<BreakHit> Check(const sim::Simulation& simulation, const sim::EventList& events);
 
  private:
   std::optional<std::string> CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
                                          const sim::MindReport& report);
-  /// Why a number is a hit. Notes which numbers fulfil what is asked.
+  /// Returns why a number is a hit. Also records which numbers satisfy the breakpoint now.
   std::optional<std::string> NumberCause(const Breakpoint& point, const sim::MindReport& report);
 
   std::vector<Breakpoint> list_;
   int last_number_ = 0;
-  std::set<std::string> noted_;                       ///< Agents that were asked to tell all.
-  std::map<std::pair<int, std::string>, bool> held_;  ///< By breakpoint, and agent or "agent ID ^attribute": the rule
-                                                      ///< had a match, the number fulfilled what is asked.
+  std::set<std::string> noted_;                       ///< Agents whose minds record all details.
+  std::map<std::pair<int, std::string>, bool> held_;  ///< By breakpoint, and by agent or "agent ID ^attribute": whether
+                                                      ///< the rule had a match, or the number satisfied the breakpoint.
 };
 
-/// Whether an element is like "ID ^ATTRIBUTE VALUE [+]"; parts may be left out or hold *.
+/// Whether an element matches "ID ^ATTRIBUTE VALUE [+]". Parts may be omitted or contain *.
 bool IsLike(const explain::ElementFact& element, std::string_view pattern);
 
 std::string ToText(const std::vector<Breakpoint>& list);

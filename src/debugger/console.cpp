@@ -133,7 +133,7 @@ std::vector<std::string> NearMisses(explain::Inspector& mind, std::string_view l
       near.emplace_back(nearest);
   }
   const std::vector<explain::RuleFact> rules = mind.Rules();
-  constexpr std::size_t kShortest = 4;  // Shorter words are like too much.
+  constexpr std::size_t kShortest = 4;  // Shorter words are similar to too many others.
   while (words >> word) {
     const bool is_rule = std::ranges::any_of(rules, [&](const explain::RuleFact& rule) { return rule.name == word; });
     if (is_rule || word.size() < kShortest || word[0] == '-') continue;

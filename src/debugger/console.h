@@ -16,24 +16,25 @@ namespace soarbox::debugger {
 struct ConsoleLine {
   enum class Kind : std::uint8_t { kInput, kOutput, kError, kHint } kind = Kind::kOutput;
   std::uint64_t tick = 0;
-  std::string text;  ///< One line, without its end.
+  std::string text;  ///< One line, without its line end.
 };
 
-/// A command line for one agent. Its lines are Soar commands; those of an agent without a mind, and those that begin
-/// with "lua ", are Lua for its script, and "lua-sandbox " is Lua for the sandbox's. Lua runs at the beginning of the
-/// next tick; the value of an expression is its answer. What is typed takes effect at once, between two ticks, through
-/// the simulation's door: a recording keeps it.
+/// A console for one agent. Its lines are Soar commands. Lines for an agent without a mind, and lines that begin with
+/// "lua ", are Lua for the agent's script; lines that begin with "lua-sandbox " are Lua for the sandbox's script. Lua
+/// runs at the beginning of the next tick and answers with the value of an expression. Soar commands take effect at
+/// once, between two ticks. All lines pass through Simulation::Submit, so that a recording contains them.
 class Console {
  public:
   explicit Console(std::string agent) : agent_(std::move(agent)) {}
 
   const std::string& agent() const { return agent_; }
-  /// Carries out a line and keeps what it printed; an error keeps a hint at what may have been meant. Blank lines do
-  /// nothing.
+  /// Executes a line and stores its output. After an error it also stores a hint with similar names. Ignores blank
+  /// lines.
   void Run(sim::Simulation& simulation, const std::string& line);
-  /// Keeps a line that cannot be carried out now, and why.
+  /// Stores a line that cannot be executed now, with the reason.
   void Refuse(const std::string& line, std::string_view why);
-  /// Adds what others (edits, debuggers, a replayed input) made the agent do, from a tick's events; not its own lines.
+  /// Adds output that others (edits, debuggers, a replayed input) caused, from a tick's events. Skips the console's own
+  /// lines.
   void Add(const sim::EventList& events);
   const std::deque<ConsoleLine>& lines() const { return lines_; }
   void Clear() { lines_.clear(); }
@@ -41,25 +42,25 @@ class Console {
   static constexpr std::size_t kMostLines = 5'000;
 
  private:
-  /// False if the line is no Lua.
+  /// Returns false if the line is not Lua.
   bool RunLua(sim::Simulation& simulation, const std::string& line);
   void Keep(ConsoleLine::Kind kind, std::uint64_t tick, std::string_view text);
 
   std::string agent_;
   std::deque<ConsoleLine> lines_;
-  std::string typed_lua_;        ///< Whose answer is still to come, or has come.
-  std::deque<std::string> own_;  ///< Lines of its own whose events are still to come.
+  std::string typed_lua_;        ///< The last line of Lua that the user entered.
+  std::deque<std::string> own_;  ///< Lines of this console whose events have not arrived yet.
 };
 
-/// How the word that a line ends with may go on.
+/// Completions of the last word of a line.
 struct Completion {
-  std::size_t begin = 0;           ///< Where that word begins.
-  std::vector<std::string> words;  ///< Sorted; empty: nothing is known.
-  std::string common;              ///< What all have in common: what the Tab key adds stands in it.
+  std::size_t begin = 0;           ///< Where that word begins in the line.
+  std::vector<std::string> words;  ///< Sorted; empty if there are none.
+  std::string common;              ///< The common beginning of all words. The Tab key inserts it.
 };
 Completion Complete(explain::Inspector& mind, std::string_view line);
 
-/// Commands and rules that are spelt like a word of this line; empty if none is.
+/// Commands and rules with a name similar to a word of this line; empty if there are none.
 std::vector<std::string> NearMisses(explain::Inspector& mind, std::string_view line);
 
 std::string ToText(const std::deque<ConsoleLine>& lines);

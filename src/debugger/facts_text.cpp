@@ -10,7 +10,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// How many columns a text takes: bytes that go on with a character count for nothing.
+/// Number of columns of a text. Continuation bytes of a character do not count.
 std::size_t Width(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }

@@ -10,9 +10,9 @@
 
 namespace soarbox::debugger {
 
-/// What a view says where a kernel does not tell something.
+/// What a view shows for data that a kernel does not report.
 inline constexpr std::string_view kNotAvailable = "not available there";
-/// The same of a recording.
+/// What a view shows for data that a recording does not contain.
 inline constexpr std::string_view kNotRecorded = "not recorded";
 
 /// "S1 ^color red", "S1 ^operator O1 +".
@@ -25,10 +25,10 @@ std::string NameAndId(std::string_view name, std::string_view id);
 Json ToJson(const explain::ElementFact& element);
 Json ToJson(const explain::MakerFact& maker);
 
-/// Rows as columns of equal width, the first row as their titles.
+/// Formats rows as columns of equal width. The first row contains the titles.
 std::string Table(const std::vector<std::vector<std::string>>& rows);
 
-/// Whether each word of `filter` stands somewhere in the text; letters' case does not count.
+/// Whether the text contains each word of `filter`, regardless of case.
 bool Passes(std::string_view filter, std::string_view text);
 
 }  // namespace soarbox::debugger

@@ -15,7 +15,7 @@ bool IsDecimal(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Names of files may hold much; in messages they end at these.
+/// Names of files can contain most characters, but in messages they end at these.
 bool EndsName(char c) {
   return std::string_view(" \t\r\n'\"()<>,;|").find(c) != std::string_view::npos;
 }
@@ -33,7 +33,7 @@ std::optional<FilePlace> FindFilePlace(std::string_view text) {
     place.file = before.substr(place.begin);
     const auto read = std::from_chars(text.data() + colon + 1, text.data() + text.size(), place.line);
     auto end = static_cast<std::size_t>(read.ptr - text.data());
-    // The column belongs to what is shown as the place.
+    // The column is part of the marked text.
     if (end + 1 < text.size() && text[end] == ':' && IsDecimal(text[end + 1])) {
       ++end;
       while (end < text.size() && IsDecimal(text[end])) ++end;

@@ -13,7 +13,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// "(<s> ^attribute value)", taken apart.
+/// The parts of "(<s> ^attribute value)".
 struct Parts {
   std::string before;  ///< "(", "-(" or "(state ".
   std::string id, attribute, value;
@@ -24,7 +24,9 @@ std::optional<Parts> TakeApart(const std::string& text) {
   const std::size_t open = text.find('(');
   if (caret == std::string::npos || open == std::string::npos || open > caret || text.back() != ')')
     return std::nullopt;
-  if (text.find(" ^", caret + 1) != std::string::npos) return std::nullopt;  // Several: not a path of ours.
+  if (text.find(" ^", caret + 1) != std::string::npos)
+    return std::nullopt;  // Several attributes: not part of a
+                          // generated path.
   Parts parts;
   const std::size_t id = text.rfind(' ', caret - 1);
   const std::size_t begin = id == std::string::npos || id < open ? open + 1 : id + 1;
@@ -37,7 +39,7 @@ std::optional<Parts> TakeApart(const std::string& text) {
   return parts;
 }
 
-/// <h*12>: a name that the kernel gave.
+/// Whether the kernel generated a variable: <h*12>.
 bool IsGiven(const std::string& word) {
   const std::size_t star = word.rfind('*');
   return word.size() > 4 && word.front() == '<' && word.back() == '>' && star != std::string::npos &&
@@ -46,7 +48,7 @@ bool IsGiven(const std::string& word) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// "{ < 10 <h*1> }" as "< 10": without given names, and without braces where one test is left.
+/// Removes generated variables: "{ < 10 <h*1> }" is converted to "< 10". Removes braces with a single test.
 std::string WithoutGiven(const std::string& value) {
   if (IsGiven(value)) return {};
   if (value.size() < 4 || value.front() != '{' || value.back() != '}') return value;
@@ -74,7 +76,8 @@ explain::MatchFacts FoldPaths(explain::MatchFacts facts) {
     all.push_back(TakeApart(condition.text));
     if (all.back()) ++uses[all.back()->id];
   }
-  std::map<std::string, std::pair<std::string, std::string>> paths;  // A given name: whose attribute, and which path.
+  std::map<std::string, std::pair<std::string, std::string>> paths;  // By generated variable: the variable and the path
+                                                                     // that lead to it.
   std::vector<explain::ConditionFact> folded;
   std::optional<std::size_t> failing;
   for (std::size_t i = 0; i < facts.conditions.size(); ++i) {

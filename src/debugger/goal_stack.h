@@ -16,13 +16,14 @@ struct StackLevel {
   std::string operator_id, operator_name;  ///< Empty if none is selected.
 };
 
-/// The goal stack of a mind and where it stands in its cycle.
+/// The goal stack of a mind and its position in the decision cycle.
 struct StackView {
-  std::string note;   ///< Not empty: why something is missing.
-  std::string phase;  ///< That runs next: "input", "propose", "decide", "apply", "output"; empty: not known.
+  std::string note;   ///< If not empty: why something is missing.
+  std::string phase;  ///< The phase that runs next: "input", "propose", "decide", "apply", "output"; empty if it is not
+                      ///< known.
   bool within_phase = false;
   bool halted = false;
-  std::string breakdown;  ///< What used the mind's memory up.
+  std::string breakdown;  ///< If the mind ran out of memory: what used it.
   std::uint64_t decisions = 0, elaborations = 0, firings = 0;
   std::size_t elements = 0, rules = 0;
   std::vector<StackLevel> levels;  ///< Top state first.

@@ -37,7 +37,7 @@ std::vector<double> NumbersIn(const Json& json, const char* name) {
   return numbers;
 }
 
-/// "hull distance from self to box-1: 1.4": a value with what it was made from.
+/// Explains a value by what it was computed from: "hull distance from self to box-1: 1.4".
 WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& begin) {
   WhyNode node;
   node.kind = WhyKind::kImagined;
@@ -53,7 +53,7 @@ WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& b
     if (!argument.is_object()) continue;
     given += " ^" + TextIn(argument, "name") + " " + TextIn(argument, "value");
     const std::string source = TextIn(argument, "filter");
-    // What was asked for by name needs no explanation.
+    // A value that was given by name needs no explanation.
     if (source.empty() || source == "node" || source == "all_nodes") continue;
     node.below.push_back(WhyOf(argument, source, "^" + TextIn(argument, "name") + " is "));
   }
@@ -115,7 +115,7 @@ SceneExtractRow ReadExtract(std::string id, const Json& json) {
   return extract;
 }
 
-/// Each node before its children, which keep their order.
+/// Sorts nodes so that each comes before its children. Siblings keep their order.
 void Order(SceneView& scene) {
   std::multimap<std::string, std::size_t> by_parent;
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) by_parent.emplace(scene.nodes[n].parent, n);
@@ -196,13 +196,13 @@ Json JsonOf(const SceneExtractRow& extract) {
   return json;
 }
 
-/// A line of what `svs facts` prints: STATE node "NAME" {...}
+/// A line of the output of `svs facts`: STATE node "NAME" {...}
 struct FactLine {
   std::string state, kind, name;
   Json object;
 };
 
-/// Takes lines off the text, up to one that makes sense and has `part`.
+/// Removes lines from the text up to the first valid one that contains `part`, and returns that line.
 std::optional<FactLine> NextFact(std::string_view& facts, std::string_view part = {}) {
   while (!facts.empty()) {
     const std::size_t end = std::min(facts.find('\n'), facts.size());
@@ -257,7 +257,7 @@ std::optional<WhyNode> WhyRecord(explain::Inspector& mind, std::string_view reco
   if (source == nullptr) return std::nullopt;
   const std::string all = source->SceneFacts(), with_record = "\"record\":\"" + std::string(record) + "\"";
   std::string_view facts = all;
-  // Of many lines one has it: the others need not be understood.
+  // Only one of many lines contains the record; the others are not parsed.
   while (const std::optional<FactLine> line = NextFact(facts, with_record)) {
     const SceneExtractRow extract = ReadExtract(line->name, line->object);
     for (const SceneValueRow& value : extract.values) {

@@ -10,10 +10,10 @@ namespace soarbox::debugger {
 
 using Json = nlohmann::ordered_json;
 
-/// A diagnostic as all JSON output shows it; parts that are unknown are left out.
+/// Formats a diagnostic for JSON output. Parts that are not known are left out.
 Json ToJson(const Diagnostic& diagnostic);
 
-/// On one line, with its end; bytes that are no UTF-8 are replaced.
+/// Prints JSON on one line, with a line end. Replaces bytes that are not UTF-8.
 std::string Print(const Json& json);
 
 }  // namespace soarbox::debugger

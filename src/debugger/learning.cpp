@@ -20,7 +20,7 @@ bool Wanted(const LearnedRuleRow& row, std::string_view text) {
   return row.name.find(text) != std::string::npos || row.purpose.find(text) != std::string::npos;
 }
 
-/// What the log tells of a rule that was learned.
+/// Adds what the log contains about a learned rule.
 void TellWhen(const LearningLog* log, std::uint64_t until, LearnedRuleRow& row) {
   const LearnedRule* const learned = log == nullptr ? nullptr : log->Find(row.name);
   if (learned == nullptr || learned->tick > until) return;
@@ -28,7 +28,7 @@ void TellWhen(const LearningLog* log, std::uint64_t until, LearnedRuleRow& row) 
   if (row.source.empty()) row.source = learned->reason;
 }
 
-/// All that is known of a mind that is not simulated again.
+/// Fills in the view of a mind that is not simulated again.
 void LookAtLog(const LearningLog& log, std::uint64_t until, std::string_view text, LearningView& view) {
   for (auto learned = log.rules().rbegin(); learned != log.rules().rend(); ++learned) {
     if (learned->tick > until) continue;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMostLearned = 20'000, kMostFired = 1000, kMostPoints = 1000, kMostEpisodes = 2000;
 
-/// One point for each tick: the last. Of too many, every second of the older half goes.
+/// Adds a point; only the last one of a tick is kept. If there are too many, removes every second one of the older
+/// half.
 void AddPoint(LearningLog::Points& points, std::uint64_t tick, double value) {
   if (!points.empty() && points.back().first == tick) {
     points.back().second = value;
@@ -89,7 +90,7 @@ void LearningLog::CutFrom(std::uint64_t tick) {
   }
   CutPoints(rewards_, tick);
   while (!episodes_.empty() && episodes_.back().last_tick >= tick) episodes_.pop_back();
-  // Reward after the last end that stays is that of an episode under way.
+  // Reward after the last remaining end belongs to the current episode.
   const std::uint64_t end = episodes_.empty() ? 0 : episodes_.back().last_tick;
   const auto first = std::ranges::upper_bound(rewards_, end, {}, &std::pair<std::uint64_t, double>::first);
   is_in_episode_ = first != rewards_.end();

@@ -24,7 +24,7 @@ using ::testing::Not;
 
 using Lessons = MindFixture;
 
-/// Looks the price of a pear up in a substate; the rule that it learns knows that of a fig at once.
+/// Looks up the price of a pear in a substate. The learned rule then knows that of a fig at once.
 constexpr const char* kShopper = R"(
 chunk always
 sp {hero*init (state <s> ^superstate nil) --> (<s> ^tag <t1> ^tag <t2>)
@@ -38,7 +38,7 @@ sp {hero*price*look (state <ss> ^superstate <s> ^wanted <f>) (<s> ^operator.name
    (<t> ^fruit <f> ^cents <c>) --> (<s> ^cost <c>)}
 )";
 
-/// Gets 1 for each turn, and 5 turns make an episode.
+/// Gets a reward of 1 in each turn. An episode has 5 turns.
 constexpr const char* kEarner = R"(
 rl --set learning on
 rl --set temporal-extension off

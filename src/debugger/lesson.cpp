@@ -13,7 +13,7 @@ using explain::FiringFact;
 using explain::LessonFact;
 using explain::TripleFact;
 
-constexpr std::size_t kMostFirings = 200;  ///< That are told of one rule.
+constexpr std::size_t kMostFirings = 200;  ///< Maximum number of firings reported for one rule.
 
 const FiringFact* FindFiring(const LessonFact& lesson, std::uint32_t serial) {
   const auto found = std::ranges::find(lesson.firings, serial, &FiringFact::serial);
@@ -32,7 +32,7 @@ std::string FiringName(const FiringFact& firing) {
   return firing.rule + " (firing " + std::to_string(firing.serial) + ")";
 }
 
-/// What an operator is called: by an action or a condition that names it, else by its variable.
+/// The name of an operator in an action or condition; otherwise its variable.
 std::string OperatorCalled(const LessonFact& lesson, const std::string& id) {
   for (const std::vector<TripleFact>* triples : {&lesson.actions, &lesson.conditions}) {
     for (const TripleFact& triple : *triples) {
@@ -57,7 +57,8 @@ std::string PreferenceWords(const LessonFact& lesson, const TripleFact& action) 
   return is_number ? "gives " + name + " the value " + other : "makes " + name + " indifferent to " + other;
 }
 
-/// The conditions of a firing, those of higher states as what they are, others with the firing that made them below.
+/// Explains the conditions of a firing. Elements of higher states are leaves; others have the firing that made them
+/// below.
 class FiringTeller {
  public:
   explicit FiringTeller(const LessonFact& lesson) : lesson_(lesson) {}
@@ -146,7 +147,7 @@ std::string PurposeOf(const LessonFact& lesson) {
     add(PreferenceWords(lesson, action));
     operators.insert(action.value);
   }
-  // What an operator that it proposes is like belongs to that.
+  // Actions on a proposed operator are part of the proposal.
   for (const TripleFact& action : lesson.actions) {
     if (action.attribute == "operator" || operators.contains(action.id)) continue;
     const bool is_variable = action.value.starts_with('<');

@@ -11,20 +11,21 @@
 
 namespace soarbox::debugger {
 
-/// What a learned rule is good for, from its actions: "proposes go", "prefers go to stay", "makes ^cost".
+/// What a learned rule does, from its actions: "proposes go", "prefers go to stay", "makes ^cost".
 std::string PurposeOf(const explain::LessonFact& lesson);
 /// "operator no-change in S1, where price was selected".
 std::string ImpasseOf(const explain::LessonFact& lesson);
 
-/// Where a learned rule comes from: the substate with its impasse and superstate, the firings behind it, and why each
-/// of its conditions is there.
+/// Explains the origin of a learned rule: the substate with its impasse and superstate, the firings that led to the
+/// result, and the reason for each condition.
 WhyNode TellLesson(const explain::LessonFact& lesson);
-/// The same in short, to stand below what the rule made: the substate, and the firings that led to the result.
+/// A short form of it, to be added below an element that the rule made: the substate, and the firings that led to the
+/// result.
 WhyNode TellOrigin(const explain::LessonFact& lesson);
 
-/// Of a rule of this name; nothing if it was not learned. Where it is not known how, the answer says so.
+/// Explains the rule of this name; nothing if it was not learned. If its origin is not known, the answer says so.
 std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rule);
-/// TellOrigin of a rule of this name; nothing if it was not learned, or nobody knows how.
+/// TellOrigin for the rule of this name; nothing if it was not learned, or if its origin is not known.
 std::optional<WhyNode> OriginOf(explain::Inspector& mind, std::string_view rule);
 
 }  // namespace soarbox::debugger

@@ -54,7 +54,7 @@ IoView LookAtIo(explain::Inspector& mind, const MemoryChanges& changes) {
   view.output = LookAtObject(mind, facts.output_link, changes, kDepth);
   view.input.about = "input-link";
   view.output.about = "output-link";
-  // Links are there even with nothing on them.
+  // The links exist even if they have no elements.
   if (!facts.input_link.empty()) view.input.exists = true, view.input.note.clear();
   if (!facts.output_link.empty()) view.output.exists = true, view.output.note.clear();
   for (const MemoryRow& row : view.output.rows)

@@ -14,12 +14,13 @@ namespace soarbox::debugger {
 /// A command on the output link.
 struct CommandRow {
   std::string name;
-  std::string id;  ///< Its identifier; empty if it is a plain value.
+  std::string id;  ///< Its identifier; empty if the command is a constant.
   std::uint64_t timetag = 0;
-  std::vector<MemoryRow> parameters;  ///< Without the world's answer.
-  std::string status;                 ///< "complete", "error", "interrupted"; "under way" without one.
-  std::string reason;                 ///< Of an error.
-  double progress = -1;               ///< 0 to 1; less than 0: not told.
+  std::vector<MemoryRow> parameters;  ///< Without the answer of the world.
+  std::string status;                 ///< "complete", "error" or "interrupted"; "under way" if the command has no
+                                      ///< status yet.
+  std::string reason;                 ///< Why it failed, for an error.
+  double progress = -1;               ///< 0 to 1; negative if it is not reported.
 };
 
 struct IoView {

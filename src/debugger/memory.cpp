@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 2'000;
 
-/// What an object is: "state", "operator seek", or its ^name or ^type.
+/// Describes an object: "state", "operator seek", or its ^name or ^type.
 std::string AboutObject(const std::vector<explain::ElementFact>& elements) {
   std::string name, type;
   bool is_state = false;

@@ -17,7 +17,7 @@ namespace soarbox::debugger {
 
 enum class Change : std::uint8_t { kNone, kAdded, kRemoved };
 
-/// What came into a working memory and left it in a tick, as it was noted (MindDetail::kAll).
+/// Elements that were added to or removed from a working memory in a tick, as recorded (MindDetail::kAll).
 class MemoryChanges {
  public:
   MemoryChanges() = default;
@@ -25,7 +25,7 @@ class MemoryChanges {
 
   bool WasAdded(std::uint64_t timetag) const { return added_.contains(timetag); }
   const std::map<std::uint64_t, explain::ElementFact>& added() const { return added_; }
-  /// Elements that were there before the tick and are gone.
+  /// Elements that existed before the tick and have been removed.
   const std::map<std::uint64_t, explain::ElementFact>& removed() const { return removed_; }
 
  private:
@@ -36,35 +36,35 @@ explain::ElementFact FactOf(const mind::ElementChanged& element);
 
 struct MemoryRow {
   explain::ElementFact element;
-  std::string about;  ///< Of an object: its ^name or ^type, if it has one.
+  std::string about;  ///< For an object: its ^name or ^type, if it has one.
   Change change = Change::kNone;
-  std::vector<MemoryRow> below;  ///< Of trees: the object's elements.
+  std::vector<MemoryRow> below;  ///< In a tree: the elements of the object.
 };
 
 /// An identifier with its elements.
 struct MemoryObject {
   std::string id;
-  std::string about;            ///< "state", "operator seek", "input-link", ...; empty if nothing is known.
-  bool exists = false;          ///< False: working memory has no such identifier.
-  std::vector<MemoryRow> rows;  ///< By attribute; what was removed comes last.
-  std::string note;             ///< Not empty: why there is nothing, or less.
+  std::string about;            ///< "state", "operator seek", "input-link", ...; empty if it is not known.
+  bool exists = false;          ///< False if working memory has no such identifier.
+  std::vector<MemoryRow> rows;  ///< Sorted by attribute; removed elements come last.
+  std::string note;             ///< If not empty: why there are no rows, or why some are missing.
 };
 
-/// `depth`: how many levels of objects are opened; 1: this one alone. An object opens once.
+/// `depth`: number of levels of objects that are expanded; 1 means this object only. Each object is expanded once.
 MemoryObject LookAtObject(explain::Inspector& mind, std::string_view id, const MemoryChanges& changes = {},
                           std::size_t depth = 1);
 
-/// Everything about one element.
+/// An element with the rules that made it and those that test it.
 struct ElementStory {
   explain::ElementFact element;
-  std::vector<explain::MakerFact> makers;    ///< Who put it there; several rules may agree.
+  std::vector<explain::MakerFact> makers;    ///< What made it. Several rules may have made the same element.
   std::vector<explain::TesterFact> testers;  ///< Rules that test it.
   std::string note;
 };
-/// Nothing if there is no element with this time tag.
+/// Returns nothing if there is no element with this time tag.
 std::optional<ElementStory> LookAtElement(explain::Inspector& mind, std::uint64_t timetag);
 
-/// Elements with this text anywhere in memory, by time tag.
+/// Elements that contain `text` anywhere, by time tag.
 std::vector<explain::ElementFact> SearchMemory(explain::Inspector& mind, std::string_view text, std::size_t most = 500);
 
 std::string ToText(const MemoryObject& object);

@@ -12,7 +12,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// "to scout: ^about contact ^range 3" of a "says" event.
+/// Parses the text of a "says" event: "to scout: ^about contact ^range 3".
 MessageRow ReadSaid(const sim::RunEvent& event) {
   MessageRow row;
   row.tick = event.tick;

@@ -14,29 +14,29 @@
 
 namespace soarbox::debugger {
 
-/// Something that one agent said to others, or a user to an agent.
+/// A message from one agent to others, or an order from a user to an agent.
 struct MessageRow {
   std::uint64_t tick = 0;
   double time_s = 0;
-  std::string from;   ///< Empty: the user's order.
+  std::string from;   ///< Empty for an order from the user.
   std::string to;     ///< An agent, or "team red".
   std::string about;  ///< Its subject, if it has one.
-  std::string text;   ///< All that it says: "^about contact ^range 12".
+  std::string text;   ///< The complete content: "^about contact ^range 12".
 };
 
-/// What agents say to each other, over the ticks that were added.
+/// The messages between agents in the ticks that were added.
 class MessageLog {
  public:
-  /// Ticks come in order; an earlier one takes back what was added from there on.
+  /// Ticks come in order. Adding an earlier tick removes everything from that tick on.
   void Add(const record::TickRecord& tick);
   void Clear() {
     rows_.clear();
     revision_ = NewRevision();
   }
   const std::deque<MessageRow>& rows() const { return rows_; }
-  /// Another one whenever the rows change (see NewRevision).
+  /// Changes whenever the rows change (see NewRevision).
   std::uint64_t revision() const { return revision_; }
-  /// Those from or to an agent or a team (empty: all), with each word of the text somewhere.
+  /// Messages from or to an agent or a team that contain each word of the text. An empty `who` means all.
   std::vector<MessageRow> Find(std::string_view who, std::string_view text) const;
 
   static constexpr std::size_t kMost = 10'000;

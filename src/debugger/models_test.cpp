@@ -288,7 +288,7 @@ TEST(Trace, ASearchThatIsKeptFindsWhatOneFromTheBeginningDoes) {
   filter.text = "O1";
   EXPECT_TRUE(is_same());
   EXPECT_FALSE(search.Find(trace, filter).empty());
-  trace.Add(TickOf(25, {Selected("O1")}));  // Somebody went back.
+  trace.Add(TickOf(25, {Selected("O1")}));  // The run went back.
   EXPECT_TRUE(is_same());
   trace.Clear();
   EXPECT_TRUE(is_same());

@@ -25,7 +25,7 @@ std::string Who(const OperatorRow& row) {
   return NameAndId(row.name, row.id);
 }
 
-/// The facts of the decision, in the words of tell, for one view.
+/// The view of a recorded decision, in the words of `tell`.
 class Account {
  public:
   Account(const mind::Decision& decision, OperatorsView& view) : decision_(decision), view_(view) {}
@@ -66,7 +66,7 @@ class Account {
       row.verdict = Say(is_tie ? Situation::kIsTied : contradicts ? Situation::kIsContradicted : Situation::kCouldWin);
     }
     if (!decision_.is_forced) return;
-    // Chance had no part in it.
+    // Chance had no influence.
     row.probability.reset();
     if (row.selected) row.verdict = "selected";
   }
@@ -122,7 +122,7 @@ class Account {
   OperatorsView& view_;
 };
 
-/// Where the procedure's account is missing: what is selected, without a why.
+/// Fills in what is selected, without a reason, because no decision is recorded.
 void TellWithout(OperatorsView& view) {
   for (OperatorRow& row : view.rows) {
     row.verdict = row.selected ? "selected" : row.proposed ? "proposed" : "";
@@ -136,7 +136,7 @@ void TellWithout(OperatorsView& view) {
   }
 }
 
-/// Kernels print six decimals.
+/// Removes trailing zeros, because kernels print six decimals.
 std::string WithoutZeros(std::string number) {
   if (number.find('.') == std::string::npos) return number;
   number.erase(number.find_last_not_of('0') + 1);
@@ -144,7 +144,7 @@ std::string WithoutZeros(std::string number) {
   return number;
 }
 
-/// What each operator has besides its name, by attribute: "north", or "W1 (north)" for an object with a name.
+/// The attributes of an operator except its name: "north", or "W1 (north)" for an object with a name.
 using Features = std::map<std::string, std::string>;
 
 Features FeaturesOf(explain::Inspector& mind, const std::string& op) {
@@ -162,7 +162,7 @@ Features FeaturesOf(explain::Inspector& mind, const std::string& op) {
   return features;
 }
 
-/// Operators of one name are told apart by those attributes in which they differ.
+/// Describes operators of the same name by the attributes in which they differ.
 void TellApart(explain::Inspector& mind, OperatorsView& view) {
   constexpr std::size_t kMostOperators = 24, kMostAttributes = 3;
   std::map<std::string, std::vector<OperatorRow*>> by_name;
@@ -216,14 +216,14 @@ std::string Describe(const PreferenceFact& preference) {
                           {"op", "it"},
                           {"other", NameAndId(preference.other_name, preference.referent)},
                           {"value", WithoutZeros(preference.referent)}});
-  return text.substr(text.find_first_not_of(' '));  // Who made it may not be told.
+  return text.substr(text.find_first_not_of(' '));  // The origin may not be reported.
 }
 
 OperatorsView View(const explain::OperatorFacts& facts) {
   OperatorsView view;
   view.state = facts.state;
   view.selected = facts.selected;
-  // A no-change below is no matter of preferences.
+  // A no-change impasse does not depend on preferences.
   if (facts.impasse != "none" && facts.impasse != "no-change") view.impasse = facts.impasse;
   for (const PreferenceFact& preference : facts.preferences) {
     OperatorRow& row = FindOrAddRow(view, preference.value, preference.name);
@@ -249,7 +249,7 @@ OperatorsView LookAtOperators(explain::Inspector& mind, std::string_view state) 
   std::string wanted(state);
   explain::OperatorFacts facts;
   if (wanted.empty()) {
-    // The lowest state that has any.
+    // The lowest state with operators.
     const std::vector<explain::StateFact> stack = mind.Stack();
     if (!stack.empty()) wanted = stack.front().id;
     for (auto at = stack.rbegin(); at != stack.rend(); ++at) {

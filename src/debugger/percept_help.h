@@ -8,11 +8,11 @@
 
 namespace soarbox::debugger {
 
-/// The row of the table of percepts for a path from the input link; keys in it ("waypoint#east.distance") do not count.
-/// Null for what scripts and scenarios add.
+/// Returns the row of the table of percepts for a path from the input link. Keys in the path ("waypoint#east.distance")
+/// are ignored. Null for percepts that scripts and scenarios add.
 const vocabulary::PerceptRow* PerceptOf(std::string_view path);
 
-/// What a percept means, "How far it is away, in m, 0 to 100"; empty if the table does not have it.
+/// Describes a percept: "How far it is away, in m, 0 to 100". Empty if the table does not contain it.
 std::string DescribePercept(std::string_view path);
 
 }  // namespace soarbox::debugger

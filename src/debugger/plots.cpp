@@ -36,7 +36,7 @@ bool IsLearning(std::string_view what) {
   return what == "reward" || what.starts_with(kLearned);
 }
 
-/// What reward has brought so far, or made of a rule's number.
+/// The total reward, or the learned value of a rule.
 std::optional<double> Learned(explain::Inspector& mind, std::string_view what) {
   auto* const source = dynamic_cast<explain::LearningSource*>(&mind);
   if (source == nullptr) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<double> Learned(explain::Inspector& mind, std::string_view what) {
   return number->value;
 }
 
-/// The first number at the end of a way like "S1.io.input-link.speed".
+/// The first number at the end of a path like "S1.io.input-link.speed".
 std::optional<double> Follow(explain::Inspector& mind, std::string_view path) {
   std::size_t dot = path.find('.');
   std::string id(path.substr(0, dot));
@@ -71,7 +71,7 @@ std::optional<double> OfBody(const record::TickRecord& tick, std::string_view ag
   return what == "health" ? at->health : world::Length(at->velocity);
 }
 
-/// A way through working memory, and the same as a percept's path as long as no attribute on it stands twice.
+/// A path in working memory, and the corresponding path of a percept if no attribute on it occurs twice.
 struct PathNames {
   std::string memory;
   std::optional<std::string> percept;
@@ -96,7 +96,7 @@ void NumbersBelow(explain::Inspector& mind, const std::string& id, const PathNam
   }
 }
 
-/// What the record of a tick tells of a number; percepts are those of the agent at its end.
+/// The value in the record of a tick. `percepts` are those of the agent at the end of the tick.
 std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view agent, std::string_view what,
                               const std::map<std::string, record::PerceptValues, std::less<>>& percepts,
                               bool& has_firings) {
@@ -171,7 +171,7 @@ void Plots::Point(PlotSeries& series, std::uint64_t tick, double value) {
 void Plots::Prepend(std::string_view agent, std::string_view what, const std::vector<PlotPoint>& points) {
   const auto series =
       std::ranges::find_if(series_, [&](const PlotSeries& one) { return one.agent == agent && one.what == what; });
-  if (series == series_.end()) return;  // It was taken away meanwhile.
+  if (series == series_.end()) return;  // The plot was removed in the meantime.
   std::deque<PlotPoint> later;
   later.swap(series->points);
   for (const PlotPoint& point : points)

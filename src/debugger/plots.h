@@ -22,38 +22,39 @@ struct PlotPoint {
   double value = 0;
 };
 
-/// One number of an agent over ticks.
+/// One quantity of an agent over time.
 struct PlotSeries {
   std::string agent;
   std::string what;  ///< See Plots.
   std::deque<PlotPoint> points;
   double minimum = 0, maximum = 0;  ///< Of the points.
-  bool has_firings = false;         ///< Of "fired": firings were noted, so that none means none.
+  bool has_firings = false;         ///< For "fired": firings are recorded, so that no point means that no rule fired.
 };
 
-/// Numbers over ticks. What can be plotted of an agent:
-///   "health", "speed", "fired" (rules that fired, MindDetail::kAll), "decisions",
-///   "decide_us" (real time), "reward" (in all), "learned:RULE" (the rule's number): all three only of a live run,
+/// Quantities over time. These can be plotted for an agent:
+///   "health", "speed", "fired" (number of rules that fired, needs MindDetail::kAll), "decisions",
+///   "decide_us" (real time of its decisions in µs), "reward" (total) and "learned:RULE" (the rule's value): only live,
 ///   a percept's path ("self.speed", "agent#3.range"),
-///   a way through working memory from an identifier ("S1.reward-link.reward.value"; only of a live run).
+///   a path in working memory from an identifier ("S1.reward-link.reward.value"): only live.
 class Plots {
  public:
-  /// Begins with what is known of it; false if it is there already.
+  /// Adds a plot, which begins with the values that are already known. Returns false if the plot exists.
   bool Plot(std::string agent, std::string what);
   bool Remove(std::string_view agent, std::string_view what);
   void Clear() { series_.clear(); }
 
-  /// What a tick's record tells. Ticks come in order; an earlier one takes back the points from there on.
+  /// Adds the values that a tick's record contains. Ticks come in order. Adding an earlier tick removes the points from
+  /// that tick on.
   void Add(const record::TickRecord& tick);
-  /// Puts earlier points (see PlotHistory) in front of a plot's first.
+  /// Inserts earlier points (see PlotHistory) before the first point of a plot.
   void Prepend(std::string_view agent, std::string_view what, const std::vector<PlotPoint>& points);
-  /// What only the live run tells: call after Add of the same tick.
+  /// Adds the values that only a live run provides. Call it after Add of the same tick.
   void Sample(const sim::Simulation& simulation);
 
   const std::vector<PlotSeries>& series() const { return series_; }
 
-  /// Of a plot, and of the decision times that are noted of every agent. When there are more, the older half is thinned
-  /// out: of four points that follow each other the least and the greatest stay, so that a plot keeps its beginning.
+  /// Maximum number of points of a plot, and of decision times for each agent. Above it, the older half is thinned out:
+  /// of four consecutive points the smallest and the largest stay, so that a plot keeps its beginning.
   static constexpr std::size_t kMostPoints = 20'000, kMostTimes = 4'000;
 
  private:
@@ -61,19 +62,19 @@ class Plots {
 
   std::vector<PlotSeries> series_;
   std::map<std::string, record::PerceptValues, std::less<>> percepts_;  ///< By agent.
-  /// By agent, noted always: nobody can tell them later.
+  /// By agent. Always recorded, because decision times cannot be determined later.
   std::map<std::string, std::deque<PlotPoint>, std::less<>> times_;
 };
 
-/// One number of an agent in ticks that are over, for a plot that begins after them. Decision times are not among what
-/// is recorded of a tick; a way through working memory is followed where its elements were noted.
+/// One quantity of an agent in past ticks, for a plot that was added later. Records of ticks contain no decision times.
+/// A path in working memory is followed if the elements were recorded.
 class PlotHistory {
  public:
   PlotHistory(std::string agent, std::string what);
 
   const std::string& agent() const { return agent_; }
   const std::string& what() const { return what_; }
-  /// Ticks in order.
+  /// Ticks come in order.
   void Add(const record::TickRecord& tick);
   const std::vector<PlotPoint>& points() const { return points_; }
 
@@ -85,10 +86,11 @@ class PlotHistory {
   std::vector<PlotPoint> points_;
 };
 
-/// What is measured and its unit: "decision time (µs)", "self.position.x (m)".
+/// The quantity with its unit: "decision time (µs)", "self.position.x (m)".
 std::string PlotTitle(std::string_view what);
 
-/// Paths that can be plotted of an agent now: what is always there, numbers among its percepts, numbers of its states.
+/// What can be plotted for an agent now: the quantities that every agent has, its numeric percepts, and numbers of its
+/// states.
 std::vector<std::string> Plottable(explain::Inspector& mind);
 
 std::string ToText(const std::vector<PlotSeries>& series);

@@ -85,7 +85,7 @@ EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number) {
   const std::vector<explain::RememberedFact> facts = source->Episode(number);
   if (facts.empty()) return view;
   view.number = number;
-  // Objects in the order in which they are reached; each has the path that led to it first.
+  // Objects in the order in which they are reached, each with the first path to it.
   std::map<std::uint32_t, std::string> paths{{0, ""}};
   std::map<std::uint32_t, std::string> ways;  // The attribute that leads there.
   Values values;

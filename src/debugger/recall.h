@@ -17,25 +17,25 @@
 
 namespace soarbox::debugger {
 
-/// What rules asked of long-term memory, the answer, and the reason for it.
+/// A recall from long-term memory: what rules asked, the answer, and the reason for it.
 struct Recall {
   std::uint64_t tick = 0;
   int level = 1;
   bool is_episode = false;
-  std::uint64_t number = 0;  ///< Of the object or the episode; 0: nothing came.
-  std::string answer;        ///< Of an object some augmentations.
+  std::uint64_t number = 0;  ///< Number of the object or the episode; 0 if nothing was found.
+  std::string answer;        ///< For an object: some of its augmentations.
   std::string question;
   std::string reason;
 };
 
-/// The recalls of one agent, fed tick by tick, live or from a recording.
+/// The recalls of one agent. Add them tick by tick, live or from a recording.
 class RecallLog {
  public:
   void Add(std::uint64_t tick, const record::MindRecord& mind);
-  /// Forgets what came from this tick on: the run went back.
+  /// Removes everything from this tick on. Call it when the run went back.
   void CutFrom(std::uint64_t tick);
   const std::deque<Recall>& recalls() const { return recalls_; }  ///< The oldest first; the last 2,000.
-  /// Those up to this tick.
+  /// A copy with the recalls up to this tick.
   RecallLog Until(std::uint64_t tick) const;
   std::uint64_t count() const { return count_; }
 
@@ -44,23 +44,23 @@ class RecallLog {
   std::uint64_t count_ = 0;
 };
 
-/// A thing of a remembered world, with a place in it.
+/// An object of a remembered world that has a position.
 struct RememberedThing {
-  std::string name;  ///< "self" of the agent itself.
+  std::string name;  ///< "self" for the agent.
   std::string kind;  ///< The attribute that led to it: "agent", "object", "self".
   double x = 0, z = 0;
 };
 
-/// What an agent has in long-term memory.
+/// The contents of an agent's long-term memory.
 struct LongTermView {
   explain::LongTermFacts facts;
-  std::string note;  ///< What a reader should know: nothing is switched on, not told there.
+  std::string note;  ///< A remark for the reader: no memory is switched on, or the kernel does not report it.
 };
 
-/// Of known objects with this text.
+/// Shows objects that contain `text`; at most `most`.
 LongTermView LookAtLongTerm(explain::Inspector& mind, const std::string& text = {}, std::size_t most = 200);
 
-/// An episode as lines: "self.position.x 3", and the things in it that have a place.
+/// An episode as lines, such as "self.position.x 3", and the objects in it that have a position.
 struct EpisodeView {
   std::size_t number = 0;                       ///< 0: there is no such episode.
   std::optional<double> time_s = std::nullopt;  ///< What the agent perceived as ^io.input-link.time, if it did.
@@ -69,7 +69,7 @@ struct EpisodeView {
 };
 EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number);
 
-/// Adds what was recalled last to an answer of *Why*: what came, for which question, and why that.
+/// Adds the last recalls to an answer of *Why*: what was found, what was asked, and the reason for the answer.
 void TellRecalls(const RecallLog& log, WhyNode& answer);
 
 std::string ToText(const LongTermView& view);

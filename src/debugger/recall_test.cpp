@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 using Recalling = MindFixture;
 
-/// Knows two crates and asks for ammunition, then for what nobody knows, and for an episode.
+/// Has two crates, and asks for ammunition, then for something unknown, and for an episode.
 constexpr const char* kRecallRules = R"(
 smem --enable
 epmem --enable
@@ -46,7 +46,7 @@ TEST_F(Recalling, TellsWhatWasAskedWhatCameAndWhy) {
   EXPECT_TRUE(recalls[2].is_episode);
   EXPECT_GT(recalls[2].number, 0u);
   EXPECT_THAT(recalls[2].reason, HasSubstr("the latest episode in which all of it holds"));
-  // A run that went back forgets what came later.
+  // After going back, later recalls are removed.
   RecallLog log = models.recalls["hero"];
   log.CutFrom(recalls[1].tick);
   EXPECT_LT(log.recalls().size(), 3u);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostCommands = 12;
 constexpr std::string_view kInput = "input-link", kOutput = "output-link", kCommandId = "command#";
 
-/// What came of one event after the other.
+/// Applies events in order.
 class MindReader {
  public:
   MindReader(RecordedMind& mind, std::uint64_t tick) : mind_(mind), tick_(tick) {}
@@ -39,7 +39,7 @@ class MindReader {
     state.impasse = tell::ReasonName(made.reason);
     if (made.level > 1) state.attribute = made.on_operator ? "operator" : "state";
     mind_.stack.push_back(std::move(state));
-    // A program that waits in its top state without an operator says so of that state.
+    // The decision of a no-change impasse is about the state above.
     if (!made.decision.empty()) Note(std::max(made.level - 1, 1), made.decision);
   }
   void operator()(const mind::StateGone& gone) { Keep(gone.level - 1); }
@@ -100,15 +100,15 @@ class MindReader {
   void operator()(const Other&) {}
 
  private:
-  /// What is above that level stays.
+  /// Removes all states below this level.
   void Keep(int levels) {
     last_level_ = 0;
     if (static_cast<int>(mind_.stack.size()) > levels)
       mind_.stack.resize(static_cast<std::size_t>(std::max(levels, 0)));
     mind_.accounts.erase(mind_.accounts.upper_bound(levels), mind_.accounts.end());
   }
-  /// The top state is made before anybody listens, and a recording may begin in the middle of a run: states above are
-  /// there, whatever they are called.
+  /// Adds missing states above a level. The top state is created before anyone observes the mind, and a recording may
+  /// begin in the middle of a run. Their names are not known.
   void Assume(int levels) {
     while (static_cast<int>(mind_.stack.size()) < levels) {
       explain::StateFact& state = mind_.stack.emplace_back();
@@ -124,10 +124,10 @@ class MindReader {
 
   RecordedMind& mind_;
   std::uint64_t tick_;
-  int last_level_ = 0;  ///< That the last decision was about.
+  int last_level_ = 0;  ///< The level of the last decision.
 };
 
-/// What the decision procedure said when it last decided in a state, if that is recorded.
+/// The last recorded decision in a state; nothing if none is recorded.
 std::optional<mind::Decision> DecisionOf(const RecordedMind::Account* account) {
   return account == nullptr || account->decision.empty() ? std::nullopt : mind::Unpack(account->decision);
 }
@@ -137,7 +137,7 @@ const RecordedMind::Account* AccountOf(const RecordedMind& mind, const explain::
   return found == mind.accounts.end() ? nullptr : &found->second;
 }
 
-/// A preference of a decision as the inspectors of living minds give it.
+/// Converts a preference of a decision to the form of living minds.
 explain::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision::Preference& preference) {
   constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
       {"acceptable", "+"}, {"require", "!"}, {"reject", "-"},      {"prohibit", "~"}, {"best", ">"}, {"worst", "<"},
@@ -164,8 +164,8 @@ class RecordInspector final : public explain::Inspector {
     const explain::ElementFact* io = FindElement("S1", "io");
     const explain::ElementFact* input = io == nullptr ? nullptr : FindElement(io->value, kInput);
     const explain::ElementFact* output = io == nullptr ? nullptr : FindElement(io->value, kOutput);
-    // Soar itself makes the links when an agent is made, before anybody takes notes; they are always called so. Where
-    // memory itself is not recorded, percepts and commands stand in for what is on them.
+    // Soar creates the links with the agent, before events are recorded; their names are always the same. If memory is
+    // not recorded, percepts and commands are shown in place of the links' elements.
     const bool has_memory = !mind.elements.empty();
     input_ = input != nullptr ? input->value : std::string(has_memory ? "I2" : kInput);
     output_ = output != nullptr ? output->value : std::string(has_memory ? "I3" : kOutput);
@@ -217,7 +217,7 @@ class RecordInspector final : public explain::Inspector {
   std::vector<explain::MakerFact> MakersOf(std::uint64_t) override { return {}; }
   std::vector<explain::TesterFact> TestersOf(std::uint64_t) override { return {}; }
 
-  /// Candidates stand in memory, if that is recorded; what else speaks for or against them does not.
+  /// If memory is recorded, it contains the candidates, but not the other preferences.
   explain::OperatorFacts Operators(std::string_view state) override {
     explain::OperatorFacts facts;
     for (const explain::StateFact& level : mind_.stack) {
@@ -261,7 +261,7 @@ class RecordInspector final : public explain::Inspector {
     return nullptr;
   }
 
-  /// What the decision procedure said when it last decided in this state.
+  /// Adds the last recorded decision in this state.
   void Decided(explain::OperatorFacts& facts, const explain::StateFact& state) const {
     facts.decision = DecisionOf(AccountOf(mind_, state));
     if (!facts.decision) return;
@@ -283,14 +283,14 @@ class RecordInspector final : public explain::Inspector {
     preference.name = name;
   }
 
-  /// A value is an object if something is known of it.
+  /// Marks a value as an object if elements of it are known.
   explain::ElementFact WithKind(explain::ElementFact element) const {
     const auto is_of = [&](const auto& entry) { return entry.second.id == element.value; };
     element.is_object = std::ranges::any_of(mind_.elements, is_of);
     return element;
   }
 
-  /// Percepts below a path ("input-link": all) as elements; a part of a path serves as identifier.
+  /// Converts percepts below a path ("input-link": all) to elements. Parts of the path are used as identifiers.
   void AddPercepts(std::string_view id, std::vector<explain::ElementFact>& found) const {
     const std::string prefix = id == kInput ? std::string{} : std::string(id) + ".";
     std::uint64_t number = 0;
@@ -440,7 +440,7 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     const RecordedMind::Account* account = AccountOf(mind, state);
     const std::optional<mind::Decision> decision = DecisionOf(account);
     if (state.operator_id.empty()) {
-      // An impasse has a reason, too.
+      // Impasses have reasons, too.
       if (!decision) continue;
       if (std::string why = tell::WhyNothing(*decision); !why.empty())
         root.below.push_back({"no operator is selected in " + state.id + ": " + why, WhyKind::kReason, "", {}});

@@ -21,30 +21,30 @@
 
 namespace soarbox::debugger {
 
-/// What the records of ticks tell of one mind at the end of the last of them.
+/// The state of one mind after the last added tick, as far as the records of the ticks contain it.
 struct RecordedMind {
-  /// An operator that was selected, and why.
+  /// A selected operator, and why it was selected.
   struct Selected {
     std::string id, name;
     std::string decision;  ///< Packed (mind/decision_codec.h); may be empty.
   };
   struct Command {
     std::string name, parameters;                             ///< "^waypoint gate ^within 0.8"
-    std::vector<std::pair<std::string, std::string>> values;  ///< The same by attribute.
-    std::string status;                                       ///< Empty: under way.
+    std::vector<std::pair<std::string, std::string>> values;  ///< The same as pairs of attribute and value.
+    std::string status;                                       ///< Empty while the command is under way.
     std::string reason;
-    std::string rule;                ///< That said it; empty if it is not known.
-    std::vector<Selected> selected;  ///< When it was given, from the top state down.
+    std::string rule;                ///< The rule that gave it; empty if it is not known.
+    std::vector<Selected> selected;  ///< The operators that were selected when it was given, from the top state down.
     std::uint64_t tick = 0;
   };
 
   record::Level level = record::Level::kDecisions;
-  bool is_whole = true;  ///< Known since the beginning of its run.
+  bool is_whole = true;  ///< The records are complete from the beginning of the mind's run.
   std::vector<explain::StateFact> stack;
-  /// Why an operator was selected in a state, or none was.
+  /// Why an operator was selected in a state, or why none was.
   struct Account {
     std::string decision;  ///< Packed (mind/decision_codec.h); may be empty.
-    std::string remark;    ///< What an old recording says instead, in words.
+    std::string remark;    ///< The text of a mind::Remark, which nothing writes any more.
   };
   std::map<int, Account> accounts;  ///< By level of the stack.
   record::PerceptValues percepts;
@@ -55,24 +55,24 @@ struct RecordedMind {
   bool halted = false;
 };
 
-/// Minds of a recording, for moments that are not simulated again: goal stack, percepts and commands at
-/// Level::kDecisions, working memory and firings at Level::kAll. Fed tick by tick.
+/// The minds of a recording, for moments that are not simulated again. At Level::kDecisions they have goal stack,
+/// percepts and commands; at Level::kAll also working memory and firings. Add ticks in order.
 class RecordedMinds {
  public:
-  /// `only`: the one mind that is wanted; empty: all.
+  /// `only`: the name of the one mind to keep; empty to keep all.
   explicit RecordedMinds(record::Level level = record::Level::kDecisions, std::string only = {})
       : level_(level), only_(std::move(only)) {}
 
-  /// Ticks come in order, from the first that is recorded on. For an earlier one begin again with Clear.
+  /// Ticks come in order, from the first recorded tick. To go back to an earlier tick, call Clear and begin again.
   void Add(const record::TickRecord& tick);
   void Clear();
   bool empty() const { return !has_ticks_; }
   std::uint64_t last_tick() const { return last_tick_; }
 
-  /// Null if nothing was recorded of such a mind up to now.
+  /// Null if nothing was recorded about this mind so far.
   const RecordedMind* Find(std::string_view agent) const;
-  /// The same mind for views of living minds; valid until the next Add or the end of this. What is not recorded is
-  /// empty, and the views say so.
+  /// An inspector for the mind's present state, valid until the next call of Add or until this object is destroyed.
+  /// Data that are not recorded are empty, and the views say so.
   std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
 
  private:
@@ -83,18 +83,19 @@ class RecordedMinds {
   std::map<std::string, RecordedMind, std::less<>> minds_;
 };
 
-/// What a view says in place of what this mind does not tell: "not available there"; of a recorded one "not recorded".
+/// What a view shows for missing data: "not available there", or "not recorded" for a recorded mind.
 std::string_view Absence(const explain::Inspector& mind);
-/// Why a view of a recorded mind's memory or rules is empty, and what to do; empty for others, and where they are
-/// recorded.
+/// Why a view of a recorded mind's memory or rules is empty, and what to do. Empty for other minds, and if memory and
+/// rules are recorded.
 std::string MemoryAbsence(const explain::Inspector& mind);
 
-/// Takes out of a view of operators what a recording cannot know, and puts the recorded reason in; others stay.
+/// Replaces what a recording does not contain in a view of operators by the recorded reason. Does nothing for minds
+/// that are not recorded.
 void TellRecorded(const explain::Inspector& mind, OperatorsView& view);
 
-/// How a command went and which rule gave it; nothing if none of that name is recorded.
+/// Explains the result of a command and which rule gave it; nothing if no command of this name is recorded.
 std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_view name);
-/// Why it does what it does, as far as that is recorded.
+/// Explains the mind's present behaviour as far as it is recorded.
 WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent);
 
 }  // namespace soarbox::debugger

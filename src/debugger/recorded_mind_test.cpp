@@ -31,7 +31,7 @@ sp {hero*apply*go
 
 class RecordedMindTest : public MindFixture {
  protected:
-  /// Runs for some ticks, and has them heard as from a recording of this level.
+  /// Runs some ticks and passes them on as a recording of this level would.
   RecordedMinds Record(int ticks, record::Level level) {
     Start(kRules);
     RecordedMinds minds(level);
@@ -61,7 +61,7 @@ TEST_F(RecordedMindTest, AtLevelAllItHasTheStackAndTheMemoryOfTheLivingMind) {
     EXPECT_EQ(recorded->Stack()[i].id, living->Stack()[i].id);
     EXPECT_EQ(recorded->Stack()[i].impasse, living->Stack()[i].impasse);
     EXPECT_EQ(recorded->Stack()[i].operator_name, living->Stack()[i].operator_name);
-    // All but what Soar put there when it made the state S1, before the first tick.
+    // Everything except the elements that Soar created with the state S1, before the first tick.
     const std::vector<std::string> there = Attributes(living->ElementsOf(living->Stack()[i].id)),
                                    known = Attributes(recorded->ElementsOf(recorded->Stack()[i].id));
     EXPECT_FALSE(known.empty());

@@ -6,8 +6,8 @@
 
 namespace soarbox::debugger {
 
-/// A number that no other call in this process returns: whoever keeps it with what was read from a model can tell
-/// whether that is still true, even if another model now has the same address.
+/// Returns a number that is unique in this process. A model changes its revision when its data change. A cache that
+/// stores the revision can detect this, even if another model has been created at the same address.
 inline std::uint64_t NewRevision() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;

@@ -66,7 +66,7 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
 }
 
 Result<void> Edit::Save() {
-  // Whole or not at all: a full disk must not cost what was there.
+  // Writes atomically, so that a full disk does not destroy the old file.
   namespace fs = std::filesystem;
   std::error_code error, ignored;
   fs::path target = fs::canonical(file_.file, error);

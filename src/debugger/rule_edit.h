@@ -13,7 +13,7 @@
 
 namespace soarbox::debugger {
 
-/// A file of rules or a script that is being edited while the world runs.
+/// A file of rules or a script that a user edits while the world runs.
 class Edit {
  public:
   /// Reads the file; fails if it cannot.
@@ -26,36 +26,37 @@ class Edit {
   bool is_scenario() const;
   /// It differs from what runs.
   bool is_changed() const { return text_ != running_; }
-  /// It differs from what is on the disk.
+  /// Whether the text differs from the file.
   bool is_unsaved() const { return text_ != saved_; }
 
-  /// What is wrong with the text, with lines; changes nothing.
+  /// Returns the errors in the text, with lines. Changes nothing.
   std::vector<Diagnostic> Check() const;
   /// Lets the text take effect in the next tick, through the simulation's door, for all agents that were made from this
   /// file. An error among the problems: nothing is done. Returns what Check does. A scenario file is only checked.
   std::vector<Diagnostic> Apply(sim::Simulation& simulation);
   /// Writes the file.
   Result<void> Save();
-  /// The world has begun again, with what is on the disk.
+  /// Call it when the world was restarted, which loads the files again.
   void BeginAgain() { running_ = saved_; }
-  /// Back to what is on the disk.
+  /// Replaces the text by the contents of the file.
   void Revert() { text_ = saved_; }
 
   enum class Disk : std::uint8_t {
-    kSame,     ///< Nobody else has written the file.
-    kTaken,    ///< Somebody has; the text was as it had been on the disk, and is as it is there now.
-    kDiffers,  ///< Somebody has, and the text has changes of its own: it stays; Revert takes over what was written.
+    kSame,     ///< No other program has changed the file.
+    kTaken,    ///< Another program has changed the file. The text was unchanged and now has the new contents.
+    kDiffers,  ///< Another program has changed the file, and the text has unsaved changes. The text stays; Revert
+               ///< replaces it by the file.
   };
-  /// Looks whether another program has written the file, which by then has taken effect in the running world.
+  /// Checks whether another program has changed the file. The running world has loaded the new contents by then.
   Disk LookAtDisk();
 
-  /// The first line (from 1) of a rule in the text; 0 if it is not there.
+  /// The first line (from 1) of a rule in the text; 0 if the text does not contain it.
   int LineOf(std::string_view rule) const;
 
  private:
   sim::WatchedFile file_;
   std::string text_, running_, saved_;
-  std::filesystem::file_time_type written_{};  ///< When the file was, last time that it was read.
+  std::filesystem::file_time_type written_{};  ///< Modification time of the file when it was last read.
 };
 
 /// The files that an agent was made from, with those that its rules source, and the scenario file last. An empty agent

@@ -30,7 +30,7 @@ std::string PlaceOf(const explain::RuleFact& rule) {
   return rule.file.empty() ? std::string() : rule.file + ":" + std::to_string(rule.line);
 }
 
-/// "^color of S1 is blue, green": elements of one identifier and attribute together.
+/// Groups elements by identifier and attribute: "^color of S1 is blue, green".
 std::string ListSeen(const std::vector<explain::ElementFact>& seen) {
   constexpr std::size_t kMostShown = 4;
   std::vector<std::pair<std::string, std::string>> groups;

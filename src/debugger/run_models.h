@@ -17,7 +17,7 @@
 
 namespace soarbox::debugger {
 
-/// The models that grow with a run, fed by its ticks: live (record::Observe after each tick) or from a recording.
+/// The models that grow with a run. Add its ticks in order: live (record::Observe after each tick) or from a recording.
 struct RunModels {
   AgentTroubles troubles;
   Timeline timeline;

@@ -46,21 +46,21 @@ std::string LineOf(const sim::RunEvent& event) {
   return text + event.diagnostic.message;
 }
 
-/// Fills in the lines of one tick.
+/// Adds the lines of one tick.
 struct Writer {
   std::deque<TraceLine>& lines;
   std::uint64_t tick;
   double time_s;
 
   void Write(TraceKind kind, const std::string& agent, std::string text, int level = 0) {
-    // A state that waits is told each time that it does.
+    // A waiting state is reported in each decision; identical lines are added once per tick.
     if (kind == TraceKind::kDecision && !lines.empty() && lines.back().tick == tick && lines.back().agent == agent &&
         lines.back().kind == kind && lines.back().text == text)
       return;
     lines.push_back({tick, time_s, kind, level, agent, std::move(text)});
   }
 
-  /// Percepts, decisions with the details that stand between them, commands.
+  /// Adds percepts, decisions with their details in order, and commands.
   void WriteMind(const record::MindRecord& mind) {
     mind::Event event;
     for (std::size_t at = 0; mind.events.Next(at, event);) {
@@ -76,14 +76,14 @@ struct Writer {
         const bool is_element = std::holds_alternative<mind::ElementChanged>(event);
         Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, tell::DetailLine(event));
       } else if (std::string line = tell::DecisionLine(event); !line.empty()) {
-        // Numbers that move are no decisions.
+        // Changes of learned values are not decisions.
         const TraceKind kind = tell::IsOfReward(event) ? TraceKind::kRule : TraceKind::kDecision;
         Write(kind, mind.agent, std::move(line), tell::LevelOf(event));
       }
     }
   }
 
-  /// How commands went: it comes of what happened in the world.
+  /// Adds the results of commands, which come from events of the world.
   void WriteOutcomes(const record::MindRecord& mind) {
     mind.events.ForEachOf<mind::CommandEnded>(
         [&](const mind::CommandEnded& ended) { Write(TraceKind::kCommand, mind.agent, tell::CommandText(ended)); });
@@ -107,7 +107,7 @@ void Trace::Add(const record::TickRecord& tick) {
   for (const std::string& input : tick.inputs) writer.Write(TraceKind::kInput, "", sim::ShownInput(input));
   for (const record::MindRecord& mind : tick.minds) writer.WriteMind(mind);
   for (const sim::RunEvent& event : tick.events) {
-    // Commands stand with their minds already.
+    // Commands were already added with their minds.
     if (TraceKindOf(event) == TraceKind::kCommand && !tick.minds.empty()) continue;
     writer.Write(TraceKindOf(event), event.agent, LineOf(event));
   }
@@ -120,7 +120,7 @@ void Trace::Add(const record::TickRecord& tick) {
 
 namespace {
 
-/// A word of a filter that asks for a kind of line: "rule:", "op:", "command:", or an attribute.
+/// A word of a filter that selects a kind of line: "rule:", "op:", "command:", or an attribute.
 struct Asked {
   TraceKind kind;
   std::string_view part;
@@ -134,7 +134,7 @@ std::optional<Asked> ReadAsked(std::string_view word) {
   return std::nullopt;
 }
 
-/// Attributes stand in elements, in percepts ("self.speed 3") and in the text of commands.
+/// Attributes occur in elements, in percepts ("self.speed 3") and in the text of commands.
 bool HasAttribute(const TraceLine& line, std::string_view attribute) {
   if (line.kind == TraceKind::kElement || line.kind == TraceKind::kRule) return Passes(attribute, line.text);
   return line.kind == TraceKind::kPercept && Passes(attribute.substr(1), line.text);
@@ -158,7 +158,7 @@ bool TraceFilter::Lets(const TraceLine& line) const {
       plain.append(plain.empty() ? "" : " ").append(word);
     }
   }
-  // Who asks for a kind of line gets it whatever else is shown.
+  // A filter for a kind of line shows it regardless of the level of detail.
   if (asks_kind ? !has_kind : line.kind > most) return false;
   return plain.empty() || Passes(plain, line.agent + " " + line.text);
 }

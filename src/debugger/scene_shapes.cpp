@@ -12,12 +12,12 @@
 namespace soarbox::debugger {
 namespace {
 
-/// Half as long as the arms of the cross that stands for a point.
+/// Half the length of the arms of the cross that represents a point.
 constexpr double kPoint_m = 0.15;
 constexpr std::uint32_t kRingPieces = 24;
 constexpr int kMeridians = 12, kParallels = 6;
 
-/// From a node's own frame into the world.
+/// Transforms a point from a node's own coordinates to the world.
 ScenePoint Placed(const SceneNodeRow& node, const ScenePoint& point) {
   const double qx = node.turn[0], qy = node.turn[1], qz = node.turn[2], qw = node.turn[3];
   const ScenePoint v{point[0] * node.scale[0], point[1] * node.scale[1], point[2] * node.scale[2]};
@@ -52,7 +52,7 @@ void AddHull(const SceneNodeRow& node, SceneShape& shape) {
   shape.faces = hull.faces;
 }
 
-/// Three rings, and a skin of flat pieces.
+/// Adds three rings, and faces.
 void AddBall(const SceneNodeRow& node, SceneShape& shape) {
   const auto angle = [](double share) { return 2 * std::numbers::pi * share; };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -106,7 +106,7 @@ SceneShape ShapeOf(const SceneNodeRow& node, const std::string& state) {
   return shape;
 }
 
-/// To the millimetre.
+/// Rounds to millimetres.
 Json RoundedJson(const ScenePoint& point) {
   Json json = Json::array();
   for (const double number : point) json.push_back(std::round(number * 1000) / 1000);
@@ -131,7 +131,8 @@ std::vector<SceneShape> ShapesOf(const ImageryView& view, std::string_view state
     for (const SceneNodeRow& node : scene.nodes) {
       here.insert(node.name);
       if (node.shape == "group" || shapes.size() >= kMostShapes) continue;
-      // The copy of a substate does not follow the world: that something has moved since is no thought of the agent's.
+      // The copy of the scene in a substate does not follow the world. Nodes that have only moved since then were not
+      // created by the agent.
       const bool is_wanted = state.empty() ? !IsFed(node) && !above.contains(node.name) : scene.state == state;
       if (is_wanted) shapes.push_back(ShapeOf(node, scene.state));
     }

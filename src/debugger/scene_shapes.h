@@ -12,34 +12,35 @@
 
 namespace soarbox::debugger {
 
-/// A node of what a mind imagines as it is drawn over the world: wire and skin, in metres of the world. Numbers count
-/// `points` from 0.
+/// A node of an imagined scene as it is drawn over the world: edges and faces, in metres of the world. Edges and faces
+/// are indices of `points`.
 struct SceneShape {
   enum class Kind : std::uint8_t {
-    kMadeUp,      ///< The world did not feed it.
-    kSensed,      ///< It is noticed now.
-    kRemembered,  ///< It stands where it was noticed last.
+    kMadeUp,      ///< The mind created it; it is not fed by the world.
+    kSensed,      ///< Fed by the world; the agent perceives it now.
+    kRemembered,  ///< Fed by the world; it is at the position where the agent perceived it last.
   };
-  std::string name, state;  ///< "S1", whose scene it is in.
+  std::string name, state;  ///< `state`: "S1", the state of the scene.
   Kind kind = Kind::kMadeUp;
   std::vector<ScenePoint> points;
   std::vector<std::array<std::uint32_t, 2>> edges;
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< None of a ball that the world feeds: it is only wire.
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< Empty for a ball that the world feeds; only its edges are
+                                                    ///< drawn.
 };
 
-/// At most so many shapes are drawn.
+/// Maximum number of shapes that are drawn.
 inline constexpr std::size_t kMostShapes = 200;
 
-/// What a state imagines; `state` empty: what the mind made up in any (the shapes that the world did not feed: they
-/// have no tag solid), each with the first state that has it. Groups have no shape.
+/// The shapes of a state's scene. With an empty `state`: the shapes in any scene that the mind created (those that the
+/// world feeds have the tag solid), each with the first state that has it. Groups have no shape.
 std::vector<SceneShape> ShapesOf(const ImageryView& view, std::string_view state);
 
-/// Lines that show why an answer has its value.
+/// Lines that show why the value of an extract is what it is.
 struct AnswerLines {
   std::string text;  ///< The value: "1.4".
   std::vector<SceneLine> lines;
 };
-/// Of the answer with this record; nothing if there is none now.
+/// For the value with this record; empty if there is none now.
 AnswerLines LinesOf(const ImageryView& view, std::string_view record);
 
 Json ToJson(const SceneShape& shape);

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Field;
 
-/// As `svs facts` prints them.
+/// Output of `svs facts`.
 constexpr std::string_view kFacts = R"(version 7
 S1 node "world" {"parent":"","shape":"group","at":[0,0,0],"turn":[0,0,0,1],"scale":[1,1,1],"tags":{}}
 S1 node "wall" {"parent":"world","shape":"hull","at":[10,0,0],"turn":[0,0,0,1],"scale":[2,1,1],"points":[0,0,0,1,0,0,0,1,0,1,1,0,0,0,1,1,0,1,0,1,1,1,1,1],"tags":{"solid":"yes","visible":"no"}}
@@ -30,7 +30,7 @@ TEST(SceneShapes, OfWhatWasMadeUpNameTheFirstStateThatHasIt) {
   EXPECT_THAT(shapes, ElementsAre(Field(&SceneShape::name, "lair"), Field(&SceneShape::name, "copy")));
   EXPECT_EQ(shapes[0].state, "S1");
   EXPECT_EQ(shapes[1].state, "S3");
-  // A quarter turn about y takes z to x.
+  // A rotation by 90 degrees about y moves z to x.
   ASSERT_EQ(shapes[0].points.size(), 2u);
   EXPECT_EQ(shapes[0].edges.size(), 1u);
   EXPECT_NEAR(std::max(shapes[0].points[0][0], shapes[0].points[1][0]), 7, 1e-5);

@@ -9,7 +9,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// The time of a tick at or before the moment that is shown.
+/// The time of a tick that is not after the shown moment.
 double TimeOf(const ShownView& view, std::uint64_t tick) {
   return view.tick == 0 ? 0 : view.time_s * static_cast<double>(tick) / static_cast<double>(view.tick);
 }

@@ -12,7 +12,7 @@
 
 namespace soarbox::debugger {
 
-/// What the script of an agent shows of its state (Agent.Show), at one moment.
+/// What an agent's script shows of its state (Agent.Show) at one moment.
 struct ShownView {
   std::string agent;
   std::uint64_t tick = 0;
@@ -20,10 +20,10 @@ struct ShownView {
   std::vector<world::ShownRow> rows;
 };
 
-/// Of the agent of this name; without rows if it shows nothing or is not there.
+/// For the agent of this name. No rows if it shows nothing or does not exist.
 ShownView LookAtShown(const world::SceneSnapshot& scene, std::string_view agent);
 
-/// One line for each row, deeper ones indented; ">" marks the active path, and the end says since when.
+/// One line for each row, indented by depth. ">" marks the active path; the end of the line gives the time since when.
 std::string ToText(const ShownView& view);
 /// The agent, and a list of its rows: `depth`, `name`, `value`, `active`, `since` (s).
 Json ToJson(const ShownView& view);

@@ -75,7 +75,7 @@ class Tokenizer {
     return end == std::string_view::npos ? text_.size() : end;
   }
 
-  /// Behind the sign that closes what begins here.
+  /// Position after the sign that closes the token that begins here.
   std::size_t Closing(char sign) const {
     for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
       if (text_[i] == '\\') {
@@ -87,7 +87,7 @@ class Tokenizer {
     return text_.size();
   }
 
-  /// Behind a variable that begins here; `begin` if none does.
+  /// Position after a variable that begins here; `begin` if there is none.
   std::size_t VariableEnd(std::size_t begin) const {
     if (begin >= text_.size() || text_[begin] != '<') return begin;
     std::size_t i = begin + 1;
@@ -101,7 +101,7 @@ class Tokenizer {
 
   bool NumberFollows() const { return at_ + 1 < text_.size() && IsDigit(text_[at_ + 1]); }
 
-  /// Dots lead on: ^color.shade.
+  /// Includes parts after dots: ^color.shade.
   std::size_t AttributeEnd() const {
     std::size_t i = at_ + 1;
     while (i < text_.size()) {
@@ -169,7 +169,7 @@ class Tokenizer {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  int depth_ = 0;  ///< Of braces.
+  int depth_ = 0;  ///< Nesting depth of braces.
   bool in_rule_ = false, expects_name_ = false;
   std::vector<Token> tokens_;
 };

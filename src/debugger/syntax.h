@@ -12,9 +12,9 @@ enum class TokenKind : std::uint8_t {
   kComment,
   kCommand,  ///< sp, gp, source, ...: the first word of a command.
   kRuleName,
-  kKeyword,    ///< state, impasse, and flags (:o-support).
+  kKeyword,    ///< `state`, `impasse` and flags (:o-support).
   kVariable,   ///< <s>
-  kAttribute,  ///< ^color.shade, with its ^.
+  kAttribute,  ///< ^color.shade, including the ^.
   kConstant,
   kNumber,
   kQuoted,  ///< |quoted| and "documentation".
@@ -28,8 +28,8 @@ struct Token {
   friend bool operator==(const Token&, const Token&) = default;
 };
 
-/// Takes a text of rules apart for colouring, in order; blanks belong to no token. Any text gives tokens: what is not
-/// closed goes to the end.
+/// Splits a text of rules into tokens for syntax colouring, in order. Blanks belong to no token. It accepts any text: a
+/// comment, quote or variable without an end extends to the end.
 std::vector<Token> Tokenize(std::string_view text);
 
 /// "comment", "variable", ...

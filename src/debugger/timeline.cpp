@@ -40,7 +40,7 @@ std::string MarkText(const sim::RunEvent& event) {
   return text;
 }
 
-/// Spans that lie in these ticks, open ones too, in the order in which they began.
+/// Spans that overlap these ticks, including open ones, in the order in which they began.
 std::vector<TimelineSpan> SpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last) {
   std::vector<TimelineSpan> spans;
   ForSpansWithin(track, first, last, [&](const TimelineSpan& span) { spans.push_back(span); });
@@ -114,7 +114,7 @@ void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_
     span.is_state = true;
     span.id = made->id;
     if (made->level > 1) span.text = tell::ImpasseText(made->reason, made->on_operator);
-    // A state that waits is told again and again; what was selected in it is not any more.
+    // A waiting state is reported repeatedly. Any operator that was selected in it is not selected any more.
     const auto is_same = [&](const TimelineSpan& open) {
       return open.is_state && open.level == span.level && open.id == span.id && open.text == span.text;
     };
@@ -128,7 +128,7 @@ void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_
     track.marks.push_back({tick, MarkKind::kLearned, "learned " + std::string(learned->rule)});
     return;
   } else {
-    // What is recorded with a mind is all that it said; events tell only news.
+    // Recorded minds list all commands; events list only changes.
     if (const auto* said = std::get_if<mind::CommandSaid>(&event))
       track.marks.push_back({tick, MarkKind::kCommand, tell::CommandText(*said)});
     if (const auto* ended = std::get_if<mind::CommandEnded>(&event))
@@ -195,7 +195,7 @@ void ForSpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64
     if (span->first_tick <= last) {
       see(*span);
     } else if (span->level == 1 && !span->is_state) {
-      break;  // Whatever lay below the operator before it had ended when this one came.
+      break;  // All spans below the previous operator had ended when this one began.
     }
   }
   for (const TimelineSpan& span : track.open)
@@ -206,7 +206,7 @@ std::vector<TimelineSpan> Timeline::At(std::string_view agent, std::uint64_t tic
   std::vector<TimelineSpan> found;
   const TimelineTrack* track = Find(agent);
   if (track == nullptr) return found;
-  // A span that ends in a tick is over when the tick is.
+  // A span that ends in a tick is not present at the end of that tick.
   ForSpansWithin(*track, tick, tick, [&](const TimelineSpan& span) {
     if (span.open || tick < span.last_tick) found.push_back(span);
   });

@@ -15,21 +15,21 @@
 
 namespace soarbox::debugger {
 
-/// An operator that was selected, or a state, from the tick in which it came to the last one that saw it.
+/// The time during which an operator was selected or a state existed.
 struct TimelineSpan {
   bool is_state = false;
   int level = 1;
   std::string id;                               ///< "O3", "S2"
   std::string text;                             ///< The operator's name, or "operator tie".
-  std::uint64_t first_tick = 0, last_tick = 0;  ///< In the last one it went, unless it is open.
-  bool open = true;                             ///< It is still there.
-  int line = 0;  ///< On which it is drawn: two for each level, the state's and the operator's.
+  std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks. Unless the span is open, it ended in last_tick.
+  bool open = true;                             ///< It has not ended yet.
+  int line = 0;  ///< The line on which it is drawn. Each level has two: one for states and one for operators.
 };
 
 enum class MarkKind : std::uint8_t { kCommand, kOutcome, kMessage, kEvent, kError, kEdit, kLearned };
 std::string_view NameOf(MarkKind kind);
 
-/// Something at one tick.
+/// An event in one tick.
 struct TimelineMark {
   std::uint64_t tick = 0;
   MarkKind kind = MarkKind::kEvent;
@@ -37,17 +37,19 @@ struct TimelineMark {
 };
 
 struct TimelineTrack {
-  std::string agent;               ///< Empty: the world itself.
-  std::deque<TimelineSpan> spans;  ///< That are over, in the order in which they ended.
-  std::vector<TimelineSpan> open;  ///< That are still there, by line.
+  std::string agent;               ///< Empty for the world.
+  std::deque<TimelineSpan> spans;  ///< Spans that have ended, in the order of their ends.
+  std::vector<TimelineSpan> open;  ///< Spans that have not ended, by line.
   std::deque<TimelineMark> marks;
-  std::deque<std::pair<std::uint64_t, std::uint32_t>> firings;  ///< Tick, rules that fired in it (MindDetail::kAll).
+  std::deque<std::pair<std::uint64_t, std::uint32_t>> firings;  ///< Tick, and number of rules that fired in it
+                                                                ///< (MindDetail::kAll).
 };
 
-/// What each agent was about, over the ticks that were added: live or from a recording.
+/// What each agent did in the ticks that were added, live or from a recording.
 class Timeline {
  public:
-  /// Ticks come in order; an earlier one takes back what was added from there on (somebody went back and goes on).
+  /// Ticks come in order. Adding an earlier tick removes everything from that tick on, because the run was continued
+  /// from there.
   void Add(const record::TickRecord& tick);
   void Clear();
 
@@ -55,14 +57,14 @@ class Timeline {
   std::uint64_t first_tick() const { return first_tick_; }
   std::uint64_t last_tick() const { return last_tick_; }
   double step_s() const { return step_s_; }
-  /// By name; null if nothing is known of it.
+  /// The track of an agent; null if there is none.
   const TimelineTrack* Find(std::string_view agent) const;
-  /// In the order in which they first came up.
+  /// In the order in which the agents first occurred.
   std::vector<const TimelineTrack*> tracks() const;
-  /// Spans that a tick lies in, by line.
+  /// The spans that contain a tick, by line.
   std::vector<TimelineSpan> At(std::string_view agent, std::uint64_t tick) const;
 
-  /// Spans or marks of one agent, and of all together; the oldest go.
+  /// Maximum number of spans, and of marks, for one agent and for all agents together. The oldest are removed.
   static constexpr std::size_t kMostPerTrack = 20'000, kMostOfAll = 400'000;
 
  private:
@@ -78,11 +80,12 @@ class Timeline {
   double step_s_ = 0;
 };
 
-/// Spans of which something lies between two ticks, open ones too: costs as much as there are, however long the run.
+/// Calls `see` for each span that overlaps the ticks `first` to `last`, including open spans. The cost depends on the
+/// number of these spans, not on the length of the run.
 void ForSpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last,
                     const std::function<void(const TimelineSpan&)>& see);
 
-/// Ticks `first` to `last`; an empty agent: all.
+/// The ticks `first` to `last`. An empty agent means all.
 std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
 Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
 

@@ -44,7 +44,7 @@ constexpr ViewInfo kViews[] = {
     {"console", "COMMAND", "what a Soar command prints", true},
 };
 
-/// "there is no ...": with what was most likely meant, or with all there is.
+/// "there is no ...", with a similar name or the list of all names.
 Diagnostic NoSuch(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
   const std::vector<std::string_view> names(known.begin(), known.end());
   const std::string_view near = Suggest(name, names);
@@ -59,7 +59,7 @@ ViewText Both(const Model& model) {
   return {ToText(model), Print(ToJson(model))};
 }
 
-/// The changes of the last tick, if they were noted.
+/// The changes of the last tick, if they were recorded.
 MemoryChanges LastChanges(const sim::Simulation& simulation, const std::string& agent) {
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
     const sim::MindReport report = simulation.Mind(i);
@@ -192,7 +192,7 @@ Result<ViewText> ShowMind(const ViewSource& source, const ViewRequest& request, 
   return Both(console.lines());
 }
 
-/// What is recorded of a mind, of that what the view wants.
+/// Shows the recorded data of a mind that a view needs.
 Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& request, std::string agent) {
   std::vector<std::string> minds;
   if (source.recorded != nullptr) {
@@ -228,7 +228,7 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
   return NewProblem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
 }
 
-/// What scripts show of their agents: of all that show something, or of one.
+/// Shows what scripts show of their agents: of one, or of all that have such data.
 Result<ViewText> ShowStates(const record::TickRecord& last, const std::string& agent) {
   ViewText view;
   Json json = Json::array();

@@ -14,36 +14,36 @@
 
 namespace soarbox::debugger {
 
-/// A model that can be printed.
+/// A view that can be printed.
 struct ViewInfo {
   std::string_view name;
-  std::string_view of;  ///< What may be named beside it: "RULE", "[STATE]"; empty: nothing.
+  std::string_view of;  ///< The argument: "RULE", "[STATE]"; empty if it takes none.
   std::string_view about;
   bool needs_mind = false;
 };
 std::span<const ViewInfo> Views();
 
-/// What is asked for.
+/// The view to show.
 struct ViewRequest {
   std::string view = "agents";
-  std::string agent;  ///< Empty: the first with a Soar mind, or all where a view can show all.
-  std::string of;     ///< See ViewInfo.
-  std::uint64_t first_tick = 0, last_tick = 0;  ///< For views over ticks.
+  std::string agent;  ///< Empty: the first agent with a Soar mind, or all if the view can show all.
+  std::string of;     ///< The argument, see ViewInfo.
+  std::uint64_t first_tick = 0, last_tick = 0;  ///< For views over a range of ticks.
 };
 
-/// Where it comes from.
+/// Where a view gets its data from.
 struct ViewSource {
-  sim::Simulation* simulation = nullptr;  ///< Stands at the last tick; null: only what was recorded is known.
-  const RunModels* models = nullptr;      ///< Fed with all ticks up to it.
+  sim::Simulation* simulation = nullptr;  ///< The run at its last tick; null if only recorded data are available.
+  const RunModels* models = nullptr;      ///< Contains all ticks up to the last one.
   const record::TickRecord* last = nullptr;
-  /// Fed with the same ticks, where there is no simulation; may be null.
+  /// Contains the same ticks, if there is no simulation; may be null.
   const RecordedMinds* recorded = nullptr;
 };
 
 struct ViewText {
   std::string text, json;
 };
-/// Fails if there is no such view or agent, or nothing by that name.
+/// Fails if the view, the agent or the object of the argument does not exist.
 Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request);
 
 }  // namespace soarbox::debugger

@@ -32,7 +32,7 @@ std::string Upper(std::string id) {
   return id;
 }
 
-/// An identifier that is written as "s1" or "S1", or by its role; empty: it is none.
+/// An identifier that is written as "s1" or "S1", or as <s>, <ts> or <o>; empty if the word is neither.
 std::string IdOf(explain::Inspector& mind, const std::string& word) {
   if (explain::IsIdentifier(Upper(word))) return Upper(word);
   if (word != "<ts>" && word != "<s>" && word != "<o>") return {};
@@ -45,7 +45,7 @@ std::string IdOf(explain::Inspector& mind, const std::string& word) {
   return state == stack.rend() ? std::string() : state->operator_id;
 }
 
-/// All values at the end of a path, each once and in the order of memory.
+/// All values at the end of a path, each once, in the order of memory.
 std::string ValuesAt(explain::Inspector& mind, std::string_view path) {
   const std::size_t first_dot = path.find('.');
   const std::string first(path.substr(0, first_dot));

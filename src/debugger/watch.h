@@ -8,13 +8,13 @@
 
 namespace soarbox::debugger {
 
-/// What a watch shows of a mind now.
+/// The present value of a watch.
 struct WatchValue {
-  std::string text;       ///< One or several lines; empty: there is nothing of this kind now.
-  bool is_error = false;  ///< The text says what a watch may be.
+  std::string text;       ///< One or more lines; empty if the object does not exist now.
+  bool is_error = false;  ///< The text is an error message that says what a watch can be.
 };
 
-/// Looks at what the user watches. Reads only: no command is carried out. A watch may be
+/// Evaluates a watch of the user. It only reads and executes no command. A watch can be
 ///
 ///   a path            "io.input-link.self.health", "S3.operator.name", "<s>.operator": all its values; it begins at
 ///                     an identifier, at <ts> (the top state, also when nothing is said), <s> (the lowest) or <o>
@@ -26,7 +26,7 @@ struct WatchValue {
 ///   stack             the goal stack
 WatchValue LookAtWatch(explain::Inspector& mind, std::string_view what);
 
-/// What is wrong with a watch before any mind is asked, a sentence; empty: nothing.
+/// Checks a watch without a mind. Returns an error message, or an empty string if the watch is valid.
 std::string WatchFault(std::string_view what);
 
 }  // namespace soarbox::debugger

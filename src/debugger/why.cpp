@@ -18,10 +18,11 @@
 namespace soarbox::debugger {
 namespace {
 
-constexpr int kRulesBack = 4;  ///< How many rules an answer goes back.
+constexpr int kRulesBack = 4;  ///< Maximum number of rules that an answer goes back.
 constexpr std::size_t kMostBelow = 12;
 
-/// What matters of a rule's elements: neither the ways to the links nor those that only lead on to another one.
+/// The elements of a rule that are worth reporting: without the paths to the links, and elements that only lead to
+/// another.
 std::vector<explain::ElementFact> Telling(const std::vector<explain::ElementFact>& elements) {
   constexpr std::string_view kWays[] = {"superstate", "io", "input-link", "output-link"};
   std::vector<explain::ElementFact> telling;
@@ -35,12 +36,12 @@ std::vector<explain::ElementFact> Telling(const std::vector<explain::ElementFact
   return telling;
 }
 
-/// Follows elements back to where they come from; each is followed once.
+/// Follows elements back to their origins. Each is followed once.
 class Tracer {
  public:
   explicit Tracer(explain::Inspector& mind) : mind_(mind) {}
 
-  /// What has o-support came to be at one moment, whatever its rule matches now.
+  /// An element with o-support has an origin at one moment, regardless of what its rule matches now.
   void AddOrigin(std::uint64_t timetag, const explain::MakerFact& maker, int depth, WhyNode& node) {
     std::vector<WhyNode> then = explain::OriginTree(mind_.origins.Of(timetag), mind_.origins.time, false);
     if (then.empty()) {
@@ -55,7 +56,7 @@ class Tracer {
   WhyNode Element(const explain::ElementFact& element, int depth) {
     WhyNode node{Describe(element), WhyKind::kElement, std::to_string(element.timetag), {}};
     if (followed_.contains(element.timetag)) return node;
-    // What was imagined is told however deep it stands: it rests on nothing else in memory.
+    // An imagined value is reported at any depth, because it depends on nothing else in memory.
     if (element.attribute == "value") {
       if (std::optional<WhyNode> imagined = WhyRecord(mind_, element.id)) {
         followed_.insert(element.timetag);
@@ -109,7 +110,7 @@ struct FoundOperator {
   OperatorRow row;
 };
 
-/// In the lowest state whose preferences speak of it, by name or identifier.
+/// Finds an operator by name or identifier in the lowest state with a preference that mentions it.
 std::optional<FoundOperator> Find(explain::Inspector& mind, std::string_view op) {
   const std::vector<explain::StateFact> stack = mind.Stack();
   for (auto at = stack.rbegin(); at != stack.rend(); ++at) {
@@ -117,7 +118,7 @@ std::optional<FoundOperator> Find(explain::Inspector& mind, std::string_view op)
     const auto row = std::ranges::find_if(
         view.rows, [&](const OperatorRow& candidate) { return candidate.id == op || candidate.name == op; });
     if (row == view.rows.end()) continue;
-    // Of several with this name the one that is selected is meant.
+    // If several have this name, the selected one is used.
     const auto selected = std::ranges::find_if(view.rows, [&](const OperatorRow& candidate) {
       return candidate.selected && (candidate.id == op || candidate.name == op);
     });
@@ -205,7 +206,7 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   if (!root)
     return {
         "there is no agent " + std::string(agent) + " with a mind of rules", WhyKind::kAgent, std::string(agent), {}};
-  // Our own kernel knows more about the operators that are selected now. They follow the command.
+  // Our own kernel reports more about the selected operators. They are listed after the command.
   const auto command = std::ranges::find(root->below, WhyKind::kCommand, &WhyNode::kind);
   if (!tells_all || command == root->below.end()) return *std::move(root);
   std::vector<WhyNode> operators;

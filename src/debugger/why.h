@@ -17,21 +17,22 @@ namespace soarbox::debugger {
 using explain::WhyKind;
 using explain::WhyNode;
 
-/// Why an agent does what it does now: command, operators, preferences, elements, percepts.
+/// Explains the present behaviour of an agent: command, operators, preferences, elements, percepts.
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent);
-/// Why an operator is selected, or another one is not, by name or identifier; nothing if no preference speaks of it.
+/// Explains why an operator is selected or not. `op` is a name or identifier. Returns nothing if no preference mentions
+/// it.
 std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op);
-/// Why a command stands on the output link; nothing if none of this name does.
+/// Explains why a command is on the output link. Returns nothing if the link has no command of this name.
 std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view command);
-/// Why, or why not, of any name: a command that stands, an operator that preferences speak of; of others what keeps the
-/// rules from saying, proposing or matching it (Simulation::WhyTopic), below a node of the kind "topic". Fails if they
-/// know nothing of that name.
+/// Explains any name: a command on the output link, or an operator that a preference mentions. For any other name, it
+/// explains what prevents the rules from giving, proposing or matching it (Simulation::WhyTopic), below a node of the
+/// kind kTopic. Fails if the rules do not contain the name.
 Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std::string_view name);
-/// The same, with an error as the answer.
+/// The same. An error is returned as the text of the answer.
 WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std::string_view name);
-/// Where an element comes from, back to the percepts, some steps deep.
+/// Explains the origin of an element, back to the percepts. The depth is limited.
 WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag);
-/// `indent`: steps of two blanks.
+/// `indent`: number of indentation steps of two blanks.
 std::string ToText(const WhyNode& node, std::size_t indent = 0);
 Json ToJson(const WhyNode& node);
 /// The word for a kind in JSON: "operator".

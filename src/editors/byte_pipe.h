@@ -6,18 +6,18 @@
 
 namespace soarbox::editors {
 
-/// The two ends that a client talks through: standard input and output, as a rule. Does not own them.
+/// The connection to a client by two file descriptors, usually standard input and output. Does not own them.
 class BytePipe {
  public:
   BytePipe(int in, int out) : in_(in), out_(out) {}
 
   struct Got {
-    std::string bytes;   ///< Empty: the time is over.
+    std::string bytes;   ///< Empty after a timeout.
     bool ended = false;  ///< The client has closed its end.
   };
-  /// Waits at most so long for bytes; below 0: until there are some.
+  /// Waits at most `most_ms` for bytes; without a limit if it is negative.
   Got Read(int most_ms);
-  /// Writes all; whoever does not read any more breaks the pipe.
+  /// Writes all bytes. If the client no longer reads, the pipe is broken.
   void Write(std::string_view bytes);
   bool is_broken() const { return broken_; }
 

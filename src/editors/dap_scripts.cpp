@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Scripts in Lua in the Debug Adapter Protocol: threads, calls, variables, breakpoints in lines.
+// Lua scripts in the Debug Adapter Protocol: threads, calls, variables, line breakpoints.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -110,7 +110,7 @@ Json DapServer::ScriptStack(std::uint32_t owner) {
     list.push_back(std::move(frame));
   }
   if (list.empty()) {
-    // Its global variables can be looked at.
+    // Its global variables can be inspected.
     frames_.push_back({{}, {}, {}, owner, kNoCall});
     list.push_back({{"id", frames_.size()}, {"name", "not running now"}, {"line", 0}, {"column", 0}});
   }
@@ -187,7 +187,7 @@ Json DapServer::EvaluateInScript(std::uint32_t owner, std::size_t level, const s
                       : scripts.EvaluateGlobal(owner, expression);
   });
   if (!value && in_console && !PausedScript()) {
-    // A statement, or a call of a function of the script: an input of the world, as what is typed in its console.
+    // A statement, or a call of a function of the script: an input of the world, like text typed in its console.
     Lua().Run(owner, expression);
     return {{"result", "runs in the next tick"}, {"variablesReference", 0}};
   }

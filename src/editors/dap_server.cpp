@@ -235,7 +235,7 @@ std::vector<Json> DapServer::Advance() {
 Json DapServer::StepBy(const std::string& command, const Json& arguments) {
   const std::optional<std::uint32_t> script = ScriptOf(arguments);
   const bool goes_back = command == "stepBack" || command == "reverseContinue";
-  // Between two ticks, `next` of a script is a tick of the world, as everywhere.
+  // Between two ticks, `next` of a script is a tick of the world, as for minds.
   if (script && !goes_back && (PausedScript() || command != "next")) return StepScript(command, *script);
   const std::string agent = script ? std::string() : AgentOf(arguments);
   Debuggee& minds = Minds();
@@ -368,7 +368,7 @@ Json DapServer::StackTrace(const Json& arguments) {
       if (!state->operator_id.empty())
         name += ": " + (state->operator_name.empty() ? state->operator_id : state->operator_name);
       Json frame = {{"id", frames_.size()}, {"name", name}, {"line", 0}, {"column", 0}};
-      // The rule that made it stop, at the lowest state.
+      // The rule that caused the stop, at the lowest state.
       for (const auto& [file, marks] : marks_)
         for (const Mark& mark : marks)
           if (list.empty() && !stopped_at_.empty() && mark.rule == stopped_at_) {

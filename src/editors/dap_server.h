@@ -17,21 +17,21 @@
 
 namespace soarbox::editors {
 
-/// The Debug Adapter Protocol for Soar's agents and scripts in Lua, without its framing: messages in, messages out.
+/// The Debug Adapter Protocol for Soar agents and scripts in Lua, without its framing: it converts messages to answers.
 ///
-/// Agents are threads, the states of a goal stack its frames, states and operators and what they lead to variables.
-/// The script of the sandbox, and that of each agent that has one, is a thread as well: its frames are calls
-/// (dap_scripts.cpp). `next` goes on by a tick of the world, `stepIn` by a decision, with the granularity "instruction"
-/// by a phase; `stepBack` goes a tick back. Breakpoints stand on lines of rules, and as function breakpoints on what
-/// StopWish says. The console takes Soar's commands, and `why`. Any message is answered; none but `disconnect` ends the
-/// server.
+/// Agents are threads, the states of a goal stack are frames, and states, operators and the objects below them are
+/// variables. The script of the sandbox and the script of each agent are threads as well, whose frames are calls
+/// (dap_scripts.cpp). `next` advances the world by a tick, `stepIn` by a decision, or by a phase with the granularity
+/// "instruction"; `stepBack` goes back by a tick. Breakpoints are set on lines of rules, or as function breakpoints on
+/// events (StopWish). The console accepts Soar commands and `why`. All messages are answered; only `disconnect` ends
+/// the server.
 class DapServer {
  public:
-  /// `data`: where scenarios lie; null: scenarios are refused.
+  /// `data`: the folders of scenarios; null: scenarios are refused.
   explicit DapServer(const sim::DataFolders* data) : data_(data) {}
 
   std::vector<Json> Handle(const std::string& message);
-  /// Continues what runs; call it again and again while something runs and no message waits.
+  /// Continues the run. Call it repeatedly while is_running() and no message is waiting.
   std::vector<Json> Advance();
   bool is_running() const { return running_; }
   bool is_over() const { return over_; }
@@ -50,7 +50,7 @@ class DapServer {
   Json Completions(const Json& arguments);
   Json StepBy(const std::string& command, const Json& arguments);
 
-  // Scripts.
+  // Requests about scripts.
   Json SetScriptBreakpoints(const std::filesystem::path& file, const Json& arguments);
   Json SetErrorStops(const Json& arguments);
   void AddScriptThreads(Json& list);
@@ -74,7 +74,7 @@ class DapServer {
   void UpdateStops();
   std::string AgentOf(const Json& arguments);
   std::string AgentOfFrame(const Json& arguments, std::string* state = nullptr);
-  /// A number by which variables are asked for: an identifier of an agent, or a tree of reasons.
+  /// Creates a reference to variables: to an identifier of an agent, or to a tree of reasons.
   int Reference(std::string agent, std::string id);
   int Reference(explain::WhyNode why);
   Json ElementsOf(const std::string& agent, const std::string& id);
@@ -84,13 +84,13 @@ class DapServer {
   const sim::DataFolders* data_;
   std::unique_ptr<Debuggee> debuggee_;
   language::Workspace workspace_;
-  std::vector<Json> out_, after_;  ///< Events, and those that come behind the answer.
+  std::vector<Json> out_, after_;  ///< Events; those in after_ are sent after the answer.
   int sequence_ = 0;
   bool running_ = false, over_ = false, stop_on_entry_ = true, configured_ = false, ended_ = false;
   std::string stepping_;  ///< The agent that was stepped last.
   struct Frame {
     std::string agent, state, operator_id;
-    std::optional<std::uint32_t> script = {};  ///< Owner; then `level` counts calls, the innermost is 0.
+    std::optional<std::uint32_t> script = {};  ///< Owner of the script; `level` then counts calls, the innermost is 0.
     std::size_t level = 0;
   };
   std::vector<Frame> frames_;  ///< By number, from 1.
@@ -99,9 +99,9 @@ class DapServer {
     explain::WhyNode why;
     enum class Kind : std::uint8_t { kElements, kWhy, kLocals, kUpvalues, kGlobals, kFields } kind = Kind::kElements;
     std::uint32_t script = 0;
-    int number = 0;  ///< A level, or a reference of the scripts' debugger.
+    int number = 0;  ///< A level, or a reference of the debugger of scripts.
   };
-  std::vector<Held> held_;  ///< What may be unfolded, by number from 1.
+  std::vector<Held> held_;  ///< Objects that can be unfolded, by number from 1.
   struct Mark {
     std::filesystem::path file;
     std::string rule;
@@ -111,10 +111,10 @@ class DapServer {
   std::vector<StopWish> wishes_;
   std::map<std::string, std::vector<script::ScriptBreakpoint>> script_marks_;  ///< By file.
   bool stop_at_errors_ = false;
-  std::string stopped_at_;  ///< The rule that a breakpoint stopped at.
+  std::string stopped_at_;  ///< The rule of the breakpoint at which it stopped.
 };
 
-/// Serves on two file descriptors until the client disconnects or closes its end. Returns the process's exit code.
+/// Serves on two file descriptors until the client disconnects or closes its end. Returns the exit code of the process.
 int ServeDap(int in, int out, const sim::DataFolders* data);
 
 }  // namespace soarbox::editors

@@ -8,7 +8,7 @@
 
 namespace soarbox::editors {
 
-/// A request of the Debug Adapter Protocol is refused with this message.
+/// Thrown to refuse a request of the Debug Adapter Protocol with this message.
 struct DapRefusal {
   std::string message;
 };
@@ -17,7 +17,7 @@ inline std::string WithHint(const Diagnostic& problem) {
   return problem.message + (problem.hint.empty() ? "" : ": " + problem.hint);
 }
 
-/// The number of the thread of the sandbox's script. That of an agent's script is higher by the agent's number.
+/// The thread number of the sandbox's script. The script of an agent has this number plus the agent's id.
 inline constexpr std::uint32_t kFirstScriptThread = 1'000'000;
 
 }  // namespace soarbox::editors

@@ -16,37 +16,37 @@
 
 namespace soarbox::editors {
 
-/// How far a step goes.
+/// The length of a step.
 enum class Step : std::uint8_t {
-  kTick,      ///< Of the world; a decision where there is none.
-  kDecision,  ///< Until the agent has decided once more; in a world, up to the end of that tick.
-  kPhase,     ///< Of the decision cycle; a tick in a world, which runs minds as far as they go.
+  kTick,      ///< One tick of the world; a decision if there is no world.
+  kDecision,  ///< Until the agent has made another decision; in a world, to the end of that tick.
+  kPhase,     ///< One phase of the decision cycle; in a world, a tick, because it runs minds for complete ticks.
 };
 
-/// What the user waits for besides the rules' lines: "operator seek", "element ^color red", "impasse tie",
+/// An event at which to stop, in addition to lines of rules: "operator seek", "element ^color red", "impasse tie",
 /// "command move-to", "fire RULE", "match RULE".
 struct StopWish {
   std::string kind, what;
 };
-/// Reads one; nothing if there is no such kind.
+/// Parses an event; nothing if there is no such kind.
 std::optional<StopWish> ReadStopWish(const std::string& text);
 
-/// The scripts in Lua of a world that is being debugged. A script pauses in the middle of a tick; then
-/// Debuggee::Advance goes on to the end of this tick.
+/// The Lua scripts of a world that is being debugged. A script can pause in the middle of a tick. Debuggee::Advance
+/// then continues to the end of this tick.
 class ScriptDebuggee {
  public:
   virtual ~ScriptDebuggee() = default;
-  /// Calls `look` with the debugger of the scripts, on the thread that they run on. Nothing pauses meanwhile.
+  /// Calls `look` with the debugger of the scripts, on the thread of the scripts. No script pauses during the call.
   virtual void With(const std::function<void(script::ScriptDebugger&)>& look) = 0;
   virtual bool IsPaused() const = 0;
-  /// Goes on until a script pauses again or the run ends: by a step of the script that is paused, else up to the next
-  /// line that the script of this owner executes. Returns why it stopped.
+  /// Continues until a script pauses again or the run ends. If a script is paused, makes a step in it; otherwise stops
+  /// at the next line of the script of this owner. Returns the reasons for stopping.
   virtual std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) = 0;
-  /// Hands a text of Lua to the script of an agent, or of the sandbox (0); it runs in the next tick.
+  /// Passes Lua code to the script of an agent, or of the sandbox (0). It is executed in the next tick.
   virtual void Run(std::uint32_t owner, const std::string& text) = 0;
 };
 
-/// Minds that are being debugged, in a world or in a kernel alone.
+/// The minds that are being debugged, in a world or in a kernel alone.
 class Debuggee {
  public:
   virtual ~Debuggee() = default;
@@ -54,16 +54,16 @@ class Debuggee {
   virtual std::vector<std::string> Agents() const = 0;
   /// Null if there is no such agent. Valid until the next step.
   virtual std::unique_ptr<explain::Inspector> Inspect(const std::string& agent) = 0;
-  /// Returns why it should stop there besides the step's own end; empty: for nothing.
+  /// Makes a step. Returns the reasons to stop other than the end of the step; empty if there are none.
   virtual std::vector<std::string> Advance(Step step, const std::string& agent) = 0;
-  /// One tick back. Fails where time has only one direction.
+  /// Goes back by one tick. Fails if that is not possible.
   virtual Result<void> GoBack() = 0;
   /// Goes back to the beginning.
   virtual Result<void> Restart() = 0;
   virtual Result<std::string> Command(const std::string& agent, const std::string& line) = 0;
-  /// Why the agent does what it does; with a topic: why that happens, or does not.
+  /// Explains what the agent does; with a topic, why that is the case, or why not.
   virtual Result<explain::WhyNode> Why(const std::string& agent, const std::string& topic) = 0;
-  /// Rules whose firing stops it, and what else does.
+  /// Sets the rules whose firing stops the run, and the events that do.
   virtual void SetStops(const std::vector<std::string>& rules, const std::vector<StopWish>& wishes) = 0;
   virtual bool HasEnded() const = 0;
   virtual bool CanGoBack() const = 0;
@@ -71,22 +71,22 @@ class Debuggee {
   virtual std::string When() const = 0;
   /// Problems and events since the last call, as lines.
   virtual std::vector<std::string> TakeNews() = 0;
-  /// The world's scripts in Lua; null: there are none.
+  /// The Lua scripts of the world; null if there are none.
   virtual ScriptDebuggee* Scripts() { return nullptr; }
 };
 
-/// What a client asked for.
+/// The arguments of a launch request.
 struct LaunchRequest {
   std::string program;  ///< A scenario, a file of rules, a project of VisualSoar or a recording.
-  bool world = true;    ///< False: the file of rules in a kernel without a world.
+  bool world = true;    ///< False: load the file of rules into a kernel without a world.
   std::optional<std::uint64_t> seed;
-  std::optional<double> seconds;  ///< After which a world ends.
+  std::optional<double> seconds;  ///< Simulated time after which a world ends.
 };
-/// In a world: of a recording at its first tick, with its inputs.
+/// Launches a world. A recording starts at its first tick, with its inputs.
 Result<std::unique_ptr<Debuggee>> LaunchWorld(const LaunchRequest& request, const sim::DataFolders& data);
-/// In a kernel of this process.
+/// Launches a kernel in this process.
 Result<std::unique_ptr<Debuggee>> LaunchKernel(const LaunchRequest& request);
-/// In a kernel that listens at a port of this machine (`soarbox kernel`, `soarbox run --port`).
+/// Attaches to a kernel that listens at a port of this machine (`soarbox kernel`, `soarbox run --port`).
 Result<std::unique_ptr<Debuggee>> AttachKernel(int port);
 
 }  // namespace soarbox::editors

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Minds in a kernel without a world, in this process or in another one.
+// Minds in a kernel without a world, in this process or another one.
 #include <algorithm>
 #include <cstdlib>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Minds in a world. It is deterministic, so that going back is going there again.
+// Minds in a world. The world is deterministic, so going back means running it again.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,10 +30,10 @@ Diagnostic NoWorld(std::string message, std::string hint = {}) {
 
 class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
  public:
-  /// Makes the simulation as it is before its first tick.
+  /// Creates the simulation in its state before the first tick.
   using Maker = std::function<Made()>;
 
-  /// Call Begin next.
+  /// Begin must be called next.
   explicit WorldDebuggee(Maker maker) : maker_(std::move(maker)) {}
   ~WorldDebuggee() override { EndPause(); }
 
@@ -56,7 +56,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   std::unique_ptr<explain::Inspector> Inspect(const std::string& agent) override { return simulation_->Inspect(agent); }
 
   std::vector<std::string> Advance(Step step, const std::string& agent) override {
-    constexpr int kMostTicks = 300;  // So long nothing may be decided before a step ends anyway.
+    constexpr int kMostTicks = 300;  // Maximum number of ticks without a decision before a step ends.
     if (task_.is_paused()) return EndTick(task_.Resume());
     const std::uint64_t decisions = DecisionsOf(agent);
     std::vector<std::string> why;
@@ -68,7 +68,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   }
 
   Result<void> GoBack() override {
-    // In the middle of a tick, its beginning lies before.
+    // During a tick, its beginning is an earlier moment.
     if (task_.is_paused()) return GoTo(ended_tick_);
     if (simulation_->tick() == 0) return NoWorld("this is the beginning: nothing lies before it");
     return GoTo(simulation_->tick() - 1);
@@ -110,7 +110,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
 
   void With(const std::function<void(script::ScriptDebugger&)>& look) override {
     if (task_.is_paused()) return task_.Do([&] { look(scripts_); });
-    // An error in what is looked at is no reason to pause.
+    // An error during an inspection must not pause.
     scripts_.SetEnabled(false);
     look(scripts_);
     scripts_.SetEnabled(true);
@@ -119,7 +119,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   bool IsPaused() const override { return task_.is_paused(); }
 
   std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) override {
-    constexpr int kMostTicks = 300;  // A script that is not called for so long ends a step.
+    constexpr int kMostTicks = 300;  // A step ends if a script is not called for this number of ticks.
     std::vector<std::string> why;
     if (task_.is_paused()) {
       task_.Do([&] { scripts_.SetStep(step); });
@@ -145,7 +145,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   }
 
  private:
-  /// Lets a paused tick go on to its end, without another pause.
+  /// Runs a paused tick to its end, without another pause.
   void EndPause() {
     if (!task_.is_paused()) return;
     scripts_.SetEnabled(false);
@@ -153,7 +153,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     scripts_.SetEnabled(true);
   }
 
-  /// What has happened in a tick when it has ended, or why a script has paused in the middle of it.
+  /// Returns what happened in a tick, or why a script has paused during it.
   std::vector<std::string> EndTick(bool has_ended) {
     if (has_ended) return std::exchange(is_set_up_again_, false) ? std::vector<std::string>() : AfterTick();
     std::vector<script::ScriptFrame> calls;
@@ -178,7 +178,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
       if (!event.diagnostic.message.empty()) {
         news_.push_back(Format(event.diagnostic));
       } else if (event.kind == sim::EventKind::kLog ||
-                 // What a mind answered was returned at once.
+                 // The reply of a mind was returned at once.
                  (event.kind == sim::EventKind::kAnswer && std::erase(asked_of_scripts_, event.news) > 0)) {
         news_.push_back((event.agent.empty() ? "" : event.agent + ": ") + event.text);
       }
@@ -193,7 +193,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   std::vector<std::string> Tick() {
     if (simulation_->tick() == 0 && scripts_.HasBreakpoints() && scripts_.IsWanted() &&
         !std::exchange(has_begun_, true)) {
-      // The set-up again: now its breakpoints are known.
+      // Repeats the set-up, because its breakpoints are now known.
       is_set_up_again_ = true;
       if (!task_.Start([this] { SetUpAgain(); })) return EndTick(false);
       is_set_up_again_ = false;
@@ -207,7 +207,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     return EndTick(task_.Start([this] { simulation_->Tick(); }));
   }
 
-  /// A simulation whose scripts the debugger follows.
+  /// Creates a simulation with the script debugger as its observer.
   Made Make() {
     const script::ObserveNewHosts observed(&scripts_);
     return maker_();
@@ -218,7 +218,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     if (!again) return news_.push_back(Format(again.error()));
     simulation_ = std::move(*again);
     Watch();
-    news_.clear();  // The first set-up said the same.
+    news_.clear();  // The first set-up printed the same.
   }
 
   std::vector<std::string> AfterTick() {
@@ -241,7 +241,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     simulation_ = std::move(*again);
     has_begun_ = is_set_up_again_ = false;
     ended_tick_ = 0;
-    // What the user said comes in at its tick again; what the recording holds waits there already.
+    // Inputs of the user are submitted again at their ticks; inputs of the recording are already queued there.
     for (const TickInput& one : inputs) {
       if (one.tick > tick || one.input.recorded) continue;
       sim::Input input = one.input;
@@ -262,9 +262,9 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     sim::Input input;
   };
   Maker maker_;
-  PausableTask task_;  ///< Runs ticks that scripts may pause in.
+  PausableTask task_;  ///< Runs ticks in which scripts may pause.
   script::ScriptDebugger scripts_{[this] { task_.Pause(); }};
-  bool has_begun_ = false;        ///< A tick, or a command, was asked for since the beginning.
+  bool has_begun_ = false;        ///< A tick or a command was requested since the beginning.
   bool is_set_up_again_ = false;  ///< The task builds the world, with breakpoints in its set-up.
   std::uint64_t ended_tick_ = 0;
   std::unique_ptr<sim::Simulation> simulation_;
@@ -272,7 +272,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   std::vector<TickInput> inputs_;
   debugger::Breakpoints breakpoints_;
   std::vector<std::string> news_;
-  std::vector<std::string> asked_of_scripts_;  ///< Whose answers are still to come.
+  std::vector<std::string> asked_of_scripts_;  ///< Expressions whose results have not arrived yet.
 };
 
 std::uint64_t TickAt(double seconds, double step_s) {

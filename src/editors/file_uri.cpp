@@ -18,7 +18,7 @@ std::filesystem::path PathOfUri(std::string_view uri) {
   constexpr std::string_view kScheme = "file://";
   if (!uri.starts_with(kScheme)) return {};
   uri.remove_prefix(kScheme.size());
-  const std::size_t slash = uri.find('/');  // A host may come first.
+  const std::size_t slash = uri.find('/');  // A host may precede it.
   if (slash == std::string_view::npos) return {};
   uri.remove_prefix(slash);
   std::string path;

@@ -7,7 +7,7 @@
 
 namespace soarbox::editors {
 
-/// "file:///home/me/a%20b.soar" as a path, normalized; empty for other schemes.
+/// Converts "file:///home/me/a%20b.soar" to a normalized path; empty for other schemes.
 std::filesystem::path PathOfUri(std::string_view uri);
 std::string UriOf(const std::filesystem::path& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the language server answers about one file.
+// Replies of the language server about one file.
 #include <algorithm>
 
 #include "debugger/why.h"
@@ -91,7 +91,7 @@ Json LspServer::Folding(const Json& params) {
     const std::size_t first = lines.LineOf(rule.body.begin), last = lines.LineOf(rule.body.end);
     if (last > first) list.push_back({{"startLine", first}, {"endLine", last}});
   }
-  // Several lines of comments.
+  // Consecutive lines of comments.
   for (std::size_t line = 0; line < lines.count(); ++line) {
     std::size_t end = line;
     while (end < lines.count() && lines.Line(end).starts_with('#')) ++end;
@@ -123,7 +123,7 @@ Json LspServer::CodeActions(const Json& params) {
                                       : line_end == std::string::npos ? std::string()
                                                                       : message.substr(line_end + 1));
     if (meant.empty()) continue;
-    // What is underlined may have its ^ with it, and what is meant not.
+    // The underlined range may include the ^, the replacement does not.
     Json range = problem.at("range");
     const auto offset = [&](const char* end) {
       const Json& at = range.at(end);
@@ -178,7 +178,7 @@ Json LspServer::ExecuteCommand(const Json& params) {
   if (data_ == nullptr) return refuse("the scenarios that come with the program are not found");
   Result<std::unique_ptr<record::Reader>> opened = record::Reader::Open(recording);
   if (!opened) return refuse(Format(opened.error()));
-  // At the end of the run, in which the rule did what the lens says.
+  // At the end of the run in which the rule did what the lens shows.
   Result<record::Rerun> again = record::GoTo(**opened, (*opened)->last_tick(), *data_);
   if (!again) return refuse(Format(again.error()));
   sim::Simulation& world = *again->simulation;

@@ -11,7 +11,7 @@ namespace {
 
 using debugger::TokenKind;
 
-/// Numbers in TokenTypes().
+/// Indices into TokenTypes().
 enum TokenType : std::size_t {
   kComment,
   kKeyword,
@@ -122,7 +122,7 @@ std::vector<std::size_t> PackTokens(const language::Document& document) {
   for (const debugger::Token& token : debugger::Tokenize(document.text())) {
     const std::optional<std::size_t> type = TypeOf(token.kind);
     if (!type) continue;
-    // A token that spans lines is one for each.
+    // A token over several lines is split into one per line.
     for (std::size_t at = token.begin, end = token.begin + token.length; at < end;) {
       const std::size_t line = lines.LineOf(at);
       const std::size_t stop = std::min(end, lines.Begin(line) + lines.Line(line).size());

@@ -12,20 +12,20 @@
 
 namespace soarbox::editors {
 
-// What the Language Server Protocol calls things.
+// Conversions to types of the Language Server Protocol.
 
 Json ToLsp(const language::Position& position);
 Json RangeOf(const language::Lines& lines, const language::Span& span);
-/// With the hint behind the message, and in `data` for code actions.
+/// The hint is added to the message, and stored in `data` for code actions.
 Json ToLsp(const Diagnostic& problem, const language::Document& document);
 Json ToLsp(const language::Proposal& proposal, const Json& range, std::size_t order);
 
-/// The names of the kinds of tokens, in the order of their numbers.
+/// The names of the kinds of tokens, by number.
 const std::vector<std::string>& TokenTypes();
-/// The tokens of a text as the protocol packs them: five numbers each.
+/// The tokens of a text in the encoding of the protocol: five numbers each.
 std::vector<std::size_t> PackTokens(const language::Document& document);
 
-/// The text that a hint says was meant: of "did you mean ^color?" it is "color"; empty for other hints.
+/// The word that a hint suggests: "color" for "did you mean ^color?"; empty for other hints.
 std::string MeantBy(std::string_view hint);
 
 }  // namespace soarbox::editors

@@ -16,12 +16,12 @@ using language::Position;
 constexpr int kLspParseError = -32700, kLspInvalidRequest = -32600, kLspNoSuchMethod = -32601,
               kLspInvalidParams = -32602, kLspInternalError = -32603, kLspNotInitialized = -32002;
 
-/// So many problems of a file are published: nobody reads more, and editors become slow.
+/// Maximum number of published problems per file, because more make editors slow.
 constexpr std::size_t kMostProblems = 500;
 
 constexpr int kWarningMessage = 2;  ///< A type of window/showMessage.
 
-/// What a request is refused with.
+/// The error with which a request is refused.
 struct LspRefusal {
   int code;
   std::string message;
@@ -40,12 +40,12 @@ Position PositionIn(const Json& json) {
   return {number("line"), number("character")};
 }
 
-/// The folders of a list of the protocol's WorkspaceFolder; other schemes than file: are left out.
+/// The folders of a list of WorkspaceFolder; URIs with other schemes than file: are left out.
 std::vector<fs::path> FoldersIn(const Json& list) {
   std::vector<fs::path> folders;
   for (const Json& one : list) {
     fs::path folder = PathOfUri(one.at("uri").get<std::string>());
-    // "file:///home/me/" names the same folder as without the last stroke.
+    // "file:///home/me/" is the same folder as without the last slash.
     if (!folder.has_filename()) folder = folder.parent_path();
     if (!folder.empty()) folders.push_back(std::move(folder));
   }
@@ -77,7 +77,7 @@ void LspServer::Dispatch(const Json& message) {
   const Json id = is_request ? *id_field : Json();
   const auto method = message.find("method");
   if (method == message.end() || !method->is_string()) {
-    // An answer to a request of ours, of which there are none that wait.
+    // A reply to a request of ours; none is pending.
     const bool is_answer = message.contains("result") || message.contains("error");
     if (!is_answer) out_.push_back(LspError(id, kLspInvalidRequest, "this message has no method"));
     return;
@@ -165,7 +165,7 @@ void LspServer::Closed(const fs::path& path) {
   const std::vector<fs::path> open = workspace_.OpenFiles();
   unchecked_.insert(open.begin(), open.end());
   if (!open.empty()) return;
-  // Nobody looks at the programs any more.
+  // No program is open any more.
   std::vector<fs::path> told;
   for (const auto& [file, text] : published_) told.push_back(file);
   for (const fs::path& file : told) PublishNothing(file);
@@ -236,7 +236,7 @@ void LspServer::Changed(const Json& params) {
     if (end < begin) throw LspRefusal{kLspInvalidParams, "this range ends before it begins"};
     text.replace(begin, end - begin, replacement);
   }
-  // Slips below an edit keep their distance from the end of the text.
+  // Slips after an edit keep their distance from the end of the text.
   const std::shared_ptr<const Document> before = workspace_.Find(path);
   const std::string& old = before->text();
   std::size_t same = 0;
@@ -287,7 +287,7 @@ std::vector<Json> LspServer::Idle() {
                       {"params", {{"type", kWarningMessage}, {"message", notice}}}});
     if (!looked_over.insert(program.roots).second) continue;
     for (auto& [file, slips] : workspace_.Slips(program)) {
-      // What this program lacks in a file, another program of the file may complete.
+      // A problem in one program may not exist in another program with this file.
       if (workspace_.RootsOf(file) != program.roots) continue;
       slips_[file] = std::move(slips);
       Publish(file);

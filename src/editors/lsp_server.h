@@ -15,28 +15,28 @@
 
 namespace soarbox::editors {
 
-/// The Language Server Protocol (3.17) for Soar's rules, without its framing: messages in, messages out.
+/// The Language Server Protocol (3.17) for Soar rules, without its framing: it converts messages to answers.
 ///
-/// Any message is answered as the protocol says, whatever it holds; none ends the process but `exit`. Edits come in
-/// whole or as changes of ranges, positions in units of UTF-16.
+/// It answers all messages as the protocol demands, including invalid ones; only `exit` ends it. Edits can be complete
+/// texts or ranges; positions are in UTF-16 code units.
 class LspServer {
  public:
-  /// `data`: to simulate recordings again for *why*; null: that is refused. Nothing but files below the folders is
-  /// read; none: any.
+  /// `data`: needed to simulate recordings again for *why*; null: such requests are refused. Only files below `folders`
+  /// are read; empty: all files.
   explicit LspServer(const sim::DataFolders* data = nullptr, std::vector<std::filesystem::path> folders = {})
       : data_(data), workspace_(std::move(folders)) {}
 
-  /// Takes one message, as text; what is no JSON is answered too.
+  /// Processes one message. Text that is not JSON is answered with an error.
   std::vector<Json> Handle(const std::string& message);
-  /// The answer to bytes that are no message.
+  /// The answer to bytes that are not a message.
   static Json Fault(const std::string& what);
-  /// What takes longer than a keystroke may (slips of whole programs), for files that were edited since. To be called
-  /// when no message waits; returns at once if there is nothing to do.
+  /// Does slow work (slips of entire programs) for files that were edited since the last call. Call it when no message
+  /// is waiting; it returns at once if there is nothing to do.
   std::vector<Json> Idle();
   bool HasIdleWork() const { return !unchecked_.empty(); }
 
   bool is_over() const { return over_; }
-  /// 0 if the client said `shutdown` before `exit`.
+  /// 0 if the client sent `shutdown` before `exit`.
   int exit_code() const { return shut_down_ ? 0 : 1; }
 
  private:
@@ -75,8 +75,8 @@ class LspServer {
   DocumentPtr DocumentOf(const Json& params);
   Place PlaceOf(const Json& params);
   Json LocationOf(const language::Use& use);
-  /// What was said of the file before is replaced. Of a file that is not open nothing is published as long as nothing
-  /// was found.
+  /// Publishes the diagnostics of a file, which replace the previous ones. For a file that is not open and has no
+  /// diagnostics, nothing is sent.
   void Publish(const std::filesystem::path& path);
   void PublishNothing(const std::filesystem::path& path);
   const language::LastRun* LastRunBeside(const std::filesystem::path& file);
@@ -86,7 +86,7 @@ class LspServer {
   std::vector<Json> out_;
   bool initialized_ = false, shut_down_ = false, over_ = false;
   std::set<std::filesystem::path> unchecked_;
-  /// Slips as they were when all rules were looked over last, by file. Lines move with what is typed above them.
+  /// Slips by file, from the last check of all rules. Their lines are adjusted when text is typed above them.
   std::map<std::filesystem::path, std::vector<Diagnostic>> slips_;
   std::map<std::filesystem::path, std::string> published_;
   struct KnownRun {
@@ -96,7 +96,8 @@ class LspServer {
   std::map<std::filesystem::path, KnownRun> runs_;
 };
 
-/// Serves on two file descriptors until the client says `exit` or closes its end. Returns the process's exit code.
+/// Serves on two file descriptors until the client sends `exit` or closes its end. Returns the exit code of the
+/// process.
 int ServeLsp(int in, int out, const sim::DataFolders* data);
 
 }  // namespace soarbox::editors

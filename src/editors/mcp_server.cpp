@@ -32,7 +32,7 @@ McpJson McpError(const McpJson& id, int code, const std::string& message) {
   return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}};
 }
 
-/// What a tool answers with.
+/// The result of a tool.
 McpJson TextAnswer(const std::string& text, bool is_error = false) {
   return {{"content", McpJson::array({{{"type", "text"}, {"text", text}}})}, {"isError", is_error}};
 }
@@ -50,7 +50,7 @@ std::string WordOf(const McpJson& arguments, const char* name, bool required = f
   return word;
 }
 
-/// A word that becomes an argument of the command: it must not pass for an option.
+/// A word that becomes an argument of the command: it must not be parsed as an option.
 std::string PlainWord(const McpJson& arguments, const char* name, bool required = false) {
   std::string word = WordOf(arguments, name, required);
   if (word.starts_with('-')) throw McpRefusal{kMcpInvalidParams, std::string(name) + " may not begin with -"};
@@ -79,7 +79,7 @@ McpServer::McpServer(fs::path program, fs::path folder) : program_(std::move(pro
   std::string own = (fs::temp_directory_path(error) / "soarbox-mcp-XXXXXX").string();
   if (mkdtemp(own.data()) == nullptr) return;
   own_ = own;
-  // What the command keeps of its runs and of a learner's progress: an assistant's are not the user's.
+  // The command's recordings and a learner's progress: those of an assistant are separate from the user's.
   setenv("XDG_STATE_HOME", own.c_str(), 1);
 }
 
@@ -173,7 +173,7 @@ std::string McpServer::FileOf(const McpJson& arguments, const char* name) {
 std::string McpServer::SourceOf(const McpJson& arguments, const char* name) {
   const std::string word = PlainWord(arguments, name, true);
   if (const auto own = recordings_.find(word); own != recordings_.end()) return own->second.string();
-  // A name without a folder may be a scenario that comes with the program.
+  // A name without a folder may be a scenario of the program.
   std::error_code error;
   if (word.find('/') == std::string::npos && word.find('.') == std::string::npos && !fs::exists(folder_ / word, error))
     return word;
@@ -198,7 +198,7 @@ McpJson McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
   arguments.insert(arguments.begin(), program_.string());
   const ProgramEnd end = RunProgram(arguments);
   std::string text = end.out;
-  // The server's own folder is nobody's business.
+  // The server's own folder is not revealed.
   const auto hide = [&](std::string& of) {
     for (std::size_t at = of.find(own_.string()); at != std::string::npos; at = of.find(own_.string(), at))
       of.erase(at, std::min(own_.string().size() + 1, of.size() - at));
@@ -212,7 +212,7 @@ McpJson McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
   }
   if (!problems.empty()) text += (text.empty() || text.ends_with('\n') ? "" : "\n") + problems.substr(0, most);
   if (end.hung) text += "\nIt took too long and was ended.\n";
-  constexpr int kProblems = 1;  // What the user wrote was faulty; the command itself did its work.
+  constexpr int kProblems = 1;  // Errors in the user's files; the command itself succeeded.
   return TextAnswer(text.empty() ? "(nothing)" : text, end.hung || end.code < 0 || end.code > kProblems);
 }
 
@@ -330,7 +330,7 @@ McpJson McpServer::ListLessons(const McpJson&) {
   return Run({"learn"});
 }
 
-/// The folder with the files of a lesson, which it makes; what the lesson says goes to `said`.
+/// Creates the folder with the files of a lesson and returns it; the lesson's texts are added to `said`.
 fs::path McpServer::OpenLesson(const McpJson& arguments, McpJson& said, std::string& number) {
   const auto found = arguments.find("lesson");
   if (found == arguments.end() || !found->is_number_unsigned())
@@ -345,7 +345,7 @@ fs::path McpServer::OpenLesson(const McpJson& arguments, McpJson& said, std::str
   throw McpRefusal{kMcpInvalidParams, "there is no lesson " + number + "; list_lessons names them"};
 }
 
-/// The file that the learner writes.
+/// The file that the learner edits.
 fs::path McpServer::RulesOf(const fs::path& lesson) {
   std::vector<fs::path> files;
   std::error_code error;

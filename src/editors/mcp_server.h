@@ -11,22 +11,22 @@
 
 namespace soarbox::editors {
 
-/// The Model Context Protocol for coding assistants: tools that let them see what the kernel sees.
+/// The Model Context Protocol for coding assistants: tools that give them the data of the kernel.
 ///
-/// An assistant may read and run, and change nothing: files are named below one folder, links followed; runs happen in
-/// processes of their own, with limits, in the fence that scenarios of strangers run in; what they record lies in a
-/// folder of the server's own that goes with it. Any message is answered; none ends the server.
+/// An assistant can read and run, but not change anything. Files must be below one folder, with links resolved. Runs
+/// are separate processes with limits, restricted like scenarios of strangers; their recordings are in a temporary
+/// folder of the server. All messages are answered; none ends the server.
 class McpServer {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `program`: the soarbox command that runs what is to be run. `folder`: below it files may be named.
+  /// `program`: the soarbox command for runs. `folder`: the folder of accessible files.
   McpServer(std::filesystem::path program, std::filesystem::path folder);
   ~McpServer();
   McpServer(const McpServer&) = delete;
   McpServer& operator=(const McpServer&) = delete;
 
-  /// Takes one message; the answer, or null if there is none.
+  /// Processes one message. Returns the answer, or null if there is none.
   Json Handle(const std::string& message);
   static Json Fault(const std::string& what);
 
@@ -52,7 +52,7 @@ class McpServer {
   Json TryFuture(const Json& arguments);
   Json Why(const Json& arguments);
 
-  /// The file that is meant; throws a refusal for what lies elsewhere.
+  /// The path of a file; throws a refusal if it is outside the folder.
   std::string FileOf(const Json& arguments, const char* name);
   /// A scenario's name, a file, or a recording that this server made.
   std::string SourceOf(const Json& arguments, const char* name);
@@ -61,11 +61,11 @@ class McpServer {
   std::filesystem::path WriteText(const std::string& text, const std::string& name);
 
   std::filesystem::path program_, folder_, own_;
-  std::map<std::string, std::filesystem::path> recordings_;  ///< By the names that the assistant knows.
+  std::map<std::string, std::filesystem::path> recordings_;  ///< By the names that the assistant uses.
   int count_ = 0;
 };
 
-/// Serves on two file descriptors until the client closes its end. Returns the process's exit code.
+/// Serves on two file descriptors until the client closes its end. Returns the exit code of the process.
 int ServeMcp(int in, int out, const std::filesystem::path& program, const std::filesystem::path& folder);
 
 }  // namespace soarbox::editors

@@ -5,7 +5,7 @@
 
 namespace soarbox::editors {
 
-/// The tools of the Model Context Protocol's server, as `tools/list` describes them.
+/// The descriptions of the server's tools for `tools/list`.
 nlohmann::ordered_json McpTools();
 
 }  // namespace soarbox::editors

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kName = "content-length:";
 
-/// The number of the header's Content-Length; nothing if there is none, or it is no number.
+/// The number of the header's Content-Length; nothing if it is missing or invalid.
 std::optional<std::size_t> LengthIn(std::string_view header) {
   while (!header.empty()) {
     const std::size_t end = std::min(header.find('\n'), header.size());
@@ -39,7 +39,7 @@ std::optional<MessageStream::Message> MessageStream::Next() {
     skip_ -= skipped;
     if (skip_ > 0) return std::nullopt;
   }
-  // Some clients end lines with \n alone.
+  // Some clients end lines with only \n.
   std::size_t end = bytes_.find("\r\n\r\n"), behind = 4;
   if (const std::size_t plain = bytes_.find("\n\n"); plain < end) {
     end = plain;

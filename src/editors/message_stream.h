@@ -8,38 +8,38 @@
 
 namespace soarbox::editors {
 
-/// The framing that the Language Server Protocol and the Debug Adapter Protocol share: header lines, of which
-/// Content-Length counts, an empty line, and as many bytes. Takes any bytes, in any pieces.
+/// The framing of the Language Server Protocol and the Debug Adapter Protocol: header lines, of which only
+/// Content-Length is used, an empty line, and that number of bytes. Accepts any bytes, in pieces of any size.
 class MessageStream {
  public:
-  static constexpr std::size_t kLongest = 64u << 20;       ///< Bytes of one message.
-  static constexpr std::size_t kLongestHeader = 8 * 1024;  ///< Bytes before a message without an end of the header.
+  static constexpr std::size_t kLongest = 64u << 20;       ///< Maximum size of a message in bytes.
+  static constexpr std::size_t kLongestHeader = 8 * 1024;  ///< Maximum size of a header in bytes.
 
   void Add(std::string_view bytes) { bytes_ += bytes; }
 
-  /// A message, or what is wrong with the bytes in its place. After a fault the stream goes on at the next header.
+  /// A message, or an error in the stream. After an error, the stream continues at the next header.
   struct Message {
     std::string body;
-    std::string fault;  ///< Not empty: there is no body.
+    std::string fault;  ///< If not empty, there is no body.
   };
-  /// The next message, once all of it is there.
+  /// The next message, if it is complete.
   std::optional<Message> Next();
 
-  /// A message with its header.
+  /// Adds the header to a message.
   static std::string Frame(std::string_view body);
 
  private:
   std::string bytes_;
-  std::size_t skip_ = 0;  ///< Bytes of a message that is too long, still to come.
+  std::size_t skip_ = 0;  ///< Remaining bytes of a message that is too long.
 };
 
-/// Lines, one message each, as the Model Context Protocol has them on standard input.
+/// The framing of the Model Context Protocol on standard input: one message per line.
 class LineStream {
  public:
   static constexpr std::size_t kLongest = 16u << 20;
 
   void Add(std::string_view bytes) { bytes_ += bytes; }
-  /// The next whole line without its end. A line that is too long is given as a fault, and left out.
+  /// The next complete line without its end. A line that is too long is skipped and reported as a fault.
   std::optional<MessageStream::Message> Next();
 
  private:

@@ -9,31 +9,31 @@
 
 namespace soarbox::editors {
 
-/// Runs work that may pause in the middle, on a thread of its own. Of this thread and the caller's, only one runs at a
-/// time: each call below returns when the work has paused or ended, so both may use the same data.
+/// Runs work that can pause in the middle, on a separate thread. Either this thread or the caller's runs, never both:
+/// each call below returns when the work has paused or ended. Both can therefore use the same data.
 class PausableTask {
  public:
   PausableTask() = default;
-  /// Lets work that is paused go on to its end.
+  /// Lets paused work continue to its end.
   ~PausableTask();
   PausableTask(const PausableTask&) = delete;
   PausableTask& operator=(const PausableTask&) = delete;
 
-  /// Begins; nothing may be paused. Returns true if the work has ended, false if it has paused.
+  /// Starts the work; no other work may be paused. Returns true if it has ended, false if it has paused.
   bool Start(std::function<void()> work);
-  /// Goes on after a pause; the same results.
+  /// Continues after a pause. Returns the same as Start.
   bool Resume();
-  /// Runs a job on the thread of the paused work, which stays paused.
+  /// Executes a job on the thread of the paused work, which stays paused.
   void Do(const std::function<void()>& job);
   bool is_paused() const { return paused_; }
 
-  /// Called by the work: pauses it until Resume. Does nothing while the task is being destroyed.
+  /// For the work: pauses it until Resume. Does nothing while the task is being destroyed.
   void Pause();
 
  private:
   enum class Turn : std::uint8_t { kCaller, kWork };
 
-  /// Hands the turn to the work, and waits until it comes back.
+  /// Lets the work run, and waits until it pauses or ends.
   void GiveTurn();
   void Run();
 

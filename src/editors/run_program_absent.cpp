@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where a program cannot start others (WebAssembly).
+// For systems that cannot start other programs (WebAssembly).
 #include "editors/run_program.h"
 
 namespace soarbox::editors {

@@ -5,7 +5,7 @@
 namespace soarbox::editors {
 
 int ServeLsp(int in, int out, const sim::DataFolders* data) {
-  constexpr int kIdle_ms = 150;  // So long nobody types before all rules are looked over.
+  constexpr int kIdle_ms = 150;  // Time without typing after which all rules are checked.
   LspServer server(data);
   ServeStream(
       server, in, out,

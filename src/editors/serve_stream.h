@@ -12,8 +12,8 @@
 namespace soarbox::editors {
 
 /// Serves a client of the Language Server Protocol or the Debug Adapter Protocol until the server is over or the client
-/// has gone. `take(message)` answers a message; when none waits for `patience(server)` milliseconds (below 0: without
-/// end), `rest(server)` says what there is to say.
+/// has disconnected. `take(message)` returns the answers to a message. If no message arrives for `patience(server)`
+/// milliseconds (negative: no limit), the messages of `rest(server)` are sent.
 template <typename Server, typename Take, typename Patience, typename Rest>
 void ServeStream(Server& server, int in, int out, Take take, Patience patience, Rest rest) {
   BytePipe pipe(in, out);

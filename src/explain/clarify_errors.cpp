@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kNowhere = std::string::npos;
 
 struct SourceFile {
-  std::vector<std::string> lines;  ///< As they are.
-  std::vector<std::string> code;   ///< With comments blanked.
+  std::vector<std::string> lines;  ///< The lines of the file.
+  std::vector<std::string> code;   ///< The lines with comments blanked.
 
   const std::string& Line(int number) const {
     static const std::string kNone;
@@ -51,12 +51,12 @@ SourceFile ReadSource(const std::string& text) {
   return {SplitLines(text), SplitLines(BlankComments(text))};
 }
 
-/// "sp {" and "gp {" at the beginning of a line.
+/// Whether a line begins with "sp {" or "gp {".
 bool BeginsRule(const std::string& line) {
   return line.starts_with("sp {") || line.starts_with("sp{") || line.starts_with("gp {") || line.starts_with("gp{");
 }
 
-/// The name behind a rule's first bracket, in its line or the next; empty if there is none.
+/// The name after a rule's opening brace, in this line or the next; empty if there is none.
 std::string NameOfRule(const SourceFile& source, int line) {
   for (int at = line; at <= line + 1; ++at) {
     const std::string& text = source.Code(at);
@@ -67,14 +67,14 @@ std::string NameOfRule(const SourceFile& source, int line) {
   return {};
 }
 
-/// The line where the rule that holds a line begins; 0 if none does.
+/// The first line of the rule that contains `line`; 0 if no rule does.
 int BeginOfRule(const SourceFile& source, int line) {
   for (int at = std::min(line, source.count()); at >= 1; --at)
     if (BeginsRule(source.Code(at))) return at;
   return 0;
 }
 
-/// The line behind the rule that begins here: where the next one begins, or the end of the file.
+/// The line after the rule that begins here: where the next rule begins, or the end of the file.
 int EndOfRule(const SourceFile& source, int line) {
   int at = line + 1;
   while (at <= source.count() && !BeginsRule(source.Code(at))) ++at;
@@ -96,7 +96,7 @@ void PointAt(Diagnostic& problem, const SourceFile& source, int line, std::size_
   problem.excerpt_length = static_cast<int>(length);
 }
 
-/// "The file ends within the rule": which rule, and what of it is open.
+/// "The file ends within the rule": adds which rule, and what is not closed.
 void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
   const int begin = BeginOfRule(source, problem.line);
   if (begin == 0) return;
@@ -115,7 +115,7 @@ void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
                                        : "put } at its end";
 }
 
-/// A line that is no command, outside of all rules.
+/// A line outside rules that is not a command.
 void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
   const std::string line = Trimmed(source.Line(problem.line));
   const std::string word = line.substr(0, line.find_first_of(" \t{"));
@@ -144,7 +144,7 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
     PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
     return;
   }
-  // "no such command 'exit'" of the line quit: an alias is told by what it stands for.
+  // The error for the line `quit` is "no such command 'exit'", because an alias is reported by its expansion.
   for (const std::string& name : {word, Between(problem.message, "no such command '", "'")}) {
     const std::string now = FormerCommandHint(name);
     if (now.empty()) continue;
@@ -161,7 +161,7 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
   if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
 }
 
-/// sp NAME without its bracket; all that stands behind is outside of a rule then.
+/// "sp NAME" without its brace. All following text is then outside a rule.
 bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   const std::string& line = source.Code(problem.line);
   if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
@@ -179,7 +179,7 @@ bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   return true;
 }
 
-/// The rule that begins here is closed, and more stands behind it: a bracket too many, or a rule in the same line.
+/// Text after the closing brace of the rule that begins here: an additional brace, or another rule on the same line.
 void ClarifyTail(Diagnostic& problem, const SourceFile& source) {
   const std::string& first = source.Code(problem.line);
   if (first.find('\r') != kNowhere) {
@@ -212,12 +212,12 @@ bool BeginsComment(std::string_view found) {
   return found.starts_with("//") || found.starts_with("/*") || found == ";" || found == "--";
 }
 
-/// "(make <s> ^x y)" and the like: how other languages of rules begin an action.
+/// Verbs with which actions begin in other rule languages: "(make <s> ^x y)".
 bool IsVerbOfOtherLanguages(std::string_view word) {
   return word == "make" || word == "modify" || word == "add" || word == "assert" || word == "remove" || word == "set";
 }
 
-/// Where an action should begin.
+/// The hint for text at the beginning of an action.
 std::string HintForAction(const std::string& found) {
   if (found == "^") return "write attributes between ( and ), behind the object that has them: (<s> ^attribute value)";
   if (found == "-") return "an action that removes an element ends with a minus: (<id> ^attribute value -)";
@@ -230,7 +230,7 @@ std::string HintForAction(const std::string& found) {
   return {};
 }
 
-/// Where a value should be, in an action.
+/// The hint for text in place of an action's value.
 std::string HintForValue(const std::string& found, const std::string& before) {
   if (found == "{") return "braces join the tests of a condition; in an action, write the value alone";
   if (found == "=") return "write the value directly after its ^attribute, without =";
@@ -259,7 +259,7 @@ std::string HintForValue(const std::string& found, const std::string& before) {
       found == "^" && clause.rfind('^') != kNowhere && clause.find(' ', clause.rfind('^')) == kNowhere)
     return "write a value after " + clause.substr(clause.rfind('^')) + ": (" + clause +
            " <new>) (<new> ^attribute value)";
-  // "(<command ^waypoint": the variable has no end.
+  // "(<command ^waypoint": the variable is not closed.
   const std::size_t open = before.rfind('<');
   if (found == "^" && open != kNowhere && before.find('>', open) == kNowhere) {
     const std::string name = Trimmed(before.substr(open + 1));
@@ -268,7 +268,7 @@ std::string HintForValue(const std::string& found, const std::string& before) {
   return {};
 }
 
-/// Where a constant or a variable should be, in a condition.
+/// The hint for text in place of a constant or variable in a condition.
 std::string HintForTest(const std::string& found, const std::string& before, const std::string& after) {
   const char last = before.empty() ? ' ' : before.back();
   if (found == ",") {
@@ -299,7 +299,7 @@ std::string HintForTest(const std::string& found, const std::string& before, con
   return {};
 }
 
-/// Where a condition should begin, or go on: words that join conditions in other languages.
+/// The hint for text at the beginning or end of a condition: words that join conditions in other languages.
 std::string HintForJoin(const std::string& found, bool is_within) {
   if (found == "not" || found == "NOT")
     return is_within ? "a negation is written with a minus: -^attribute value"
@@ -309,7 +309,7 @@ std::string HintForJoin(const std::string& found, bool is_within) {
   return {};
 }
 
-/// "sp {my first rule": the name ends at the blank. What was meant, in one word; empty if that is not it.
+/// "sp {my first rule": the name ends at the blank. Suggests a name without blanks; empty if that is not the mistake.
 std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, const std::string& found) {
   const std::string& line = source.Code(problem.line);
   if (!BeginsRule(line) || found.empty() || std::isalnum(static_cast<unsigned char>(found.front())) == 0) return {};
@@ -320,8 +320,8 @@ std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, con
   return name;
 }
 
-/// A character that makes a rule unreadable: what web pages write for others, or what readers skip. `find` gives its
-/// place in a line, or kNowhere.
+/// A character that makes a rule unreadable: one that web pages substitute for another, or one that parsers skip.
+/// `find` returns its position in a line, or kNowhere.
 bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t (*find)(std::string_view),
                       OddCharacter (*describe)(std::string_view, std::size_t), std::string_view verdict) {
   const int begin = BeginOfRule(source, problem.line);
@@ -330,7 +330,7 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
     const std::size_t column = find(source.Code(at));
     if (column == kNowhere) continue;
     OddCharacter odd = describe(source.Code(at), column);
-    if (odd.hint.ends_with("blank")) continue;  // It parts words as a blank does.
+    if (odd.hint.ends_with("blank")) continue;  // It separates words like a blank.
     problem.message = "rule " + NameOfRule(source, begin) + std::string(verdict) + odd.message;
     problem.hint = std::move(odd.hint);
     const std::string_view character = std::string_view(source.Code(at)).substr(column, odd.length);
@@ -341,7 +341,7 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
   return false;
 }
 
-/// What the reader expected and what it found: forms of other languages and of haste.
+/// "expected ... but found ...": common mistakes, and syntax of other languages.
 void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   const std::string found = Between(problem.message, "found '", "'");
   if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
@@ -389,7 +389,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (found == "state" && problem.message.find("expected ( to begin a condition") != kNowhere)
     hint = "write each condition between ( and ): (state <s> ...)";
   if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
-  const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The reader skips a semicolon.
+  const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The parser skips a semicolon.
   if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
       Trimmed(line).find_first_not_of("-> ") != kNowhere)
     hint = "comments start with #";
@@ -404,7 +404,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (found == "<") problem.hint = "write a variable without blanks: <o>";
   if (const std::string now = FormerSyntaxHint(found); !now.empty()) problem.hint = now;
   if (found != "^") return;
-  // "( <o> ^" where a value was expected: the bracket before it was never closed.
+  // "( <o> ^" in place of a value: the bracket before it was never closed.
   const std::size_t open = line.rfind('(', column);
   if (open == kNowhere || line.find('<', open) > column) return;
   // "(<out> ^move-to (<command> ^waypoint gate))"
@@ -428,7 +428,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   }
 }
 
-/// The actions of such a rule are read as conditions: whatever the reader stumbles over there comes of it.
+/// Whether a rule has no arrow. Its actions are then parsed as conditions, which causes further errors.
 bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
   const int begin = BeginOfRule(source, problem.line);
   if (begin == 0 || problem.severity != Severity::kError) return false;
@@ -437,7 +437,7 @@ bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
   return true;
 }
 
-/// "constant sate stands where only a variable can match": the word state, or nearly.
+/// "constant sate stands where only a variable can match": `state` is missing or misspelt.
 void ClarifyState(Diagnostic& problem) {
   const std::string word = Between(problem.message, "constant ", " stands where");
   if (word.empty()) return;
@@ -453,7 +453,8 @@ void ClarifyState(Diagnostic& problem) {
   }
 }
 
-/// "the action (<op> ^name go +) uses a variable that no condition binds": which one, where, and which was meant.
+/// "the action (<op> ^name go +) uses a variable that no condition binds": adds which variable, where, and a similar
+/// one.
 void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
   const std::string action = Between(problem.message, "the action (", ")");
   const std::vector<std::string> used = VariablesIn(action);
@@ -506,7 +507,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
 void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of) {
   std::map<std::string, SourceFile> files;
   std::vector<Diagnostic> kept;
-  bool outside = false;  // The line before was told as outside of a rule already.
+  bool outside = false;  // The previous line was also reported as outside a rule.
   std::set<std::string> unbound_rules;
   for (Diagnostic& problem : problems) {
     if (problem.file.empty() || problem.line == 0) {
@@ -516,18 +517,18 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
     const auto [at, is_new] = files.try_emplace(problem.file);
     if (is_new) at->second = ReadSource(text_of(problem.file));
     const SourceFile& source = at->second;
-    // A rule's text begins behind "sp {": the reader has blanks for that.
+    // The text of a rule begins after "sp {"; the parser's excerpt has blanks in its place.
     const std::string& line = source.Line(problem.line);
     const std::size_t first = problem.excerpt.find_first_not_of(' ');
     if (first != kNowhere && first <= line.size() && line.substr(first).starts_with(problem.excerpt.substr(first)))
       problem.excerpt = line;
     const std::string& text = problem.message;
     const std::string word = Between(text + " ", "", " is read as a string");
-    // The reader's remark on a word that it has already stumbled over.
+    // Skips the parser's second error about the same word.
     if (!word.empty() && !kept.empty() && kept.back().severity == Severity::kError &&
         kept.back().line == problem.line && kept.back().file == problem.file)
       continue;
-    // Nor its complaint of a text without an end, which it has named already.
+    // Skips the parser's error about an unclosed text that was already reported.
     constexpr std::string_view kNoPartner = "this bar or quote has no partner";
     if (!kept.empty() && kept.back().message == kNoPartner && kept.back().file == problem.file &&
         kept.back().line == problem.line && kept.back().column == problem.column)

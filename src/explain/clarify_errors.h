@@ -9,12 +9,12 @@
 
 namespace soarbox::explain {
 
-/// A kernel reports where its reader stumbled; this looks in the files for what a beginner most likely did there (a
-/// comment of another language, no } at a rule's end, a misshapen arrow) and says that instead. It drops what one slip
-/// causes in the lines after it.
+/// Replaces the errors that a kernel reports about files of rules by clearer ones. It reads the files and looks for the
+/// likely mistake of a beginner: a comment of another language, a missing } at the end of a rule, a malformed arrow. It
+/// also removes the errors that follow from the same mistake in later lines.
 void ClarifyErrors(std::vector<Diagnostic>& problems);
 
-/// The same for files whose text somebody else has, such as an editor.
+/// Like ClarifyErrors(problems), but `text_of` returns the text of each file. An editor uses it for unsaved files.
 using TextOfFile = std::function<std::string(const std::string& file)>;
 void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of);
 

@@ -17,7 +17,7 @@
 namespace soarbox::explain {
 namespace {
 
-/// The words of an element's text; |quoted ones| stay whole.
+/// Splits the text of elements into words; |quoted words| are not split.
 std::vector<std::string> Words(std::string_view text) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < text.size();) {
@@ -40,7 +40,7 @@ std::uint64_t Number(std::string_view text) {
   return number;
 }
 
-/// "O1 (name)" apart.
+/// Splits "O1 (name)".
 void SplitOperator(std::string_view text, std::string& id, std::string& name) {
   text = WithoutBlanks(text);
   id = std::string(text.substr(0, text.find(' ')));
@@ -65,7 +65,7 @@ constexpr Section kSections[] = {{"acceptables", "acceptable"},
                                  {"numeric indifferents", "numeric"},
                                  {"binary indifferents", "equal"}};
 
-/// "O1 (name) > O2 (other) :I", "O1 (name) + :I", "O1 (name) = 5. :I"
+/// Parses "O1 (name) > O2 (other) :I", "O1 (name) + :I", "O1 (name) = 5. :I".
 PreferenceFact ReadPreference(std::string_view line, std::string_view type) {
   PreferenceFact preference;
   preference.type = type;
@@ -180,7 +180,7 @@ MatchFacts ReadMatches(std::string_view rule, std::string_view text) {
       const std::size_t blank = trimmed.find(' ');
       shown = blank == std::string_view::npos ? std::string_view() : WithoutBlanks(trimmed.substr(blank));
     }
-    // The conditions of a conjunctive negation count as one, told with its closing bracket.
+    // The conditions of a conjunctive negation are reported as one, with its closing brace.
     if (shown == "-{") ++depth;
     if (depth > 0) group += (group.empty() ? "" : " ") + std::string(shown);
     if (shown == "}" && depth > 0 && --depth == 0) shown = group;
@@ -280,7 +280,7 @@ std::vector<RuleFact> CommandInspector::Rules() {
     rule.name = name;
     rule.type = "user";
   }
-  // Newest first is how kernels list them.
+  // Kernels list the newest first.
   std::ranges::reverse(rules);
   for (const std::string& line : Lines(Ask("production firing-counts"))) {
     const std::vector<std::string> words = Words(WithoutBlanks(line));
@@ -288,7 +288,7 @@ std::vector<RuleFact> CommandInspector::Rules() {
     for (RuleFact& rule : rules)
       if (words[1] == rule.name) rule.firings = Number(words[0].substr(0, words[0].find(':')));
   }
-  // Each rule is a question of its own: programs of very many are told without.
+  // Each rule is a separate query, so it is skipped for programs with very many rules.
   constexpr std::size_t kMostAsked = 300;
   for (std::size_t i = 0; i < rules.size() && rules.size() <= kMostAsked; ++i)
     rules[i].matches = ReadMatches(rules[i].name, Ask("matches " + rules[i].name)).complete;
@@ -299,14 +299,14 @@ std::vector<NumberFact> ReadNumbers(std::string_view text) {
   std::vector<NumberFact> numbers;
   for (const std::string& line : Lines(std::string(text))) {
     const std::vector<std::string> words = Words(WithoutBlanks(line));
-    // (In the mode delta-bar-delta two more numbers stand in front.)
+    // In the mode delta-bar-delta, two more numbers come first.
     if (words.size() < 3) continue;
     NumberFact& number = numbers.emplace_back();
     number.rule = words.front();
     number.updates = static_cast<std::uint64_t>(std::strtod(words[words.size() - 2].c_str(), nullptr));
     number.value = std::strtod(words.back().c_str(), nullptr);
   }
-  // Newest first is how kernels list them.
+  // Kernels list the newest first.
   std::ranges::reverse(numbers);
   return numbers;
 }
@@ -330,7 +330,7 @@ std::optional<MatchFacts> CommandInspector::Match(std::string_view rule) {
   if (RuleSource(rule).empty()) return std::nullopt;
   MatchFacts facts = ReadMatches(rule, Ask("matches " + std::string(rule)));
   if (!facts.failing) return facts;
-  // What has the attributes that the condition looks for, wherever it is.
+  // Elements anywhere with the attributes that the condition tests.
   constexpr std::size_t kMostSeen = 20;
   for (const RuleAttribute& part : ReadConditions(facts.conditions[*facts.failing].text)) {
     if (!IsConstantAttribute(part.attribute)) continue;

@@ -10,7 +10,7 @@
 
 namespace soarbox::explain {
 
-/// Asks a mind in the Soar command language, whatever kernel it lives in, and reads what that prints.
+/// Inspects a mind of any kernel: sends commands of the Soar command language and parses their output.
 class CommandInspector final : public Inspector, public LearningSource, public SceneSource {
  public:
   explicit CommandInspector(sml::Agent& agent) : agent_(agent) {}
@@ -21,18 +21,18 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   std::vector<ElementFact> ElementsOf(std::string_view id) override;
   std::vector<ElementFact> Search(std::string_view text, std::size_t most) override;
   std::optional<ElementFact> Element(std::uint64_t timetag) override;
-  /// Not reported.
+  /// Always empty: commands do not report it.
   std::vector<MakerFact> MakersOf(std::uint64_t timetag) override;
-  /// Not reported.
+  /// Always empty: commands do not report it.
   std::vector<TesterFact> TestersOf(std::uint64_t timetag) override;
   OperatorFacts Operators(std::string_view state) override;
-  /// Names and firings.
+  /// Only the names of rules and how often they fired.
   std::vector<RuleFact> Rules() override;
   std::string RuleSource(std::string_view rule) override;
-  /// Conditions and how many pass them.
+  /// The conditions, and the number of matches that reach each of them.
   std::optional<MatchFacts> Match(std::string_view rule) override;
   std::vector<std::string> Complete(std::string_view line) override;
-  /// Without the parts of the numbers.
+  /// Without the parts of which each number is made up.
   LearningFacts Learning() override;
   std::string SceneFacts() override;
 
@@ -42,21 +42,22 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   sml::Agent& agent_;
 };
 
-// Readers of what the commands print. For tests too.
+// Parsers of the output of commands. They are public for tests.
 
-/// "(12: S1 ^a b +)", also several in a line; other text is skipped.
+/// Parses elements such as "(12: S1 ^a b +)", also several in one line. Skips any other text.
 std::vector<ElementFact> ReadElements(std::string_view text);
-/// `print --stack`.
+/// Parses the output of `print --stack`.
 std::vector<StateFact> ReadStack(std::string_view text);
-/// `preferences S1 operator --names`.
+/// Parses the output of `preferences S1 operator --names`.
 OperatorFacts ReadPreferences(std::string_view text);
-/// `print --rl`: name, updates, number.
+/// Parses the output of `print --rl`: name, number of updates, value.
 std::vector<NumberFact> ReadNumbers(std::string_view text);
-/// `matches RULE`.
+/// Parses the output of `matches RULE`.
 MatchFacts ReadMatches(std::string_view rule, std::string_view text);
-/// `matches --assertions`: whether a match of the rule is in the list.
+/// Parses the output of `matches --assertions`. Returns whether it lists a match of the rule.
 bool ReadIsPending(std::string_view rule, std::string_view text);
-/// `preferences S1 operator --names --wmes`: the time tags of the elements that a preference rests on.
+/// Parses the output of `preferences S1 operator --names --wmes`. Returns the time tags of the elements that the
+/// preference depends on.
 std::vector<std::uint64_t> ReadRestsOn(const PreferenceFact& preference, std::string_view text);
 
 }  // namespace soarbox::explain

@@ -8,7 +8,7 @@
 
 namespace soarbox::explain {
 
-// What kernels print, taken apart.
+// Helpers for parsing the text that kernels print.
 
 inline std::vector<std::string> Lines(std::string_view text) {
   std::vector<std::string> lines;

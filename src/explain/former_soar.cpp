@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What agents of earlier years say that Soar 9.6 no longer knows, and what it is now.
+// Commands and functions of old versions of Soar that Soar 9.6 no longer has, with their replacements.
 #include "explain/former_soar.h"
 
 #include <span>

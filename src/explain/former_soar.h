@@ -6,13 +6,14 @@
 
 namespace soarbox::explain {
 
-/// What to write today instead of a command of Soar 6 to 9.3 that Soar 9.6 no longer knows. Empty for other words.
+/// Returns what to write in Soar 9.6 instead of a command that Soar removed between versions 6 and 9.3. Returns an
+/// empty string for any other word.
 std::string FormerCommandHint(std::string_view command);
-/// Likewise for a function that actions of rules could call.
+/// The same for a function that actions of rules could call.
 std::string FormerFunctionHint(std::string_view function);
-/// Likewise for syntax that the reader of rules no longer knows: "&" and "@" of preferences, "goal".
+/// The same for syntax that the reader of rules no longer accepts: "&" and "@" of preferences, "goal".
 std::string FormerSyntaxHint(std::string_view found);
-/// Likewise for the options of a command, where its line is refused: "learn -off".
+/// The same for a command line that is refused because of an option: "learn -off".
 std::string FormerOptionHint(std::string_view line);
 
 }  // namespace soarbox::explain

@@ -32,20 +32,21 @@ using mind::RuleFact;
 using mind::StateFact;
 using mind::TesterFact;
 
-/// Where an inspector has the origins of elements from.
+/// Provides the origins of elements to an inspector.
 struct OriginSource {
-  std::function<mind::OriginFacts(std::uint64_t timetag)> ask;  ///< Empty: none are noted.
-  DecisionTime time;  ///< When decisions were made, for texts about origins. Empty: not known.
+  std::function<mind::OriginFacts(std::uint64_t timetag)> ask;  ///< Empty if no origins are recorded.
+  DecisionTime time;  ///< Converts decisions to simulated time, for texts about origins. Empty if that is not known.
 
-  /// What made an element, as the kernel noted it then (mind/origin.h). Nothing is noted by an official kernel.
+  /// Returns what made an element, as the kernel recorded it at that time (mind/origin.h). An official kernel records
+  /// nothing.
   mind::OriginFacts Of(std::uint64_t timetag) const { return ask ? ask(timetag) : mind::OriginFacts(); }
 };
 
-/// Looks into one agent's mind between two ticks: facts as plain values that belong to the caller. It only reads: no
-/// run differs because somebody looked. Made by Simulation::Inspect; valid until the simulation's next tick.
+/// Reads one agent's mind between two ticks. Returns copies, which belong to the caller. It changes nothing: an
+/// inspected run is the same as any other. Created by Simulation::Inspect; valid until the simulation's next tick.
 ///
-/// Our own kernel in this process reports everything. Others are asked in the Soar command language: what that does not
-/// report stays empty (TellsAll).
+/// Our own kernel in this process reports all data. Any other kernel is asked in the Soar command language. Data that
+/// its commands do not print stay empty; TellsAll() is false then.
 class Inspector {
  public:
   virtual ~Inspector() = default;
@@ -54,9 +55,10 @@ class Inspector {
   virtual MindFacts Mind() = 0;
   /// From the top state down.
   virtual std::vector<StateFact> Stack() = 0;
-  /// Elements of an identifier, by attribute; empty if there is no such identifier.
+  /// Returns the elements of an identifier, sorted by attribute. Empty if there is no such identifier.
   virtual std::vector<ElementFact> ElementsOf(std::string_view id) = 0;
-  /// Elements with this text in their attribute or value or as their identifier, by time tag; no more than `most`.
+  /// Returns the elements that contain `text` in their attribute or value or have it as their identifier. Sorted by
+  /// time tag; at most `most` elements.
   virtual std::vector<ElementFact> Search(std::string_view text, std::size_t most) = 0;
   virtual std::optional<ElementFact> Element(std::uint64_t timetag) = 0;
   virtual std::vector<MakerFact> MakersOf(std::uint64_t timetag) = 0;
@@ -64,17 +66,17 @@ class Inspector {
   virtual OperatorFacts Operators(std::string_view state) = 0;
   /// In the order of loading.
   virtual std::vector<RuleFact> Rules() = 0;
-  /// As `print` shows it; empty if there is none of this name.
+  /// Returns the rule as `print` shows it. Empty if there is no rule of this name.
   virtual std::string RuleSource(std::string_view rule) = 0;
   virtual std::optional<MatchFacts> Match(std::string_view rule) = 0;
-  /// How the last word of a command line may go on.
+  /// Returns the possible completions of the last word of a command line.
   virtual std::vector<std::string> Complete(std::string_view line) = 0;
 
-  /// What made elements, as the kernel noted it then.
+  /// What made the elements, as the kernel recorded it at that time.
   OriginSource origins;
 };
 
-/// For an agent of any kernel; the agent must live longer.
+/// Creates an inspector for an agent of any kernel. The agent must outlive it.
 std::unique_ptr<Inspector> MakeInspector(sml::Agent& agent);
 
 }  // namespace soarbox::explain

@@ -16,16 +16,17 @@ using mind::LessonFact;
 using mind::NumberFact;
 using mind::TripleFact;
 
-/// What inspectors of living minds also are, see Inspector.
+/// The part of an Inspector that reports what a living mind has learned. Inspectors of living minds also implement it.
 class LearningSource {
  public:
   virtual ~LearningSource() = default;
 
   virtual LearningFacts Learning() = 0;
-  /// How rules were learned since decisions are noted (MindDetail): the last 1,000, in their order. Of their conditions
-  /// and firings, only conditions that name something; Lesson gives everything. Empty where no kernel reports it.
+  /// How rules were learned, oldest first; at most the last 1,000. They are recorded while decisions are observed
+  /// (MindDetail). Conditions and firings are reduced to the conditions that name something; Lesson returns everything.
+  /// Empty if the kernel does not report it.
   virtual std::vector<LessonFact> Lessons() { return {}; }
-  /// All of one of them.
+  /// Everything about how one rule was learned.
   virtual std::optional<LessonFact> Lesson(std::string_view rule) {
     (void)rule;
     return std::nullopt;

@@ -13,14 +13,14 @@ using mind::KnownObjectFact;
 using mind::LongTermFacts;
 using mind::RememberedFact;
 
-/// What inspectors of living minds also are, see Inspector.
+/// The part of an Inspector that reports long-term memory. Inspectors of living minds also implement it.
 class LongTermSource {
  public:
   virtual ~LongTermSource() = default;
 
-  /// `most`: at most this many known objects; those with `text` in their number or augmentations.
+  /// Returns at most `most` objects of semantic memory that contain `text` in their number or augmentations.
   virtual LongTermFacts LongTerm(std::size_t most, const std::string& text) = 0;
-  /// The contents of an episode, objects before what hangs on them; empty if there is no such episode.
+  /// Returns the contents of an episode; each object comes before its children. Empty if there is no such episode.
   virtual std::vector<RememberedFact> Episode(std::size_t number) = 0;
 };
 

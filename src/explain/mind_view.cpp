@@ -21,14 +21,14 @@
 namespace soarbox::explain {
 namespace {
 
-constexpr std::size_t kMostFollowed = 50;  ///< Identifiers of one step of a path.
+constexpr std::size_t kMostFollowed = 50;  ///< Maximum number of identifiers of one step of a path.
 
 /// "(S1 ^operator O1 +)"
 std::string ElementText(const ElementFact& element) {
   return "(" + element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +)" : ")");
 }
 
-/// As `preferences` calls them.
+/// The word for a type in the output of `preferences`.
 std::string SectionOf(const std::string& type) {
   if (type == "indifferent") return "unary indifferent";
   if (type == "numeric") return "numeric indifferent";
@@ -50,7 +50,8 @@ bool IsRelation(const std::string& word) {
   return word == "<" || word == ">" || word == "<=" || word == ">=" || word == "<>" || word == "<=>" || word == "=";
 }
 
-/// "{ > 50 <h*1> }" as its author wrote it, "> 50"; what it is compared with as the place where that lies.
+/// Converts "{ > 50 <h*1> }" to what its author wrote, "> 50". A variable that it is compared with is replaced by its
+/// path.
 void ReadTests(const std::string& value, const PathMap& paths, ConditionText& text) {
   std::istringstream in(value);
   std::vector<std::string> words;
@@ -61,14 +62,14 @@ void ReadTests(const std::string& value, const PathMap& paths, ConditionText& te
     const std::string sign = std::exchange(before, word);
     if (IsVariable(word) && IsRelation(sign)) {
       const auto path = paths.find(word);
-      // The path may be this condition's own, if another one binds the variable.
+      // The path may be the condition's own, if another condition binds the variable.
       if (path != paths.end() && path->second != text.path) {
         text.compared.push_back(path->second);
         words.push_back(Dotted(path->second));
         continue;
       }
     } else if (IsVariable(word) && (IsMadeUpVariable(word) || relates)) {
-      continue;  // It only names the value.
+      continue;  // It only binds the value to a variable.
     }
     words.push_back(word);
   }
@@ -139,7 +140,7 @@ bool MindView::HasFired(const std::string& rule) {
 
 std::optional<std::uint64_t> MindView::Firings(const std::string& rule) {
   if (!inspector_->TellsAll()) {
-    // " 3:  rule". To ask for all rules would ask another process for each.
+    // Parses " 3:  rule". Querying all rules would send a request for each rule to another process.
     std::istringstream in(Ask("production firing-counts " + rule));
     std::uint64_t count = 0;
     return in >> count ? std::optional(count) : std::nullopt;

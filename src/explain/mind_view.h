@@ -24,11 +24,11 @@ struct StackEntry {
   std::string about;  ///< "operator tie", or the operator's name; empty for the top state.
 };
 
-/// How far a rule gets with what there is now.
+/// How many conditions of a rule match at present.
 struct RuleMatch {
   int matched = 0, total = 0;
-  std::string failing;    ///< The first condition that fails, as a kernel prints it; empty: all match.
-  bool is_group = false;  ///< It is a negated group of conditions, -{ ... }.
+  std::string failing;    ///< The first condition that fails, as a kernel prints it; empty if all match.
+  bool is_group = false;  ///< The failing condition is a negated group, -{ ... }.
 };
 
 /// One preference for an operator.
@@ -36,12 +36,12 @@ struct Preference {
   std::string section;            ///< "acceptable", "better", "best", ...
   std::string operator_id, name;  ///< "O3", "move-to"
   std::string text;               ///< "O1 (left) > O2 (right)"
-  std::string rule;               ///< That made it; empty if none is named.
+  std::string rule;               ///< The rule that made it; empty if no rule is named.
   PreferenceFact fact;
 };
 
-/// What a Soar program reports about itself, whatever kernel it lives in: the facts of an Inspector, and walks over
-/// them. Asks again each time; keeps only the rules and how often they have fired. Valid until the agent runs on.
+/// What an Inspector reports about a Soar program of any kernel, with searches through these data. It queries the
+/// kernel on each call and caches only the rules and their numbers of firings. Valid until the agent runs again.
 class MindView {
  public:
   explicit MindView(sml::Agent& agent) : agent_(agent), inspector_(MakeInspector(agent)) {}
@@ -51,20 +51,20 @@ class MindView {
   /// From the top state down.
   std::vector<StackEntry> Stack();
   RuleMatch Match(const std::string& rule);
-  /// Whether it has fired since its agent was made; true where a kernel does not say.
+  /// Whether the rule has fired since its agent was created. True if the kernel does not report it.
   bool HasFired(const std::string& rule);
-  /// Whether a match of it is yet to fire: the elaboration limit, or a break, came before.
+  /// Whether a match of the rule has not fired yet, because the elaboration limit or a break came first.
   bool IsPending(const std::string& rule);
-  /// How often it has fired; nothing if that is not reported.
+  /// How often the rule has fired; nothing if that is not reported.
   std::optional<std::uint64_t> Firings(const std::string& rule);
   std::vector<Preference> Preferences(const std::string& state);
-  /// Values of an attribute anywhere in working memory.
+  /// Values that an attribute has anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);
-  /// Values at the end of a path of attributes that begins at an identifier, each once.
+  /// Values at the end of a path of attributes that begins at identifier `id`. Each value occurs once.
   std::vector<std::string> ValuesAt(const std::string& id, const std::vector<std::string>& path);
-  /// The elements that a preference of this state rests on, "(I2 ^path P2)".
+  /// The elements that a preference of this state depends on: "(I2 ^path P2)".
   std::vector<std::string> Elements(const std::string& state, const Preference& preference);
-  /// "move-to ^waypoint north": an operator's name and attributes.
+  /// An operator's name and attributes: "move-to ^waypoint north".
   std::string DescribeOperator(const std::string& id);
 
  private:
@@ -72,20 +72,20 @@ class MindView {
 
   sml::Agent& agent_;
   std::unique_ptr<Inspector> inspector_;
-  std::map<std::string, std::uint64_t> firings_;  ///< By rule, once somebody has asked.
+  std::map<std::string, std::uint64_t> firings_;  ///< By rule; filled on the first request.
   std::vector<RuleText> rules_;
   bool read_ = false;
 };
 
-/// A condition as its author would write it, from the state on: "^io.input-link.self.health < 50".
+/// A condition as its author would write it, with its path from the state: "^io.input-link.self.health < 50".
 struct ConditionText {
   std::vector<std::string> path;  ///< Attributes from the state on.
-  std::string value;              ///< Tests without the variables that a kernel made up; may be empty.
+  std::string value;              ///< Tests, without variables that the kernel generated; may be empty.
   bool negated = false;
-  std::vector<std::vector<std::string>> compared;  ///< Paths of the variables that it compares with.
+  std::vector<std::vector<std::string>> compared;  ///< Paths of the variables that the condition compares with.
   std::string Text() const;
 };
-/// Reads what a kernel printed of one condition, or of a group of them, of this rule.
+/// Parses a condition of `rule`, or a group of conditions, from the text that a kernel printed.
 std::vector<ConditionText> ReadCondition(const RuleText& rule, const std::string& printed);
 
 }  // namespace soarbox::explain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Characters that editors and word processors put for others. A kernel's reader skips every one that is not ASCII, as
-// if it were a blank, unless it stands between bars.
+// Characters that editors and word processors substitute for others. A kernel's parser skips every character that is
+// not ASCII as if it were a blank, unless it is between bars.
 #include "explain/odd_characters.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ constexpr std::array kLookAlikes = {
     LookAlike{"\u2260", "a sign that rules do not have", "not equal is written <>"},
 };
 
-/// What stands in the text of web pages for the character of that name.
+/// Character names that web pages contain instead of the character.
 constexpr std::array kPasted = {
     LookAlike{"\\*", "*", {}},  LookAlike{"\\_", "_", {}},  LookAlike{"\\<", "<", {}},   LookAlike{"\\>", ">", {}},
     LookAlike{"&lt;", "<", {}}, LookAlike{"&gt;", ">", {}}, LookAlike{"&amp;", "&", {}}, LookAlike{"&quot;", "|", {}},
@@ -58,7 +58,7 @@ bool IsAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
 }
 
-/// The bytes of the character that begins here.
+/// Number of bytes of the character that begins here.
 std::size_t LengthAt(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
@@ -121,7 +121,7 @@ std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile
   std::string rule;
   int number = 0, depth = 0;
   bool awaits_name = false;
-  std::string_view told;  // One of a kind is enough for each rule.
+  std::string_view told;  // Each kind is reported once per rule.
   const std::string_view text = file.text;
   for (std::size_t begin = 0; begin < text.size() && found.size() < kMost;) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -145,7 +145,7 @@ std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile
       if (c == '|') is_quoted = !is_quoted;
       if (!is_quoted && (c == '{' || c == '}')) depth += c == '{' ? 1 : -1;
     }
-    if (depth_before <= 0 && depth <= 0) continue;  // Outside of rules.
+    if (depth_before <= 0 && depth <= 0) continue;  // Outside rules.
     const std::size_t at = FindOddCharacter(line);
     if (at == std::string_view::npos || rule.empty()) continue;
     OddCharacter odd = DescribeOddCharacter(line, at);

@@ -12,24 +12,24 @@
 
 namespace soarbox::explain {
 
-/// A character that is not ASCII, in a line of rules: readers of rules skip it.
+/// A character in a line of rules that is not ASCII. Readers of rules skip it.
 struct OddCharacter {
   std::size_t length = 0;  ///< In bytes.
   std::string message, hint;
 };
 
-/// Where the first one outside of bars is; npos if there is none.
+/// Position of the first such character outside bars; npos if there is none.
 std::size_t FindOddCharacter(std::string_view line);
-/// What is wrong with the one that begins here.
+/// Describes the character that begins at `at`.
 OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at);
 
-/// Where a web page wrote something else for the character that is meant, outside of bars: \* for *, &lt; for <. Npos
-/// if nowhere.
+/// Position of the first sequence outside bars that a web page substituted for a character: \* for *, &lt; for <. npos
+/// if there is none.
 std::size_t FindPasted(std::string_view line);
-/// What is wrong with what begins here.
+/// Describes the sequence that begins at `at`.
 OddCharacter DescribePasted(std::string_view line, std::size_t at);
 
-/// All of a file, once for each character and rule, as warnings with the names of their rules.
+/// Finds all odd characters of a file. Returns one warning for each character and rule, with the rule's name.
 std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file);
 
 }  // namespace soarbox::explain

@@ -27,14 +27,14 @@ std::string OperatorText(const OriginFact& origin) {
   return origin.op_name.empty() ? origin.op : origin.op_name + " (" + origin.op + ")";
 }
 
-/// Turns origins into nodes. Each origin is followed once.
+/// Converts origins to nodes. Each origin is followed once.
 class OriginTeller {
  public:
   OriginTeller(const mind::OriginFacts& facts, const DecisionTime& time) : facts_(facts), time_(time) {}
 
   WhyNode Firing(std::uint32_t place, Situation alone, Situation applying, int depth) {
     const OriginFact& origin = facts_.origins[place];
-    // Only what has o-support is made for an operator; the rest is there as long as its rule matches.
+    // Only elements with o-support are results of an operator; other elements exist as long as their rule matches.
     const bool applies = !origin.op.empty() && origin.o_supported && TestsOperator(origin);
     WhyNode node{{}, WhyKind::kRule, origin.rule, {}, TimeOf(origin)};
     if (followed_.insert(place).second && depth > 0) {
@@ -85,8 +85,8 @@ class OriginTeller {
     return Say(Situation::kAtDecision, {{"decision", decision}});
   }
 
-  /// What matters of a match: neither the ways to the links, nor what only leads on to another element, nor the
-  /// operator, which has a line of its own.
+  /// Whether a matched element is worth reporting. Not reported: the paths to the links, elements that only lead to
+  /// another element, and the operator, which has a separate line.
   static bool Tells(const OriginFact& origin, const OriginElementFact& matched) {
     constexpr std::string_view kWays[] = {"superstate", "io", "input-link", "output-link", "operator", "type"};
     const mind::ElementFact& element = matched.element;

@@ -12,16 +12,18 @@
 
 namespace soarbox::explain {
 
-/// The simulated time of a mind's decision, in seconds; nothing if it is not known. May be empty: then texts give the
-/// number of the decision.
+/// Returns the simulated time of a mind's decision in seconds, or nothing if it is not known. If the function is empty,
+/// texts give the number of the decision.
 using DecisionTime = std::function<std::optional<double>(std::uint64_t decision)>;
 
-/// How an element came to be, as the kernel noted it then: the rule, the operator that was selected, why that was
-/// selected, who proposed it, and what these rules matched, with the values of then. Empty if there is no origin.
+/// Explains how an element was made, as the kernel recorded it at that time: the rule, the operator that was selected,
+/// the reason of its selection, the rule that proposed it, and what these rules matched, with the values at that time.
+/// Empty if there is no origin.
 std::vector<WhyNode> OriginTree(const mind::OriginFacts& facts, const DecisionTime& time, bool is_command);
 
-/// The present reason that a command is still there: that its operator is selected still, or that it is not any more.
-/// `selected`: the identifiers of the operators that are selected now. Empty if no operator was selected then.
+/// Explains why a command is still on the output link: its operator is still selected, or is no longer selected.
+/// `selected`: identifiers of the operators that are selected now. Empty if no operator was selected when the command
+/// was made.
 std::vector<WhyNode> PresentReason(const mind::OriginFacts& facts, const std::vector<std::string>& selected);
 
 }  // namespace soarbox::explain

@@ -19,7 +19,7 @@
 namespace soarbox::explain {
 namespace {
 
-/// "justify3": how a kernel names a result of a substate of which it learned nothing.
+/// "justify3": the kernel's name for a result of a substate from which nothing was learned.
 bool IsJustification(std::string_view rule) {
   constexpr std::string_view kPrefix = "justify";
   return rule.size() > kPrefix.size() && rule.starts_with(kPrefix) &&
@@ -35,7 +35,7 @@ using tell::Listed;
 using tell::Say;
 using tell::Situation;
 
-/// Kernels print six decimals.
+/// Removes trailing zeros, because kernels print six decimals.
 std::string WithoutZeros(std::string number) {
   const bool is_float =
       number.find('.') != std::string::npos && number.find_first_not_of("-0123456789.") == std::string::npos;
@@ -52,7 +52,7 @@ std::string List(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The row of a percept that lies at this path from the state on; null if none does.
+/// The percept at this path from the state; null if there is none.
 const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
   constexpr std::size_t kLink = 2;  // io.input-link
   if (path.size() <= kLink || path[0] != "io" || path[1] != "input-link") return nullptr;
@@ -83,7 +83,7 @@ MindReasons::Makers MindReasons::MakersOf(const RuleText& rule, const ConditionT
       makers.other_value = OtherValueBy(maker, rule, condition);
       if (!makers.other_value.empty()) makers.other = &maker;
     }
-    // One that waits for the same cannot be what makes it first.
+    // A rule that requires the same element cannot be the first to make it.
     if (maker.name == rule.name || WaitsForTheSame(maker, condition)) continue;
     if (makes == Makes::kYes && makers.sure == nullptr) makers.sure = &maker;
     if (makes == Makes::kMaybe && makers.maybe == nullptr) makers.maybe = &maker;
@@ -106,7 +106,7 @@ std::vector<MindReasons::Wait> MindReasons::CircleFrom(const RuleText& rule, con
   while (waits.size() < kLongestCircle) {
     const Wait& last = waits.back();
     const std::vector<std::string>& path = last.condition.path;
-    // Over states and architecture others lead, too.
+    // Through states and elements of the architecture there are also other paths to the object.
     if (path.front() == "superstate" || path.front() == "io" || IsArchitectureAttribute(path.front())) return {};
     const Makers makers = MakersOf(*last.rule, last.condition);
     if (!makers.is_known || makers.all.size() != 1 || !view_.ValuesAt(StateOf(*last.rule), path).empty()) return {};
@@ -119,7 +119,7 @@ std::vector<MindReasons::Wait> MindReasons::CircleFrom(const RuleText& rule, con
     const auto begin = again - waits.begin();
     const bool is_closed = again != waits.end();
     waits.push_back({&maker, *next});
-    // One that this wait only leads to is the next rule's to tell.
+    // If the circle does not include the first condition, it is reported for a later rule.
     if (is_closed && next->path != condition.path) return {};
     if (is_closed) return {waits.begin() + begin, waits.end()};
   }
@@ -135,7 +135,7 @@ std::string MindReasons::Applying(const RuleText& maker) {
 
 std::vector<FailedRule> MindReasons::StillFailed() {
   std::vector<FailedRule> failed = failed_;
-  // An edit may have brought a good version meanwhile.
+  // The user may have fixed the rule in the meantime.
   std::erase_if(failed, [&](const FailedRule& one) { return view_.FindRule(one.rule) != nullptr; });
   return failed;
 }
@@ -197,7 +197,7 @@ std::string MindReasons::WhichStateAboveHas(const std::string& state, const std:
 std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
   std::set<std::string> known = given;
   for (const RuleText& rule : rules()) {
-    // Nobody knows what it makes, or what comes from a memory, before it does.
+    // What such a rule makes, or a memory returns, is known only when it fires.
     if (MakesAnyAttribute(rule) || TestsWhatWasRecalled(rule)) return {};
     for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
   }
@@ -295,7 +295,8 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return Say(Situation::kNoneNow);
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
     return Say(Situation::kWrongPlace, {{"places", places}});
-  // A rule that did not load may make it, or one whose attributes only a firing names, or it may be recalled.
+  // A rule that did not load may make it, or a rule with attributes that are known only when it fires, or a recall may
+  // return it.
   if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
       std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
     const std::string failed = WhatFailed();
@@ -395,7 +396,8 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   const std::size_t others = values.size() - shown.size();
   if (shown.empty()) {
     if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
-    // Its first conditions may match a state above, which does not fit the rest: the substate lacks what they test.
+    // Its first conditions may match for a state above, whose elements do not match the rest: the substate lacks the
+    // tested elements.
     const std::string state = IsForSubstate(rule) ? StateOf(rule) : std::string();
     for (const RuleAttribute& condition : rule.conditions) {
       if (state.empty() || condition.negated || !condition.on_state || !IsConstantAttribute(condition.attribute) ||
@@ -411,7 +413,7 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   if (shown.empty())
     return waits(others == 1 ? Say(Situation::kOneDoesNotFit)
                              : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}));
-  // It is there, but elsewhere: another waypoint than the one that the conditions before it are about.
+  // The value exists, but for another object, for example for another waypoint than the one of the earlier conditions.
   if (std::find(shown.begin(), shown.end(), first.value) != shown.end()) return waits(Say(Situation::kElsewhere));
   std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
@@ -445,25 +447,25 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
     const std::vector<Slip> slips = FindSlipsOfForm({rule});
     const bool has_state = std::any_of(rule.conditions.begin(), rule.conditions.end(),
                                        [](const RuleAttribute& condition) { return condition.on_state; });
-    // Without a state nothing tells where its conditions look.
+    // Without a state, it is not known which object its conditions test.
     if (std::string text = has_state ? ExplainRule(rule, known) : std::string(); !text.empty())
       texts.push_back(std::move(text));
     for (const Slip& slip : slips) texts.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
   };
   for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {
     tell(*found[i].rule);
-    // What it waits for may be another rule's to make: then that one is why.
+    // If another rule makes the required element, that rule is the cause.
     const std::optional<ConditionText> wait = WaitOf(*found[i].rule);
     if (!wait || wait->path.front() == "operator" || !CircleFrom(*found[i].rule, *wait).empty()) continue;
     const Makers makers = MakersOf(*found[i].rule, *wait);
-    // One that applies an operator waits for just that: no operator is what all this is about.
+    // A rule that applies an operator waits for its selection, which is what is being explained. So it is not reported.
     if (makers.sure != nullptr && makers.sure->applies.empty()) tell(*makers.sure);
   }
   return texts;
 }
 
 std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
-  // The candidates that are left are the items of the impasse; others may be proposed, and dropped.
+  // The remaining candidates are the items of the impasse; other operators may be proposed and dropped.
   const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
   std::vector<Preference> proposals;
   for (Preference& preference : view_.Preferences(state)) {
@@ -473,7 +475,7 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
     if (std::ranges::find(proposals, op, &Preference::operator_id) == proposals.end())
       proposals.push_back(std::move(preference));
   }
-  // "O2" before "O10".
+  // Sorts "O2" before "O10".
   std::ranges::sort(proposals, {}, [](const Preference& proposal) {
     return std::pair(proposal.operator_id.size(), proposal.operator_id);
   });
@@ -484,7 +486,7 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
       lines.push_back(Say(Situation::kIsProposedBy,
                           {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
   }
-  // A constant that was proposed is a candidate without a name.
+  // A proposed constant is a candidate without a name.
   for (const std::string& item : items)
     if (std::ranges::find(proposals, item, &Preference::operator_id) == proposals.end()) names.push_back(item);
   const std::string among =
@@ -504,7 +506,7 @@ std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, 
   decision.selected = mind::Decision::kNoOperator;
   if (const std::string why = tell::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
     return {Say(situation, {{"state", state}, {"why", why}})};
-  // Of another kernel the preferences of that kind among the candidates.
+  // For another kernel: the preferences of that kind among the candidates.
   const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
   std::string said;
   for (const Preference& preference : view_.Preferences(state)) {
@@ -520,7 +522,7 @@ std::string MindReasons::WhyAllDropped(const std::string& state) {
   if (state.empty()) return {};
   const mind::Decision decision = DecisionOf(state);
   if (!decision.empty()) return tell::WhyNothing(decision);
-  // Another kernel does not say who dropped whom: its preferences against operators, if there are proposals.
+  // For another kernel, the drops are not known. Lists its preferences against operators, if there are proposals.
   std::string against;
   bool is_proposed = false;
   for (const Preference& preference : view_.Preferences(state)) {
@@ -541,12 +543,12 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   RuleList candidates, below;
   const RuleText* applied_by = nullptr;
   const RuleText* pending = nullptr;
-  const RuleText* answered_by = nullptr;  // Writes something, say, and changes nothing.
+  const RuleText* answered_by = nullptr;  // A rule that, for example, writes text but changes nothing.
   bool says = false;
   for (const RuleText& rule : rules()) {
-    if (IsJustification(rule.name)) continue;  // A result: a step on the way.
+    if (IsJustification(rule.name)) continue;  // A result of a substate: an intermediate step.
     if (IsForSubstate(rule) && !rule.proposes.empty()) below.push_back(&rule);
-    // A rule that only describes the operator does not apply it; one that names none applies any.
+    // A rule that only adds to the operator does not apply it. A rule that names no operator applies any.
     if (!(rule.applies.contains(name) || rule.applies.contains(""))) continue;
     if (!Changes(rule)) {
       const bool only_speaks = rule.acts && rule.actions.empty() && rule.applies.contains(name);
@@ -618,7 +620,7 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
     } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
       reasons = ExplainConflict(state, entry);
     }
-    // A state below one in which nothing happens says nothing new.
+    // A substate of a state in which nothing happens gives no new information.
     if (entry.about != "state no-change" || selected == nullptr) {
       is_below = entry.about == "operator no-change";
       if (!is_below) selected = nullptr;
@@ -627,12 +629,12 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
   }
   if (!reasons.empty() && selected == nullptr) return reasons;
 
-  // What rules that did not load would make is not known.
+  // If rules failed to load, it is not known what they would make.
   if (failed.empty()) reasons = UnwrittenAttributes(known);
   if (reasons.size() > kMostRulesTold) reasons.resize(kMostRulesTold);
   const auto add = [&reasons](std::vector<std::string> more) {
     for (std::string& reason : more) {
-      // A misspelt attribute needs to be told once.
+      // A misspelt attribute is reported once.
       const bool repeats = reason.find("no percept and no rule makes it") != std::string::npos &&
                            std::any_of(reasons.begin(), reasons.end(), [&](const std::string& told) {
                              return told.starts_with(reason.substr(0, reason.find(" requires ")) + " tests ");
@@ -648,7 +650,7 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
   const bool in_substate = stack.size() > 1;
   for (const RuleText& rule : rules())
     if (!rule.proposes.empty() && (in_substate || !IsForSubstate(rule))) candidates.push_back(&rule);
-  // A proposal that tests ^superstate <any> matches at the top, too.
+  // A proposal that tests ^superstate <any> matches in the top state, too.
   if (candidates.empty())
     for (const RuleText& rule : rules())
       if (!rule.proposes.empty()) candidates.push_back(&rule);
@@ -657,7 +659,7 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
         Say(Situation::kNoProposer, {{"advice", failed.empty() ? Say(Situation::kWriteProposer) : failed}}));
     return reasons;
   }
-  // States below that say nothing new: the first of them is where something is missing.
+  // Substates that give no new information. The first of them is where something is missing.
   std::vector<std::string> alike;
   for (const StackEntry& entry : stack) {
     if (entry.about != "state no-change") alike.clear();

@@ -17,26 +17,27 @@
 
 namespace soarbox::explain {
 
-/// Why a Soar program does what it does, or does not, in sentences (tell/sentences.h). Costs nothing until somebody
-/// asks.
+/// Explains in sentences (tell/sentences.h) why a Soar program does something or does not. Costs nothing until it is
+/// asked.
 class MindReasons {
  public:
   explicit MindReasons(sml::Agent& agent, std::vector<FailedRule> failed = {})
       : agent_(agent), view_(agent), failed_(std::move(failed)) {}
 
-  /// Why it does nothing, most telling first; each a whole sentence or two. `known`: attributes that are made
-  /// elsewhere (percepts of scripts, other agents' messages).
+  /// Explains why the program does nothing; the most informative reason first. Each reason is one or two full
+  /// sentences. `known`: attributes that come from elsewhere (percepts of scripts, messages of other agents).
   std::vector<std::string> WhyIdle(const std::set<std::string>& known);
-  /// Attributes that its rules test and that no percept, rule or answer ever writes.
+  /// Attributes that the rules test but that no percept, rule or answer ever writes.
   std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
-  /// How a command came to be, as it was then, and why it is still there. Without an origin: that it is not known.
+  /// Explains how a command was made, as recorded at that time, and why it is still on the output link. Without an
+  /// origin, the answer says that it is not known.
   std::vector<WhyNode> CommandTree(const std::string& command, const DecisionTime& time);
-  /// What led to the operator that is selected: proposals, preferences and the elements that they rest on.
+  /// Explains the selected operator: its proposals, preferences and the elements that they depend on.
   std::vector<WhyNode> OperatorTree();
-  /// Why a command is or is not given, an operator is or is not selected, or a rule does or does not match. An error if
-  /// its rules know nothing of that name.
+  /// Explains why a command is or is not given, an operator is or is not selected, or a rule does or does not match.
+  /// Fails if the rules contain nothing of that name.
   Result<std::vector<WhyNode>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
-  /// The rules that call (halt), for a program that has halted.
+  /// Names the rules that call (halt). For a program that has halted.
   std::string WhyHalted();
 
   const std::vector<RuleText>& rules() { return view_.rules(); }
@@ -44,16 +45,17 @@ class MindReasons {
  private:
   using RuleList = std::vector<const RuleText*>;
 
-  /// The rules that make what a condition waits for, as far as the rules show.
+  /// The rules that can make what a condition requires, as far as their texts show it.
   struct Makers {
     const RuleText* sure = nullptr;   ///< Makes it whenever it fires.
     const RuleText* maybe = nullptr;  ///< Makes it if the value fits.
     const RuleText* other = nullptr;  ///< Makes another value, `other_value`.
     std::string other_value;
-    RuleList all;          ///< All that may make it, or might elsewhere; those that wait for it themselves, too.
-    bool is_known = true;  ///< No rule is missing, and none makes attributes that only a firing names.
+    RuleList all;          ///< All that may make it, or may make it for another object; includes those that require it
+                           ///< themselves.
+    bool is_known = true;  ///< All rules are known, and none makes attributes whose names are known only when it fires.
   };
-  /// A rule that waits, and what for.
+  /// A rule, and its condition that does not match yet.
   struct Wait {
     const RuleText* rule;
     ConditionText condition;
@@ -61,39 +63,41 @@ class MindReasons {
 
   /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions match.
   std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
-  /// A negated condition about the state above that something matches: the kernel looks on at the top state, which has
-  /// no state above it, and names a later condition. Empty: there is none.
+  /// Describes a negated condition about the state above that fails because an element matches it. The kernel reports a
+  /// later condition instead, because the negated one holds for the top state, which has no state above it. Empty if
+  /// there is no such condition.
   std::string WhatExcludesAbove(const RuleText& rule, const ConditionText& failing);
-  /// The substate in which the operator that a rule applies is selected; empty: there is none.
+  /// The substate in which the operator that a rule applies is selected; empty if there is none.
   std::string SubstateOfSelected(const RuleText& rule);
   std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
-  /// The nearest of these rules, each explained, and the rules that make what they wait for.
+  /// Explains the rules among `candidates` that are nearest to a match, and the rules that make what they require.
   std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);
-  /// "the operator selected in S1 is rest (O1)", for a condition about another one.
+  /// For a condition about an operator that is not selected: "the operator selected in S1 is rest (O1)".
   std::string ExplainSelected(const RuleText& rule, const ConditionText& condition);
-  /// `below`: the state that the impasse led to.
+  /// `below`: the substate of the tie.
   std::vector<std::string> ExplainTie(const std::string& state, const std::string& below);
   std::vector<std::string> ExplainConflict(const std::string& state, const StackEntry& below);
   std::vector<std::string> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                          const std::set<std::string>& known);
-  /// Why all that are proposed in a state were dropped; empty if none is proposed, or if that is not reported.
+  /// Explains why all operators that are proposed in a state were dropped. Empty if none is proposed, or if the kernel
+  /// does not report it.
   std::string WhyAllDropped(const std::string& state);
-  /// What the decision procedure says of a state's operators; empty if the kernel does not report it.
+  /// The recorded decision about a state's operators; empty if the kernel does not report it.
   mind::Decision DecisionOf(const std::string& state);
   Makers MakersOf(const RuleText& rule, const ConditionText& condition);
-  /// Goes from what a rule waits for to the only rule that makes it, and on. If that ends in a circle: who waits for
-  /// what in it; else empty.
+  /// Follows the chain from a condition to the only rule that makes the required element, to the condition for which
+  /// that rule waits, and so on. Returns the members of a circle if the chain ends in one; else nothing.
   std::vector<Wait> CircleFrom(const RuleText& rule, const ConditionText& condition);
-  /// The condition at which a rule stops, if another rule could make what it asks for.
+  /// The first condition of a rule that fails, if another rule could make the required element.
   std::optional<ConditionText> WaitOf(const RuleText& rule);
   /// " when it applies fetch", or nothing.
   static std::string Applying(const RuleText& maker);
-  /// Errors of rules that are missing now.
+  /// Errors of rules that are still missing.
   std::vector<FailedRule> StillFailed();
-  /// "rule x in hero.soar:7 failed to parse: ..."; empty if all loaded.
+  /// Describes the rules that failed to load: "rule x in hero.soar:7 failed to parse: ...". Empty if all loaded.
   std::string WhatFailed();
   std::string StateOf(const RuleText& rule);
-  /// If a state above has a path that a substate lacks: where, and how to test it; else empty.
+  /// If a state above has a path that a substate lacks, says which state, and how to test it; else empty.
   std::string WhichStateAboveHas(const std::string& state, const std::vector<std::string>& path);
 
   struct Told;
@@ -107,7 +111,7 @@ class MindReasons {
   std::vector<FailedRule> failed_;
 };
 
-/// "did you mean ^distance?" or nothing, from percepts and these.
+/// Returns "did you mean ^distance?" for a similar name among percepts and `known`; else an empty string.
 std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known);
 
 }  // namespace soarbox::explain

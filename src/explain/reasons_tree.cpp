@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What led to something, or kept it from happening, as a tree of lines: the command, the rules that say it, the
-// operator that they apply, the rules that propose it, and what these rest on or wait for.
+// Explains why something happened or did not happen, as a tree of lines: the command, the rules that give it, the
+// operator that they apply, the rules that propose it, and the elements that these depend on or require.
 #include <algorithm>
 
 #include "diagnostics/diagnostic.h"
@@ -39,7 +39,7 @@ std::vector<std::string> AccountLines(const std::optional<WhyNode>& account) {
   return lines;
 }
 
-/// What has been said already, so that no circle is followed twice.
+/// What has already been explained, so that circles end.
 struct MindReasons::Told {
   const std::set<std::string>& known;
   std::set<std::string> names;  ///< Of operators and rules.
@@ -94,7 +94,7 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
     }
     return;
   }
-  // It may be proposed and another be preferred.
+  // It may be proposed while another operator is preferred.
   const std::vector<StackEntry> stack = view_.Stack();
   const std::string top = stack.empty() ? "S1" : stack.front().id;
   const std::string chosen = stack.size() > 1 && !stack[1].is_state ? stack[1].about : std::string();
@@ -144,7 +144,7 @@ void MindReasons::TellCommand(const std::string& command, Told& told, std::vecto
                 {}});
     for (const std::string& name : rule.applies)
       if (!name.empty()) TellOperator(name, 2, told, node.below);
-    // What it waits for of an operator is told above.
+    // Requirements on an operator were reported above.
     const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
     if (waits.empty() || waits.front().path.front() != "operator") TellRule(rule, 2, told, node.below);
   }
@@ -193,7 +193,7 @@ std::vector<WhyNode> MindReasons::CommandTree(const std::string& command, const 
     for (WhyNode& reason : PresentReason(facts, selected)) nodes.push_back(std::move(reason));
     return nodes;
   }
-  // What the rules show; which operator was selected then they cannot tell.
+  // Reports what the rules show. They do not show which operator was selected at that time.
   std::vector<std::string> speakers;
   for (const RuleText& rule : rules())
     if (rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);

@@ -6,7 +6,7 @@
 
 namespace soarbox::explain {
 
-/// What the searches for slips and for reasons work with, from what the kernel's reader found in a rule.
+/// Converts what the kernel's reader found in a rule to the form that the searches for slips and reasons use.
 RuleText TextOf(const mind::RuleFacts& facts);
 
 }  // namespace soarbox::explain

@@ -35,7 +35,7 @@ bool IsConstant(const std::string& word) {
          word != ">>" && !Compares(word);
 }
 
-/// One relation of a constant with a constant.
+/// Compares two constants by one relation.
 bool Holds(const std::string& made, const std::string& relation, const std::string& with) {
   if (relation.empty() || relation == "=") return made == with;
   if (relation == "<>") return made != with;
@@ -45,7 +45,7 @@ bool Holds(const std::string& made, const std::string& relation, const std::stri
   return relation == "<" ? *a < *b : relation == "<=" ? *a <= *b : relation == ">" ? *a > *b : *a >= *b;
 }
 
-/// A constant against the tests of a condition.
+/// Whether a constant passes the tests of a condition.
 Makes PassesTests(const std::string& made, const std::string& tests) {
   const std::vector<std::string> words = WordsOf(tests);
   Makes result = Makes::kYes;
@@ -70,7 +70,7 @@ Makes PassesTests(const std::string& made, const std::string& tests) {
   return result;
 }
 
-/// Tests that any value passes.
+/// Whether any value passes the tests.
 bool IsFree(const std::string& tests) {
   return std::ranges::all_of(WordsOf(tests),
                              [](const std::string& word) { return IsVariable(word) || word == "{" || word == "}"; });
@@ -81,13 +81,13 @@ bool IsObjectOf(const RuleText& rule, const std::string& variable) {
   return std::ranges::any_of(rule.conditions, is_of) || std::ranges::any_of(rule.actions, is_of);
 }
 
-/// Whether further conditions of a rule are about what lies at this path: it must be an object.
+/// Whether the value at this path must be an object, because other conditions of the rule test its attributes.
 bool MustBeObject(const RuleText& rule, const std::vector<std::string>& path) {
   return std::ranges::any_of(
       rule.paths, [&](const auto& variable) { return variable.second == path && IsObjectOf(rule, variable.first); });
 }
 
-/// Whether a rule is about the top state, a substate, or any.
+/// Whether a rule is about the top state, a substate, or any state.
 enum class Level : std::uint8_t { kAny, kTop, kSub };
 
 Level LevelOf(const RuleText& rule, const std::vector<std::string>& path) {
@@ -103,7 +103,7 @@ bool IsOnState(const std::vector<std::string>& path) {
   return FromTop(path).size() < 2;
 }
 
-/// Whether an action makes an element of that attribute where the condition looks, whatever its value.
+/// Whether an action makes an element with the condition's path, regardless of its value.
 Makes WhetherThere(const RuleText& maker, const PathMap& paths, const RuleAttribute& action, const RuleText& rule,
                    const ConditionText& condition) {
   if (action.value.ends_with("-")) return Makes::kNo;
@@ -124,7 +124,7 @@ bool IsAcceptable(const std::string& value) {
   return value == "+" || value.ends_with(" +");
 }
 
-/// The constant name that a rule asks of the operator whose proposal it tests; empty if it asks for none.
+/// The constant name that a rule tests for a proposed operator; empty if it tests none.
 std::string NameAskedFor(const RuleText& rule) {
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.attribute != "operator" || condition.negated || !IsAcceptable(condition.value)) continue;
@@ -171,7 +171,7 @@ Makes WhetherMakes(const RuleText& maker, const RuleText& rule, const ConditionT
     Makes makes = WhetherThere(maker, paths, action, rule, condition);
     if (makes == Makes::kNo) continue;
     if (action.attribute == "operator") {
-      // A proposal comes from rules; which operator is selected is the decision procedure's to say.
+      // Rules make proposals; the decision procedure makes selections.
       if (!IsAcceptable(condition.value) || action.value.find('+') == std::string::npos) continue;
       const std::string name = NameAskedFor(rule);
       if (!name.empty() && !maker.proposes.contains(name))
@@ -226,7 +226,7 @@ bool AsksForSelected(const RuleText& rule, const ConditionText& condition) {
   const std::vector<std::string> path = FromTop(condition.path);
   if (path.empty() || path.front() != "operator" || condition.negated) return false;
   if (path.size() == 1) return !IsAcceptable(condition.value);
-  // Of a rule that tests proposals, too, a condition below may be about one of them.
+  // If the rule also tests proposals, a condition on an operator's attributes may be about a proposal.
   return std::ranges::none_of(rule.conditions, [](const RuleAttribute& tested) {
     return tested.attribute == "operator" && !tested.negated && IsAcceptable(tested.value);
   });
@@ -241,7 +241,7 @@ bool Changes(const RuleText& rule) {
       substate.insert(condition.id);
     }
   }
-  // Below an operator, what a rule adds to its own state describes that state: it passes with it.
+  // In a substate of an operator, what a rule adds to its own state describes only that state and disappears with it.
   const bool is_below = std::ranges::all_of(rule.conditions, [&](const RuleAttribute& condition) {
     return condition.attribute != "operator" || condition.negated || states_above.contains(condition.id);
   });

@@ -10,40 +10,40 @@
 
 namespace soarbox::explain {
 
-/// Whether a rule makes what a condition of another one asks for. Only kNo and kYes are certain.
+/// Whether a rule makes the element that a condition of another rule requires. Only kNo and kYes are certain.
 enum class Makes : std::uint8_t {
-  kNo,         ///< Another attribute, a value that fails the test, or it is of a state and the other one is not.
-  kElsewhere,  ///< Such an element at another path: of the same object only if two paths lead to it.
-  kMaybe,      ///< There, with a value that is known when it fires.
-  kYes,        ///< There, and every value that it makes passes the test.
+  kNo,         ///< Another attribute, a value that fails the test, or only one of the two objects is a state.
+  kElsewhere,  ///< It makes such an element at another path. That is the same object only if two paths lead to it.
+  kMaybe,      ///< It makes the element at this path, with a value that is known only when it fires.
+  kYes,        ///< It makes the element at this path, and each value that it makes passes the test.
 };
 Makes WhetherMakes(const RuleText& maker, const RuleText& rule, const ConditionText& condition);
 
-/// A constant that a rule gives this attribute where the condition looks, and which fails the condition's test; empty
-/// if it gives none.
+/// Returns a constant that `maker` gives the attribute at the condition's path and that fails the condition's test.
+/// Empty if there is none.
 std::string OtherValueBy(const RuleText& maker, const RuleText& rule, const ConditionText& condition);
 
-/// Whether a rule itself waits for what the condition asks for: then it cannot be the first to make it.
+/// Whether a rule itself requires what the condition requires. Then it cannot be the first to make it.
 bool WaitsForTheSame(const RuleText& rule, const ConditionText& condition);
 
-/// True if a rule makes attributes whose names are known when it fires.
+/// Whether a rule makes attributes whose names are known only when it fires.
 bool MakesAnyAttribute(const RuleText& rule);
 
-/// Whether a rule works in a substate: it tests a superstate.
+/// Whether a rule works in a substate, that is, tests a superstate.
 bool IsForSubstate(const RuleText& rule);
 
-/// Where the variables of a rule's actions lie, those of objects that it makes included.
+/// Paths of the variables in a rule's actions, including those of objects that it creates.
 PathMap MadePaths(const RuleText& rule);
 
-/// A path written from the state that it reaches: without ^superstate.
+/// Removes the leading ^superstate attributes, so that the path begins at the state that they reach.
 std::vector<std::string> FromTop(const std::vector<std::string>& path);
 
-/// Names of the operators whose selection a rule tests, as this condition's path begins there; false if the condition
-/// is not about an operator that is selected, but about a proposal or something else.
+/// Returns whether the condition is about an operator that is selected, because its path begins with such an operator.
+/// False if it is about a proposal or anything else.
 bool AsksForSelected(const RuleText& rule, const ConditionText& condition);
 
-/// Whether a firing of this rule applies an operator: it changes something other than the operator and the substate in
-/// which others work on the operator.
+/// Whether a firing of this rule applies an operator: it changes something other than the operator itself and the
+/// substate in which other rules work on it.
 bool Changes(const RuleText& rule);
 
 }  // namespace soarbox::explain

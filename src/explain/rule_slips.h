@@ -16,23 +16,23 @@ namespace soarbox::explain {
 /// Something in a rule that loads but is most likely not what its author meant.
 struct Slip {
   std::string rule;
-  std::string word;           ///< Where in the rule: this word; empty: its name.
+  std::string word;           ///< The word of the rule that it is about; empty: the rule's name.
   bool is_attribute = false;  ///< The word comes after ^ or a dot.
   std::string message, hint;
   bool in_actions = false;  ///< The word comes after -->.
 };
 
-/// The places of a world by name. Rules of no world in particular may name any.
+/// The names of places of a world. Rules that belong to no particular world may use any name.
 struct KnownPlaces {
   bool is_known = false;
   std::set<std::string> waypoints, regions;
 };
 
-/// What you can tell and ask the spatial visual system, as the kernel lists it; nothing if the kernel lists nothing.
+/// The commands and filters of the spatial visual system, as the kernel lists them; empty if the kernel lists none.
 struct SceneKinds {
   struct Parameter {
     std::string name;
-    std::string form;  ///< "nodes", "number", "object", "word", or the words that it may be: "centroid|hull".
+    std::string form;  ///< "nodes", "number", "object", "word", or the allowed words: "centroid|hull".
     std::string meaning;
     bool required = false;
   };
@@ -42,80 +42,86 @@ struct SceneKinds {
   };
   std::vector<Kind> commands, filters;
 };
-/// Reads what `svs commands all` prints.
+/// Parses the output of `svs commands all`.
 SceneKinds ReadSceneKinds(std::string_view text);
-/// Whether rules test ^svs at all.
+/// Whether any rule tests ^svs.
 bool MentionsScenes(const std::vector<RuleText>& rules);
-/// True if a path goes through ^svs: tags and answers there may have any name.
+/// Whether a path goes through ^svs. Tags and answers below it may have any name.
 bool IsBelowScene(const std::vector<std::string>& path);
 
-/// What rules may test and give besides the vocabulary.
+/// The words that rules may test and use in addition to the vocabulary.
 struct KnownWords {
-  std::set<std::string> attributes;  ///< That rules, scripts, messages and facts make.
-  std::set<std::string> scripts;     ///< All words of scripts beside the rules: percepts and commands of their own.
+  std::set<std::string> attributes;  ///< Attributes that rules, scripts, messages and facts add.
+  std::set<std::string> scripts;     ///< All words of scripts in the folder of the rules: scripts may define percepts
+                                     ///< and commands.
   KnownPlaces places = {};
-  bool has_database = false;               ///< What is recalled may have any attribute.
-  bool complete = true;                    ///< All rules loaded; else what is missing may be in those that did not.
+  bool has_database = false;               ///< Recalled objects may have any attribute.
+  bool complete = true;                    ///< All rules loaded; otherwise a rule that did not load may contain what
+                                           ///< seems to be missing.
   SceneKinds scene = {};                   ///< Needed only if rules mention scenes.
-  std::set<std::string> made_values = {};  ///< "attribute value": what actions of any rule of the folder make.
-  bool own_world = false;  ///< A game with percepts and commands of its own: the vocabulary says nothing of them.
+  std::set<std::string> made_values = {};  ///< "attribute value": values that actions of any rule of the folder make.
+  bool own_world = false;  ///< The world is a game with percepts and commands of its own, to which the vocabulary does
+                           ///< not apply.
 };
 
-/// Slips of form, which need no knowledge of the world: no state, variables that nothing links, words that look like
+/// Finds slips that are visible without the world: no state, variables that no condition links, words that look like
 /// half a variable, and relations or functions that do not exist.
 std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules);
 
-/// Slips against the vocabulary: attributes that nothing writes or that are elsewhere, words that a percept never has,
-/// commands and parameters that no body knows, operators that nothing applies.
+/// Finds slips against the vocabulary: attributes that nothing writes or that have another path, words that a percept
+/// never has, commands and parameters that no body accepts, operators that no rule applies.
 std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// Slips in the use of Soar itself: operators that are words or have no name or two, a second ^io, values that pile up,
-/// paths that may lead to different objects, words that no state has, variables that only a negation binds.
+/// Finds slips in the use of Soar: operators that are constants or have no name or two names, a second ^io, values that
+/// accumulate, paths that may lead to different objects, attributes that no state has, variables that only a negated
+/// condition binds.
 std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules);
 
-/// Slips in what rules do together: what a rule makes or removes takes its own reason away, paths that lead to
-/// different objects of a rule's own, values that no rule makes, variables that nothing binds, applications that cannot
-/// fire.
+/// Finds slips in how rules work together: a rule that removes the reason for its own match, paths that lead to
+/// different objects that the rule itself creates, values that no rule makes, variables that nothing binds,
+/// applications that cannot fire.
 std::vector<Slip> FindSlipsOfLogic(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// Slips on the links of long-term memory and reward: words that no memory knows, rewards that are no numbers, links
-/// that an action makes beside the agent's own.
+/// Finds slips on the links of long-term memory and reward: words that no memory accepts, rewards that are not numbers,
+/// links that an action creates next to those of the agent.
 std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules);
-/// True if a path ends where a memory answers: "smem", "result".
+/// Whether a path ends where a memory stores its answer: "smem", "result".
 bool IsMemoryAnswer(const std::vector<std::string>& path);
 
-/// Slips in what rules tell and ask the spatial visual system: commands, filters and parameters that do not exist or
-/// lack something, and nodes that nobody makes.
+/// Finds slips in commands to the spatial visual system: commands, filters and parameters that do not exist or are
+/// incomplete, and nodes that no rule creates.
 std::vector<Slip> FindSlipsOfImagery(const std::vector<RuleText>& rules, const SceneKinds& kinds);
 
-/// Slips against how the world behaves: proposals that rest on numbers that change all the time, writing on the input
-/// link, places that the scenario does not have.
+/// Finds slips against the behaviour of the world: proposals that depend on numbers that change all the time, actions
+/// that write on the input link, places that the scenario does not have.
 std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// Says once that rules seem to be written for another world, if this one knows hardly any of the percepts that they
-/// test; then the vocabulary says nothing of them. Nothing otherwise.
+/// Reports once that rules seem to be written for another world, if this world has hardly any of the percepts that they
+/// test. The vocabulary is then not applied to them. Otherwise returns nothing.
 std::optional<Slip> FindOtherWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// What all these searches find, one after the other.
+/// Runs all these searches and returns their findings, in the order of the searches.
 std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// The slip as a warning at its place in the text of the file (comments blanked). Without a place if the rule is not
-/// there.
+/// Converts a slip to a warning with its position in the text of the file, in which comments are blanked. The warning
+/// has no position if the text does not contain the rule.
 Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const std::string& text);
 
-/// A file of rules, with comments blanked.
+/// A file of rules. Its comments are blanked.
 struct RuleFile {
   std::filesystem::path file;
   std::string text;
 };
-/// Rules that replace one of the same name in the same file or in one before it, as warnings at the later one.
+/// Returns a warning for each rule that replaces a rule of the same name in the same file or an earlier one. The
+/// warning is at the later rule.
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
 
-/// What to do about an operator that no rule applies, as a sentence.
+/// Returns a sentence that says how to apply an operator that no rule applies.
 std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name);
-/// "^io.input-link.self.health, ...": where percepts of this name are; empty if there are none.
+/// Returns the paths of the percepts of this name: "^io.input-link.self.health, ...". Empty if there are none.
 std::string PlacesOfPercept(const std::string& attribute);
-/// The words that a percept of this name may be, "none ready ..."; empty if it is none, or may be any word.
+/// Returns the words that a percept of this name may have: "none ready ...". Empty if there is no such percept, or if
+/// it may have any word.
 std::vector<std::string_view> WordsOfPercept(const std::string& attribute);
 
 }  // namespace soarbox::explain

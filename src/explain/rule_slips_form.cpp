@@ -51,7 +51,7 @@ void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.id.empty() || linked.contains(condition.id) || !told.insert(condition.id).second) continue;
     const std::vector<std::string_view> others(linked.begin(), linked.end());
-    // One letter is as near to any other, but <O> is <o> in haste.
+    // All one-letter names are equally similar, but <O> is probably a mistyped <o>.
     const auto same_letters =
         std::ranges::find_if(others, [&](std::string_view other) { return IsSameButForCase(other, condition.id); });
     const std::string_view near = same_letters != others.end() ? *same_letters
@@ -64,14 +64,14 @@ void FindUnlinked(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "<name" or "name>"; not a relation, and not a bracket of << a b >>.
+/// "<name" or "name>", but not a relation or a bracket of << a b >>.
 bool IsHalfVariable(const std::string& word) {
   if (word.size() < 2 || word.find_first_not_of("<>=") == std::string::npos) return false;
   if (word.starts_with("<<") || word.ends_with(">>")) return false;
   return (word.front() == '<') != (word.back() == '>');
 }
 
-/// The constants of a value that may be slips: those between bars, without them, and half variables.
+/// The constants of a value that may be slips: those in bars, without the bars, and half variables.
 std::vector<std::string> ConstantsIn(const std::string& value) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < value.size();) {
@@ -91,12 +91,12 @@ std::vector<std::string> ConstantsIn(const std::string& value) {
   return words;
 }
 
-/// "$place": a variable of other languages. A kernel prints it as it is, or between bars.
+/// "$place": a variable of other languages. Kernels print it unchanged or in bars.
 bool IsOtherLanguagesVariable(const std::string& word) {
   return word.size() > 1 && word.front() == '$' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
 }
 
-/// The tests of a value one by one, "{ > 2m <x> }" as "> 2m" and "<x>"; words between bars keep them.
+/// Splits the tests of a value: "{ > 2m <x> }" into "> 2m" and "<x>". Words in bars keep the bars.
 std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& value) {
   std::vector<std::pair<std::string, std::string>> tests;
   std::string relation;
@@ -115,12 +115,12 @@ std::vector<std::pair<std::string, std::string>> TestsIn(const std::string& valu
   return tests;
 }
 
-/// "?place" of rule languages that are older.
+/// "?place": a variable of older rule languages.
 bool IsQuestion(const std::string& word) {
   return word.size() > 1 && word.front() == '?' && (std::isalpha(static_cast<unsigned char>(word[1])) != 0);
 }
 
-/// "<<ready" and "empty>>": brackets of a choice that have no blank beside them.
+/// "<<ready" and "empty>>": brackets of a disjunction without a blank next to them.
 bool IsTightChoice(const std::string& word) {
   return word.size() > 2 && word.find_first_not_of("<>=") != std::string::npos &&
          (word.starts_with("<<") || word.ends_with(">>"));
@@ -130,12 +130,12 @@ bool IsSignOfOtherLanguages(const std::string& word) {
   return word == "++" || word == "+=" || word == "-=" || word == "*=" || word == "/=";
 }
 
-/// Half a variable has one; the word --> has none.
+/// Half a variable contains a letter; the word --> does not.
 bool HasLetter(const std::string& word) {
   return std::ranges::any_of(word, [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
-/// Constants that look like something else. A kernel prints them between bars, whatever their author did.
+/// Finds constants that look like something else. Kernels print them in bars, whether their author used bars or not.
 void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
   std::set<std::string> told;
   for (const auto* side : {&rule.conditions, &rule.actions}) {
@@ -176,14 +176,14 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "2m" and "50%": the number that was meant; empty if there is none.
+/// "2m" and "50%": returns the number that was meant; empty if there is none.
 std::string LeadingNumber(const std::string& word) {
   const std::size_t end = word.find_first_not_of("0123456789.-");
   const std::string number = word.substr(0, end);
   return IsNumber(number) ? number : std::string();
 }
 
-/// Only numbers are less or greater than each other: with a word such a test never comes true.
+/// Finds words that are compared by < or >. Only numbers can be less or greater, so the test always fails.
 void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& condition : rule.conditions) {
     for (const auto& [relation, text] : TestsIn(condition.value)) {
@@ -191,7 +191,8 @@ void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
       const bool is_quoted = text.size() > 1 && text.front() == '|' && text.back() == '|';
       const std::string word = is_quoted ? text.substr(1, text.size() - 2) : text;
       if (!compares || word.empty() || IsVariable(word) || (!is_quoted && IsNumber(word))) continue;
-      if (IsHalfVariable(word) || word.find_first_not_of("<>=!") == std::string::npos) continue;  // Reported as that.
+      if (IsHalfVariable(word) || word.find_first_not_of("<>=!") == std::string::npos)
+        continue;  // Reported as half a variable.
       const std::string number = LeadingNumber(word);
       slips.push_back({rule.name, word, false,
                        "rule " + rule.name + " tests ^" + condition.attribute + " " + relation + " " +
@@ -203,7 +204,7 @@ void FindComparedWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "^color red and ^size big": the words of other languages that join tests are values here.
+/// "^color red and ^size big": the words that join tests in other languages are values here.
 void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& condition : rule.conditions) {
     const std::string& word = condition.value;
@@ -222,7 +223,7 @@ void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "{ > 2 and < 20 }": the word is one more test, for a number that is a word.
+/// "{ > 2 and < 20 }": the word is an additional test, which requires the number to be that word.
 void FindJoinedTests(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& condition : rule.conditions) {
     if (!condition.value.starts_with('{')) continue;
@@ -237,7 +238,7 @@ void FindJoinedTests(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// An operator that a rule makes and never makes acceptable is no candidate.
+/// Finds operators that a rule creates but never makes acceptable, so that they are not candidates.
 void FindUnproposed(const RuleText& rule, std::vector<Slip>& slips) {
   std::set<std::string> known, proposed;
   for (const RuleAttribute& condition : rule.conditions)
@@ -254,7 +255,7 @@ void FindUnproposed(const RuleText& rule, std::vector<Slip>& slips) {
     const std::string name = FirstWord(action.value);
     if (action.attribute != "operator" || !IsVariable(name) || known.contains(name) || proposed.contains(name))
       continue;
-    if (action.value.ends_with("-")) continue;  // Reported as what it does not bind.
+    if (action.value.ends_with("-")) continue;  // Reported as an unbound variable.
     if (!told.insert(name).second) continue;
     const std::string sign = action.value.substr(std::min(action.value.find(' ') + 1, action.value.size()));
     slips.push_back({rule.name, "operator", true,
@@ -299,7 +300,7 @@ bool IsZero(const std::string& word) {
   return error == std::errc{} && end == word.data() + word.size() && number == 0;
 }
 
-/// "(write |done| crlf)" and "(/ <n> 0)": calls that load and do not do what they look like.
+/// "(write |done| crlf)" and "(/ <n> 0)": calls that load but do not do what was meant.
 void FindOddArguments(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleCall& call : rule.all_calls) {
     std::string function = call.function;
@@ -319,8 +320,8 @@ void FindOddArguments(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// A variable of the actions that stands nowhere else makes a new identifier: under a name that is much like one that
-/// is bound, that is hardly meant.
+/// Finds variables that occur only in actions, where they create a new identifier. If the name is similar to a bound
+/// variable, this is probably a typing mistake.
 void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
   std::map<std::string, int> in_actions;
   std::set<std::string> bound;
@@ -335,7 +336,7 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
     for (const std::string& variable : VariablesIn(action.value)) ++in_actions[variable];
   }
   for (const RuleAttribute& action : rule.actions) {
-    // "^next <n> -" of an <n> that is nowhere: a kernel that meets { <n> 3 } keeps the 3 and forgets the <n>.
+    // "^next <n> -" with an unbound <n>: a kernel simplifies { <n> 3 } to 3 and drops <n>.
     if (action.value.ends_with('-')) {
       const std::string gone = action.value.substr(0, action.value.find(' '));
       if (IsVariable(gone) && !bound.contains(gone) && !ids.contains(gone))
@@ -369,7 +370,7 @@ std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
     FindUnproposed(rule, slips);
     const std::size_t before = slips.size();
     FindUnlinked(rule, slips);
-    // A variable that lost a bracket is told as that.
+    // A variable with a missing bracket is reported as such.
     if (before > 0 && slips.size() > before && slips[before - 1].rule == rule.name &&
         slips[before - 1].message.ends_with("not as a variable"))
       slips.resize(before);

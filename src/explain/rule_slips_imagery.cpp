@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Slips in what rules ask the spatial visual system: commands and filters that there are not, parameters that they lack
-// or do not know, nodes that nobody makes. What there is, the kernel tells (svs commands all).
+// Slips in commands to the spatial visual system: unknown commands and filters, missing or unknown parameters, and
+// nodes that no rule creates. The kernel lists the valid ones (svs commands all).
 #include <algorithm>
 #include <cctype>
 
@@ -31,14 +31,14 @@ std::string ListOf(const std::vector<std::string_view>& words, std::string_view 
   return list;
 }
 
-/// The constant that a value is, without bars; empty if it is none.
+/// The value as a constant without bars; empty if it is not a constant.
 std::string SoleConstant(const std::string& value) {
   if (value.empty() || value.find_first_of("<{(") == 0 || value.ends_with(" -")) return {};
   if (value.size() > 2 && value.front() == '|' && value.back() == '|') return value.substr(1, value.size() - 2);
   return FirstWord(value);
 }
 
-/// Names that differ in more than their digits.
+/// Whether two names differ in more than their digits.
 bool DifferInLetters(std::string_view a, std::string_view b) {
   const auto letters = [](std::string_view name) {
     std::string found;
@@ -104,14 +104,14 @@ class SceneChecker {
     return nullptr;
   }
 
-  /// Whether more may hang on an object than this rule tells: it is bound elsewhere, or has attributes that vary.
+  /// Whether the object may have further attributes: it is bound elsewhere, or has variable attributes.
   static bool IsOpen(const RuleText& rule, const std::string& id) {
     return IsBoundByConditions(rule, id) || std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
              return action.id == id && !IsConstantAttribute(action.attribute);
            });
   }
 
-  /// Other rules may add to a command that they find on the link.
+  /// Whether other rules may add to a command that they find on the link.
   bool OthersAdd(const RuleText& rule) const {
     return std::ranges::any_of(rules_, [&](const RuleText& other) {
       return &other != &rule && std::ranges::any_of(other.actions, [&](const RuleAttribute& action) {
@@ -163,7 +163,7 @@ class SceneChecker {
         CheckValue(rule, action, *known, what);
         continue;
       }
-      // A parameter that a filter does not know does no harm.
+      // An unknown parameter of a filter has no effect.
       if (action.attribute == "type" || action.attribute == "input-type" || kind.name == "combine_nodes") continue;
       const std::string_view near = Suggest(action.attribute, names);
       if (near.empty() || FindAction(rule, id, near) != nullptr) continue;
@@ -230,8 +230,8 @@ class SceneChecker {
     (void)action;
   }
 
-  /// A node that nobody makes, whose name is much like that of one that rules make. Of others who feed the scene only
-  /// they know.
+  /// Reports a node that no rule creates, if its name is similar to a node that rules create. Other sources of nodes
+  /// are not known here.
   void CheckNode(const RuleText& rule, const std::string& word) {
     if (names_vary_ || made_.contains(word)) return;
     const std::string_view near = Suggest(word, {made_.begin(), made_.end()});
@@ -254,7 +254,7 @@ class SceneChecker {
 
   const std::vector<RuleText>& rules_;
   const SceneKinds& kinds_;
-  std::set<std::string> made_ = {"world", "self", "eye", "reach"};  ///< Nodes: by rules, and by the world itself.
+  std::set<std::string> made_ = {"world", "self", "eye", "reach"};  ///< Nodes that rules or the world create.
   bool names_vary_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Slips in what rules do together: values that come and go, paths that part, values that nobody makes, applications
-// that cannot fire.
+// Slips in how rules work together: values that are repeatedly added and removed, paths to different objects, values
+// that no rule makes, applications that cannot fire.
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -24,7 +24,7 @@ std::string Dotted(const Path& path) {
   return text;
 }
 
-/// A constant as a rule writes it, without bars; empty if it is anything else.
+/// A constant of a rule without bars; empty for anything else.
 std::string ConstantIn(const std::string& value) {
   if (value.size() > 2 && value.front() == '|' && value.find('|', 1) == value.size() - 1)
     return value.substr(1, value.size() - 2);
@@ -41,14 +41,14 @@ bool IsBoundPositively(const RuleText& rule, const std::string& variable) {
   });
 }
 
-/// What an action makes, without preference signs; empty for calls of functions.
+/// The value of an action, without preference signs; empty for calls of functions.
 std::string MadeValue(const RuleAttribute& action) {
   if (action.value.starts_with('(')) return {};
   if (action.value.starts_with('|')) return action.value.substr(0, action.value.find('|', 1) + 1);
   return FirstWord(action.value);
 }
 
-/// Whether a value, once it is made, makes this negated condition false in the very match that made it.
+/// Whether adding a value makes this negated condition false for the match that added it.
 bool Contradicts(const RuleText& rule, const RuleAttribute& absent, const RuleAttribute& made) {
   const std::string value = MadeValue(made), tested = absent.value;
   if (tested.empty()) return true;
@@ -60,7 +60,7 @@ bool Contradicts(const RuleText& rule, const RuleAttribute& absent, const RuleAt
   return !value.empty() && value == tested;
 }
 
-/// "-^danger --> ^danger no": without an operator, what the rule makes takes its own reason away.
+/// "-^danger --> ^danger no": without an operator, the rule removes the reason for its own match.
 void FindBlinking(const RuleText& rule, std::vector<Slip>& slips) {
   if (!IsElaboration(rule)) return;
   for (const RuleAttribute& absent : rule.conditions) {
@@ -82,7 +82,7 @@ void FindBlinking(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "^next <n> --> ^next <n> - (+ <n> 1)" without an operator: what is removed comes back as soon as the rule has fired.
+/// "^next <n> --> ^next <n> - (+ <n> 1)" without an operator: the removed value comes back when the rule is retracted.
 void FindCounting(const RuleText& rule, std::vector<Slip>& slips) {
   if (!IsElaboration(rule)) return;
   for (const RuleAttribute& removal : rule.actions) {
@@ -103,14 +103,14 @@ void FindCounting(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Percepts of which an agent may have several at a time.
+/// Percepts that an agent can have several times.
 bool IsPerceptOfMany(const Path& path) {
   constexpr std::string_view kMany[] = {"agent", "object", "waypoint", "region", "message"};
   return path.size() == 3 && path[0] == "io" && path[1] == "input-link" &&
          std::ranges::find(kMany, path[2]) != std::end(kMany);
 }
 
-/// True if a rule may match once for each of several percepts, and puts something of them into what it makes.
+/// Whether a rule may match for each of several percepts, and uses a value of the percept in an action.
 bool FiresForEach(const RuleText& rule) {
   std::set<std::string> used;
   for (const RuleAttribute& action : rule.actions)
@@ -122,7 +122,7 @@ bool FiresForEach(const RuleText& rule) {
   });
 }
 
-/// The places, from the state on, at which rules make several objects under one attribute.
+/// The paths from the state at which rules create several objects with the same attribute.
 std::set<Path> PlacesOfMany(const std::vector<RuleText>& rules) {
   std::set<Path> many;
   for (const RuleText& rule : rules) {
@@ -143,7 +143,7 @@ std::set<Path> PlacesOfMany(const std::vector<RuleText>& rules) {
   return many;
 }
 
-/// "^plan.cart <cart> ^plan.place <place>" where there are several ^plan: each path may lead to another one.
+/// "^plan.cart <cart> ^plan.place <place>" with several ^plan: the two paths may lead to different plans.
 void FindPartedOwnPaths(const RuleText& rule, const std::set<Path>& many, std::vector<Slip>& slips) {
   struct Branch {
     std::string variable, next;
@@ -170,12 +170,12 @@ void FindPartedOwnPaths(const RuleText& rule, const std::set<Path>& many, std::v
   }
 }
 
-/// What rules make under an attribute: numbers, and words in bars.
+/// The values that rules make for an attribute: numbers, and words in bars.
 struct MadeKinds {
   bool numbers = false, others = false;
 };
 
-/// "^next |3|" where rules make ^next 1 and (+ <n> 1): the word 3 is not the number.
+/// "^next |3|" when rules make ^next 1 and (+ <n> 1): the word 3 is not the number.
 void FindNumbersInBars(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   std::map<std::string, MadeKinds> made;
   constexpr std::string_view kArithmetic[] = {"+", "-", "*", "/", "div", "mod", "int", "float", "abs", "rand-int"};
@@ -210,7 +210,7 @@ void FindNumbersInBars(const std::vector<RuleText>& rules, std::vector<Slip>& sl
   }
 }
 
-/// "(<out> ^move.direction <direction>)" where no condition binds <direction>: an object without anything below it.
+/// "(<out> ^move.direction <direction>)" with an unbound <direction>: an object without attributes.
 void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   const PathMap paths = MadePaths(rule);
   std::set<std::string> operators;
@@ -220,7 +220,7 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
     const std::string variable = MadeValue(action);
     if (!IsVariable(variable) || IsMadeUpVariable(variable) || paths.find(action.id) == paths.end()) continue;
     if (action.removes || !IsConstantAttribute(action.attribute) || IsBoundPositively(rule, variable)) continue;
-    // That only a negated condition has it is reported as such.
+    // If only a negated condition binds it, that is reported instead.
     const bool is_negated = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
       const std::vector<std::string> used = VariablesIn(condition.value);
       return std::ranges::find(used, variable) != used.end();
@@ -229,7 +229,7 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
     const Path& at = paths.at(action.id);
     const bool is_command = at.size() > 2 && at[at.size() - 2] == "output-link";
     if (!is_command && !operators.contains(action.id)) continue;
-    // Another rule may fill it in.
+    // Another rule may add attributes.
     const bool has_content =
         std::ranges::any_of(rule.actions, [&](const RuleAttribute& other) { return other.id == variable; }) ||
         std::ranges::any_of(rules, [&](const RuleText& other) {
@@ -253,7 +253,7 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
   }
 }
 
-/// The variables of a rule, so that those that resemble one are found without looking at all of them.
+/// An index of the variables of a rule, for finding similar ones without comparing all.
 class SimilarVariables {
  public:
   explicit SimilarVariables(const std::map<std::string, int>& count) : count_(count) {
@@ -262,8 +262,8 @@ class SimilarVariables {
         for (std::string& shorter : WithoutOneLetter(variable)) longer_[std::move(shorter)].push_back(variable);
   }
 
-  /// "<plac>" and "<place>": one letter is missing in one of them. Digits and one-letter names are chosen, not
-  /// mistyped.
+  /// Similar variables: "<plac>" and "<place>", where one letter is missing in one of them. Variables that differ in
+  /// digits or have one letter are considered intentional.
   std::set<std::string> ByOneLetter(const std::string& variable) const {
     std::set<std::string> found;
     if (const auto longer = longer_.find(variable); longer != longer_.end() && variable.size() >= kLeastSize)
@@ -273,7 +273,7 @@ class SimilarVariables {
     return found;
   }
 
-  /// "<kind>" for "<k>": those that begin with all of its letters.
+  /// Longer variables with this prefix: "<kind>" for "<k>".
   std::vector<std::string> ThatBeginWith(const std::string& variable) const {
     const std::string begin = variable.substr(0, variable.size() - 1);
     std::vector<std::string> found;
@@ -283,7 +283,7 @@ class SimilarVariables {
   }
 
  private:
-  static constexpr std::size_t kLeastSize = 4;  ///< With the brackets.
+  static constexpr std::size_t kLeastSize = 4;  ///< Including the brackets.
 
   static std::vector<std::string> WithoutOneLetter(const std::string& variable) {
     std::vector<std::string> all;
@@ -294,11 +294,11 @@ class SimilarVariables {
   }
 
   const std::map<std::string, int>& count_;
-  std::map<std::string, std::vector<std::string>> longer_;  ///< By what is left without one letter.
+  std::map<std::string, std::vector<std::string>> longer_;  ///< By the name without one letter.
 };
 
-/// A variable that is there once and seems to be another one of the rule: "<plac>" beside <place>, or ^kind <k> beside
-/// ^kind <kind>.
+/// Finds variables that occur once and are probably another variable of the rule: "<plac>" and <place>, or ^kind <k>
+/// and ^kind <kind>.
 void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
   std::map<std::string, int> count;
   std::map<std::string, std::string> attribute_of;
@@ -308,7 +308,7 @@ void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
   for (const auto* side : {&rule.conditions, &rule.actions}) {
     std::set<std::string> ids;
     for (const RuleAttribute& one : *side) {
-      // A clause names its object once, however many attributes it has.
+      // The identifier of a clause counts once, even if the clause has several attributes.
       if (ids.insert(one.id).second) add(one.id);
       add(one.attribute);
       add(one.value);
@@ -323,7 +323,7 @@ void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
     if (number != 1 || at == attribute_of.end() || IsMadeUpVariable(variable)) continue;
     const std::string& attribute = at->second;
     std::set<std::string> meant = similar.ByOneLetter(variable);
-    // <k> for <kind>, both of them there once and values of the same attribute.
+    // <k> for <kind>, if both occur once and are values of the same attribute.
     for (const std::string& other : similar.ThatBeginWith(variable)) {
       const auto its = attribute_of.find(other);
       if (count.at(other) == 1 && its != attribute_of.end() && its->second == attribute) meant.insert(other);
@@ -337,17 +337,17 @@ void FindSingleVariables(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Where the operator is, and of which kind of state a rule's own operator is.
+/// The kind of state in which a rule's own operator is.
 enum class OperatorLevel : std::uint8_t { kAny, kTop, kSub };
 
-/// "(state <s> ^superstate nil)" of a state itself.
+/// "(state <s> ^superstate nil)" for the state itself.
 bool IsForTheTop(const RuleText& rule) {
   return std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
     return condition.on_state && condition.attribute == "superstate" && !condition.negated && condition.value == "nil";
   });
 }
 
-/// Of a rule that proposes on its own state, or tests the operator of it.
+/// For a rule that proposes for its own state, or tests its operator.
 OperatorLevel LevelOf(const RuleText& rule) {
   if (IsForTheTop(rule)) return OperatorLevel::kTop;
   const bool is_below = std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
@@ -357,7 +357,7 @@ OperatorLevel LevelOf(const RuleText& rule) {
   return is_below ? OperatorLevel::kSub : OperatorLevel::kAny;
 }
 
-/// True if all operators that a rule proposes, or tests as selected, are of its own state.
+/// Whether all operators that a rule proposes or tests as selected belong to its own state.
 bool IsOwnOperator(const RuleText& rule, const std::vector<RuleAttribute>& side) {
   return std::ranges::all_of(side, [&](const RuleAttribute& one) {
     if (one.attribute != "operator" || one.negated) return true;
@@ -366,7 +366,8 @@ bool IsOwnOperator(const RuleText& rule, const std::vector<RuleAttribute>& side)
   });
 }
 
-/// Proposed at the top alone and applied in a substate, or the other way round: the application never fires.
+/// Finds operators that are proposed only at the top and applied only in a substate, or the reverse, so that the
+/// application never fires.
 void FindAppliedElsewhere(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleText& rule : rules) {
     const OperatorLevel applied = LevelOf(rule);
@@ -393,7 +394,7 @@ void FindAppliedElsewhere(const std::vector<RuleText>& rules, std::vector<Slip>&
   }
 }
 
-/// "^operator <o> +" in a rule that gives a command: an operator that is not selected acts.
+/// "^operator <o> +" in a rule that gives a command: an operator acts without being selected.
 void FindActingProposals(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (rule.says.empty() || !rule.applies.empty() || !rule.works_on.empty()) return;
   for (const RuleAttribute& tested : rule.conditions) {
@@ -402,7 +403,7 @@ void FindActingProposals(const RuleText& rule, const std::vector<RuleText>& rule
     std::string name;
     for (const RuleAttribute& condition : rule.conditions)
       if (condition.id == id && condition.attribute == "name" && !condition.negated) name = ConstantIn(condition.value);
-    // If no rule applies it at all, that is reported at its proposal.
+    // If no rule applies it, that is reported at its proposal.
     const bool is_applied = std::ranges::any_of(
         rules, [&](const RuleText& other) { return other.applies.contains(name) || other.applies.contains(""); });
     if (name.empty() || !is_applied) continue;
@@ -414,14 +415,14 @@ void FindActingProposals(const RuleText& rule, const std::vector<RuleText>& rule
   }
 }
 
-/// "(<s> ^superstate.holds soup)" beside "^superstate <above>": a path in an action makes a new object.
+/// "(<s> ^superstate.holds soup)" and "^superstate <above>": a path in an action creates a new object.
 void FindPathsInActions(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     const std::string made = MadeValue(action);
     if (!IsMadeUpVariable(made) || IsBoundPositively(rule, made) || action.removes) continue;
     if (action.attribute == "io" || action.attribute == "reward-link" || action.attribute == "smem" ||
         action.attribute == "epmem" || action.attribute == "operator")
-      continue;  // Reported with what follows from it.
+      continue;  // Reported together with its consequences.
     const auto at = rule.paths.find(action.id);
     const bool is_state = at != rule.paths.end() && at->second.empty();
     if (at != rule.paths.end() && std::ranges::find(at->second, "output-link") != at->second.end()) continue;
@@ -449,7 +450,7 @@ void FindPathsInActions(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Whether a rule makes an attribute at a place, from the state on.
+/// Whether a rule makes an attribute at a path from the state.
 bool MakesAt(const RuleText& rule, const Path& place) {
   const PathMap paths = MadePaths(rule);
   return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
@@ -461,7 +462,7 @@ bool MakesAt(const RuleText& rule, const Path& place) {
   });
 }
 
-/// An operator that removes what an elaboration concludes: it comes back, or never goes.
+/// Finds operators that remove what an elaboration concludes: the element comes back, or is never removed.
 void FindRemovedConclusions(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (IsElaboration(rule)) return;
   for (const RuleAttribute& removal : rule.actions) {
@@ -488,7 +489,7 @@ void FindRemovedConclusions(const RuleText& rule, const std::vector<RuleText>& r
   }
 }
 
-/// What a rule tests of one object, as texts that are the same in every rule: without names of variables.
+/// A rule's tests of each object, as texts without names of variables, so that they are comparable between rules.
 std::map<std::string, std::set<std::string>> TestsByObject(const RuleText& rule) {
   std::map<std::string, std::set<std::string>> tests;
   for (const RuleAttribute& condition : rule.conditions)
@@ -498,13 +499,13 @@ std::map<std::string, std::set<std::string>> TestsByObject(const RuleText& rule)
   return tests;
 }
 
-/// Whether a rule's conditions match whenever those of another one do. True only if that is certain.
+/// Whether a rule matches whenever another rule does. True only if that is certain.
 bool FollowsFrom(const RuleText& rule, const RuleText& other) {
   std::set<std::string> values;
   for (const RuleAttribute& condition : rule.conditions) {
     if (condition.negated || !IsConstantAttribute(condition.attribute)) return false;
     if (condition.value.find_first_of("{(") != std::string::npos || condition.value.ends_with('+')) return false;
-    // A variable that is there twice joins two conditions.
+    // A variable that occurs twice joins two conditions.
     if (IsVariable(condition.value) && !values.insert(condition.value).second) return false;
   }
   const auto tests = TestsByObject(rule), given = TestsByObject(other);
@@ -518,7 +519,8 @@ bool FollowsFrom(const RuleText& rule, const RuleText& other) {
   });
 }
 
-/// "-^fire ^message.about fire" where an elaboration makes ^fire of ^message.about fire: the one excludes the other.
+/// "-^fire ^message.about fire" when an elaboration makes ^fire from ^message.about fire: the conditions exclude each
+/// other.
 void FindExcluded(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleAttribute& absent : rule.conditions) {
     const auto at = rule.paths.find(absent.id);
@@ -546,7 +548,7 @@ void FindExcluded(const RuleText& rule, const std::vector<RuleText>& rules, std:
   }
 }
 
-/// Whether a rule may give an attribute this value anywhere: an object may be a state that another attribute leads to.
+/// Whether a rule may make this value at any path. An object may be a state that another attribute leads to.
 bool MayMakeAnywhere(const RuleText& rule, const std::string& attribute, const std::string& value) {
   return std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
     if (action.attribute != attribute || action.removes) return false;
@@ -555,7 +557,7 @@ bool MayMakeAnywhere(const RuleText& rule, const std::string& attribute, const s
   });
 }
 
-/// "^name ferry" of a state where rules make ^name ferri: a value of a state that nobody makes.
+/// "^name ferry" for a state when rules make ^name ferri: a value that no rule makes.
 void FindUnmadeValues(const std::vector<RuleText>& rules, const KnownWords& known, std::vector<Slip>& slips) {
   if (!known.complete || std::ranges::any_of(rules, MakesAnyAttribute)) return;
   std::set<std::string> told;
@@ -565,7 +567,7 @@ void FindUnmadeValues(const std::vector<RuleText>& rules, const KnownWords& know
       const std::string value = ConstantIn(condition.value);
       if (at == rule.paths.end() || condition.negated || value.empty() || !FromTop(at->second).empty()) continue;
       if (!IsConstantAttribute(condition.attribute) || condition.attribute == "operator") continue;
-      // What the architecture makes, other files of the folder and scripts may be any of these.
+      // The architecture, other files of the folder and scripts may make other values.
       if (condition.attribute != "name" && IsArchitectureAttribute(condition.attribute)) continue;
       if (known.made_values.contains(condition.attribute + " " + value)) continue;
       if (condition.value.starts_with('|') && IsNumber(value)) continue;  // Reported as a number in bars.
@@ -577,7 +579,7 @@ void FindUnmadeValues(const std::vector<RuleText>& rules, const KnownWords& know
       bool may_be_made = false;
       for (const RuleText& maker : rules) {
         may_be_made |= WhetherMakes(maker, rule, asked) != Makes::kNo;
-        // Operators have names, too.
+        // Operators also have names.
         may_be_made |= condition.attribute != "name" && MayMakeAnywhere(maker, condition.attribute, value);
         if (other == nullptr && !OtherValueBy(maker, rule, asked).empty()) other = &maker;
       }

@@ -44,14 +44,14 @@ class MeaningChecker {
              "it is below ^io: ^io." + attribute);
         continue;
       }
-      // What is on the input link is a percept, whatever rules make elsewhere.
+      // An attribute on the input link is a percept, even if rules make it elsewhere.
       if (const auto path = paths.find(condition.id);
           path != paths.end() && path->second.size() > 1 && path->second[1] == "input-link") {
         CheckComparison(rule, condition);
         CheckItself(rule, condition);
       }
       if (!IsConstantAttribute(attribute) || IsMade(attribute) || recalls_anything_) continue;
-      // (FindSlipsOfMemory knows what memories answer.)
+      // FindSlipsOfMemory checks answers of memories.
       if (const auto path = paths.find(condition.id);
           path != paths.end() && (IsMemoryAnswer(path->second) || IsBelowScene(path->second)))
         continue;
@@ -65,7 +65,7 @@ class MeaningChecker {
     }
   }
 
-  /// What rules wait for below a command, of what commands are never answered.
+  /// Checks conditions below a command for answers that no command gets.
   void CheckAnswers(const RuleText& rule) {
     const PathMap& paths = rule.paths;
     for (const RuleAttribute& condition : rule.conditions) {
@@ -81,7 +81,9 @@ class MeaningChecker {
         continue;
       }
       if (path->second.size() != 3 || path->second[1] != "output-link") continue;
-      if (vocabulary::FindCommand(path->second[2]) == nullptr) continue;  // What scripts answer is theirs.
+      if (vocabulary::FindCommand(path->second[2]) == nullptr)
+        continue;  // Answers of scripts are defined by the
+                   // scripts.
       const std::string& value = condition.value;
       if (value.find_first_of(" <>{}|") != std::string::npos || known_.scripts.contains(value)) continue;
       if (IsMadeBelowCommands(condition.attribute)) continue;
@@ -103,7 +105,7 @@ class MeaningChecker {
   }
 
   void CheckSaid(const RuleText& rule) {
-    std::map<std::string, std::string> commands;  // Their identifiers, and what they are.
+    std::map<std::string, std::string> commands;  // Their identifiers and names.
     std::set<std::string> outputs;
     for (const RuleAttribute& condition : rule.conditions)
       if (condition.attribute == "output-link" && !condition.negated) outputs.insert(FirstWord(condition.value));
@@ -113,7 +115,7 @@ class MeaningChecker {
       if (!IsConstantAttribute(action.attribute) || known_.scripts.contains(action.attribute)) continue;
       if (vocabulary::FindCommand(action.attribute) == nullptr) {
         const std::string_view near = vocabulary::NearestCommand(action.attribute);
-        if (near.empty() && !known_.scripts.empty()) continue;  // Scripts may take any command.
+        if (near.empty() && !known_.scripts.empty()) continue;  // Scripts may accept any command.
         Tell(rule, action.attribute, true,
              "rule " + rule.name + " gives ^" + action.attribute + ", a command that does not exist",
              near.empty() ? "docs/commands.md lists the commands" : "did you mean ^" + std::string(near) + "?");
@@ -147,7 +149,7 @@ class MeaningChecker {
     }
   }
 
-  /// "(<s> ^operater <o> +)": made, and tested by no rule, because another name was meant.
+  /// "(<s> ^operater <o> +)": an attribute that is made but never tested, because another name was meant.
   void CheckMade(const RuleText& rule) {
     std::set<std::string> states;
     for (const RuleAttribute& condition : rule.conditions)
@@ -162,7 +164,7 @@ class MeaningChecker {
     }
   }
 
-  /// Operators that are proposed and applied under different names, or not at all.
+  /// Operators that are proposed and applied under different names, or not applied.
   void CheckOperators() {
     std::set<std::string> applied, proposed;
     bool applies_any = false, proposes_any = false;
@@ -172,7 +174,7 @@ class MeaningChecker {
       applies_any |= rule.works_on.contains("");
       proposed.insert(rule.proposes.begin(), rule.proposes.end());
       proposes_any |= rule.proposes.contains("");
-      // A rule that applies any operator makes something of it; one that only takes answers away does not.
+      // A rule for any operator counts as an application only if it makes something. Removing answers does not count.
       const auto makes = [](const RuleAttribute& action) {
         return !action.value.ends_with("-") && action.attribute != "operator";
       };
@@ -200,7 +202,7 @@ class MeaningChecker {
   }
 
  private:
-  /// A candidate is asked for by a name that no operator has.
+  /// A condition on a candidate with a name that no operator has.
   void CheckCompared(const RuleText& rule, const std::set<std::string>& proposed) {
     for (const RuleAttribute& candidate : rule.conditions) {
       if (candidate.attribute != "operator" || candidate.negated || !candidate.value.ends_with(" +")) continue;
@@ -220,7 +222,7 @@ class MeaningChecker {
     }
   }
 
-  /// "^name go there": reported as two names.
+  /// "^name go there" is reported as two names.
   static bool IsSecondName(const RuleText& rule, const std::string& name) {
     return std::ranges::any_of(rule.actions, [&](const RuleAttribute& second) {
       return second.attribute == "name" && FirstWord(second.value) == name &&
@@ -239,7 +241,7 @@ class MeaningChecker {
       slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
   }
 
-  /// Like SuggestAttribute, and the architecture's own attributes besides.
+  /// Like SuggestAttribute, but also includes attributes of the architecture.
   std::string Nearest(const std::string& attribute) const {
     std::string hint = SuggestAttribute(attribute, made_);
     if (!hint.empty() || attribute.size() < 4) return hint;
@@ -254,14 +256,15 @@ class MeaningChecker {
     return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
   }
 
-  /// "an operator": an answer is looked for beside the command that has it; empty: not there.
+  /// For a condition that looks for an answer next to the command instead of below it: "an operator"; empty for other
+  /// paths.
   static std::string WhereNothingIsAnswered(const std::vector<std::string>& path) {
     if (path.size() == 1 && path[0] == "operator") return "an operator";
     if (path.size() == 2 && path[0] == "io" && path[1] == "output-link") return "the output link itself";
     return {};
   }
 
-  /// A command that rules give, for an example: one of this rule's operator, if that is known.
+  /// A command that rules give, as an example: of this rule's operator if that is known.
   std::string SaidCommandOf(const RuleText& rule) const {
     for (const bool same_operator : {true, false}) {
       for (const RuleText& other : rules_) {
@@ -275,7 +278,7 @@ class MeaningChecker {
     return "move-to";
   }
 
-  /// True if rules put such an attribute below what may be a command.
+  /// Whether rules add such an attribute below a possible command.
   bool IsMadeBelowCommands(const std::string& attribute) const { return made_.contains(attribute); }
 
   static bool IsWordForComplete(const std::string& word) {
@@ -283,7 +286,7 @@ class MeaningChecker {
     return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
   }
 
-  /// A percept that stands deeper than the input link itself.
+  /// A percept that is not directly on the input link.
   void CheckPlace(const RuleText& rule, const std::string& attribute) {
     for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
       if (row.path == attribute) return;
@@ -306,7 +309,7 @@ class MeaningChecker {
                        });
   }
 
-  /// "^health |10|": the word 10.
+  /// "^health |10|": a word instead of a number.
   void CheckQuotedNumber(const RuleText& rule, const RuleAttribute& condition, const std::string& word) {
     if (!IsNumber(word) || !IsAlwaysNumber(condition.attribute)) return;
     Tell(rule, word, false,
@@ -330,7 +333,7 @@ class MeaningChecker {
            });
   }
 
-  /// "^name > 3", "^name { > 3 <n> }": words are not less or greater.
+  /// "^name > 3", "^name { > 3 <n> }": words cannot be less or greater.
   void CheckComparison(const RuleText& rule, const RuleAttribute& condition) {
     std::istringstream tests(condition.value);
     std::string number;
@@ -351,7 +354,7 @@ class MeaningChecker {
       return;
     }
     if (value.find_first_of(" <>{}|") != std::string::npos || value.empty() || IsNumber(value)) return;
-    if (value == "and" || value == "or" || value == "not") return;  // A slip of form.
+    if (value == "and" || value == "or" || value == "not") return;  // Reported as a slip of form.
     const std::vector<std::string_view> words = WordsOfPercept(condition.attribute);
     if (std::find(words.begin(), words.end(), value) != words.end()) return;
     const bool is_number = IsAlwaysNumber(condition.attribute);
@@ -388,7 +391,7 @@ class MeaningChecker {
     return given;
   }
 
-  /// "^speed 1 + 2" reads as two values: the sign is a preference.
+  /// "^speed 1 + 2" is parsed as two values, because the sign is a preference.
   void CheckTwoValues(const RuleText& rule, const std::string& command, const RuleAttribute& first,
                       const RuleAttribute& second) {
     if (const std::string value = FirstWord(first.value); value == FirstWord(second.value)) {
@@ -421,7 +424,7 @@ class MeaningChecker {
   const KnownWords& known_;
   std::set<std::string> made_, tested_;
   std::set<std::string> told_;
-  bool recalls_anything_ = false;  ///< From a database, say: nobody knows which attributes its facts have.
+  bool recalls_anything_ = false;  ///< For example from a database, whose facts may have any attribute.
 };
 
 }  // namespace
@@ -429,7 +432,7 @@ class MeaningChecker {
 std::string HowToApply(const std::vector<RuleText>& rules, const std::string& name) {
   std::set<std::string> applied;
   for (const RuleText& rule : rules) applied.insert(rule.applies.begin(), rule.applies.end());
-  // A rule that means to apply it may test the proposal instead.
+  // A rule that should apply it may test the proposal instead.
   for (const RuleText& rule : rules) {
     std::set<std::string> proposals;
     for (const RuleAttribute& condition : rule.conditions)
@@ -470,7 +473,7 @@ std::vector<std::string_view> WordsOfPercept(const std::string& attribute) {
     if (row.words.empty()) return {};
     for (std::string_view rest = row.words; !rest.empty();) {
       const std::size_t end = std::min(rest.find(' '), rest.size());
-      // Several percepts of this name may have the same words.
+      // Several percepts of this name may share words.
       if (std::ranges::find(words, rest.substr(0, end)) == words.end()) words.push_back(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }

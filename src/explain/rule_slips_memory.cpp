@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Slips on the links of long-term memory and reward: words that no memory knows, links of one's own beside the agent's.
+// Slips on the links of long-term memory and reward: words that no memory accepts, and links created next to those of
+// the agent.
 #include <algorithm>
 
 #include "diagnostics/diagnostic.h"
@@ -12,7 +13,7 @@ namespace {
 
 using NameList = std::vector<std::string_view>;
 
-/// What a memory is asked by, and what it answers with (docs/memory.md).
+/// The words of a memory's commands and answers (docs/memory.md).
 struct Memory {
   std::string_view link, name;
   NameList commands, answers;
@@ -32,7 +33,7 @@ const std::vector<Memory>& Memories() {
   return kMemories;
 }
 
-/// The memory on whose link ("command", "result") a path ends, or null.
+/// The memory whose link ("command", "result") a path ends at; null if none.
 const Memory* MemoryOn(const std::vector<std::string>& path, std::string_view link) {
   if (path.size() < 2 || path.back() != link) return nullptr;
   const auto memory = std::ranges::find(Memories(), path[path.size() - 2], &Memory::link);
@@ -71,7 +72,7 @@ void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// A reward that is no number, or that hangs where nobody looks.
+/// A reward that is not a number, or that is not on the reward link.
 void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
   const PathMap& paths = rule.paths;
   std::set<std::string> rewards;
@@ -98,7 +99,7 @@ void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "(<s> ^reward-link.reward.value 1)": a path in an action makes a second link, at which nobody looks.
+/// "(<s> ^reward-link.reward.value 1)": a path in an action creates a second link, which is never read.
 void FindSecondMemories(const RuleText& rule, std::vector<Slip>& slips) {
   const std::set<std::string> states = StatesOf(rule);
   for (const RuleAttribute& action : rule.actions) {
@@ -127,7 +128,7 @@ bool GivesReward(const RuleText& rule) {
   });
 }
 
-/// "<o> = 0.500000": the number as one writes it, "0.5", or nothing.
+/// The number of "<o> = 0.500000" as one would write it, "0.5"; empty if there is none.
 std::string NumericValue(const RuleAttribute& action) {
   const std::size_t sign = action.value.rfind("= ");
   if (action.attribute != "operator" || sign == std::string::npos) return {};
@@ -138,7 +139,8 @@ std::string NumericValue(const RuleAttribute& action) {
   return word;
 }
 
-/// Agents that give reward, but whose numbers stand in rules that do something else, too: these never change.
+/// Finds agents that give reward, but whose numeric preferences are in rules with other actions, so that they are never
+/// updated.
 void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (std::ranges::none_of(rules, GivesReward)) return;
   for (const RuleText& rule : rules) {

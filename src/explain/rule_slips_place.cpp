@@ -22,7 +22,7 @@ bool IsNameAt(std::string_view text, std::size_t at) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '*';
 }
 
-/// Where the name of a rule stands behind its brace.
+/// Position of a rule's name after its brace.
 std::size_t FindNameOfRule(std::string_view text, std::string_view rule) {
   for (std::size_t at = text.find(rule); at != kNotThere; at = text.find(rule, at + 1)) {
     const bool is_whole = IsBlankAt(text, at + rule.size()) || text[at + rule.size()] == '(';
@@ -33,13 +33,13 @@ std::size_t FindNameOfRule(std::string_view text, std::string_view rule) {
   return kNotThere;
 }
 
-/// Where a word stands in the rule that begins here; where the rule begins if it does not.
+/// Position of a word in the rule that begins here; the position of the rule if the word does not occur.
 std::size_t FindWord(std::string_view text, std::size_t begin, std::string_view word, bool is_attribute) {
   const std::size_t next = std::min(text.find("\nsp", begin), text.size());
   for (std::size_t at = text.find(word, begin + 1); at < next; at = text.find(word, at + 1)) {
     const std::size_t after = at + word.size();
     if (IsNameAt(text, after)) continue;
-    // Half a variable is not the whole one.
+    // "<name" without ">" must not match inside "<name>".
     if (word.starts_with('<') && !word.ends_with('>') && after < text.size() && text[after] == '>') continue;
     const char before = text[at - 1];
     if (is_attribute ? before == '^' || before == '.' : !IsNameAt(text, at - 1)) return at;
@@ -47,7 +47,7 @@ std::size_t FindWord(std::string_view text, std::size_t begin, std::string_view 
   return begin;
 }
 
-/// Where each rule's name stands: behind a brace behind sp or gp at the beginning of a line.
+/// Positions of the names of all rules: after "sp {" or "gp {" at the beginning of a line.
 std::vector<std::size_t> NamesOfRules(std::string_view text) {
   std::vector<std::size_t> names;
   for (std::size_t line = 0; line < text.size(); line = std::min(text.find('\n', line), text.size()) + 1) {
@@ -76,7 +76,7 @@ PlaceInText PlaceAt(const std::string& text, std::size_t at) {
 }  // namespace
 
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
-  // Lines are counted where a name is there twice only.
+  // Lines are only computed for names that occur twice.
   std::map<std::string, std::pair<const RuleFile*, std::size_t>> known;
   std::vector<Diagnostic> warnings;
   for (const RuleFile& file : files) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Rules that somebody wrote for another world.
+// Rules that were written for another world.
 #include <algorithm>
 
 #include "explain/rule_slips.h"
@@ -8,7 +8,8 @@
 namespace soarbox::explain {
 namespace {
 
-/// So many percepts that nobody here makes are no slips any more; of ours there is at most one in so many.
+/// Rules are for another world if they test at least kLeastForeign percepts that this world does not have, and
+/// kForeignPerOurs times as many of these as of percepts that it has.
 constexpr std::size_t kLeastForeign = 3, kForeignPerOurs = 4;
 constexpr std::size_t kMostNamed = 6;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Slips in the use of Soar itself: operators, links, values that pile up, paths that part.
+// Slips in the use of Soar: operators, links, values that accumulate, paths to different objects.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -16,7 +16,7 @@ bool IsRemoval(const RuleAttribute& action) {
   return action.removes;
 }
 
-/// The word of a value that is one constant, without bars and preference; empty if it is something else.
+/// The constant in a value, without bars and preference; empty if it is not a single constant.
 std::string ConstantOf(const std::string& value) {
   std::string word = FirstWord(value);
   if (word.empty() || word.front() == '<' || word.front() == '{' || word.front() == '(' || word == "+") return {};
@@ -24,7 +24,8 @@ std::string ConstantOf(const std::string& value) {
   return word;
 }
 
-/// "^operator go" instead of ^operator.name go, and "(<s> ^operator <o> + best)": the word becomes a second operator.
+/// "^operator go" instead of ^operator.name go, and "(<s> ^operator <o> + best)": the constant becomes a second
+/// operator.
 void FindOperatorsThatAreWords(const RuleText& rule, std::vector<Slip>& slips) {
   const std::set<std::string> states = StatesOf(rule);
   for (const RuleAttribute& condition : rule.conditions) {
@@ -51,7 +52,7 @@ void FindOperatorsThatAreWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// True if all rules that apply operators ask for their names, and none gives names to proposals of other rules.
+/// Whether all rules that apply operators test their names, and no rule adds names to proposals of other rules.
 bool NamesMatter(const std::vector<RuleText>& rules) {
   bool applies = false;
   for (const RuleText& rule : rules) {
@@ -95,13 +96,13 @@ void FindNamelessOperators(const RuleText& rule, bool names_matter, std::vector<
   }
 }
 
-/// "(<s> ^io.output-link.move-to.waypoint gate)": a path in an action makes new objects, another ^io among them.
+/// "(<s> ^io.output-link.move-to.waypoint gate)": a path in an action creates new objects, including another ^io.
 void FindSecondLinks(const RuleText& rule, std::vector<Slip>& slips) {
   const std::set<std::string> states = StatesOf(rule);
   for (const RuleAttribute& action : rule.actions) {
     if (action.attribute != "io" || !states.contains(action.id)) continue;
     const std::string made = FirstWord(action.value);
-    // Substates get the ^io of the state above them.
+    // Substates get the ^io of the state above.
     if (IsBoundByConditions(rule, made)) continue;
     const bool reaches_output = std::ranges::any_of(
         rule.actions, [&](const RuleAttribute& other) { return other.id == made && other.attribute == "output-link"; });
@@ -116,7 +117,7 @@ void FindSecondLinks(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "(<s> ^count (+ <n> 1))" without "(<s> ^count <n> -)".
+/// "(<s> ^count (+ <n> 1))" without "(<s> ^count <n> -)": values accumulate.
 void FindHeaps(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     if (!action.value.starts_with('(') || IsRemoval(action)) continue;
@@ -138,7 +139,7 @@ void FindHeaps(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// A command that has a ^status from the start counts as answered.
+/// A command that is created with a ^status counts as complete.
 void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
   std::set<std::string> links, commands;
   for (const RuleAttribute& condition : rule.conditions)
@@ -155,11 +156,11 @@ void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "^io.input-link.waypoint.name gate ^io.input-link.waypoint.here no": each path may lead to another waypoint.
+/// "^io.input-link.waypoint.name gate ^io.input-link.waypoint.here no": the paths may lead to different waypoints.
 void FindPartedPaths(const RuleText& rule, std::vector<Slip>& slips) {
   constexpr std::string_view kMany[] = {"agent", "object", "waypoint", "region", "message"};
   const PathMap& paths = rule.paths;
-  // Variables that the kernel made for the dots of a path have a * in their name.
+  // Variables that the kernel generated for the dots of a path have a * in their name.
   std::map<std::string, std::map<std::string, std::string>> tested;  // By kind: variable, attribute.
   for (const RuleAttribute& condition : rule.conditions) {
     const auto path = paths.find(condition.id);
@@ -183,7 +184,7 @@ void FindPartedPaths(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Words that the architecture never writes on a state: "^impasse nochange".
+/// Words that the architecture never uses on a state: "^impasse nochange".
 void FindWordsOfStates(const RuleText& rule, const std::set<std::string>& made, std::vector<Slip>& slips) {
   static const std::map<std::string, std::vector<std::string_view>> kWords = {
       {"impasse", {"no-change", "tie", "conflict", "constraint-failure"}},
@@ -230,7 +231,7 @@ void FindBoundByNegation(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "(<s> ^operator <o> > other)": operators are compared with operators, not with their names.
+/// "(<s> ^operator <o> > other)": operators are compared with operators, not with names.
 void FindComparedNames(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     if (action.attribute != "operator") continue;
@@ -247,7 +248,7 @@ void FindComparedNames(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Two operators "that are selected": only one is at a time.
+/// Conditions on two selected operators: a state has only one.
 void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
   std::map<std::string, std::string> selected;  // By state.
   for (const RuleAttribute& condition : rule.conditions) {
@@ -267,7 +268,7 @@ void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Tests that no state passes together: the top state has no state above it and no impasse.
+/// Tests that no state can pass together: the top state has no superstate and no impasse.
 void FindTopAndBelow(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& top : rule.conditions) {
     if (top.attribute != "superstate" || top.value != "nil" || top.negated || !top.on_state) continue;
@@ -296,7 +297,7 @@ bool TestsStateAbove(const RuleText& rule) {
   });
 }
 
-/// "(state <s> ^operator.name walk ^io.output-link <out>)" where walk is proposed in substates alone: they have no ^io.
+/// "(state <s> ^operator.name walk ^io.output-link <out>)" when walk is proposed only in substates, which have no ^io.
 void FindLinksOfSubstates(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleText& rule : rules)
     for (const RuleAttribute& action : rule.actions)

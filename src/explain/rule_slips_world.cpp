@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Slips against how the world behaves: numbers that never rest, the input link, places.
+// Slips against the behaviour of the world: numbers that change all the time, the input link, places.
 #include <algorithm>
 
 #include "diagnostics/diagnostic.h"
@@ -11,7 +11,7 @@
 namespace soarbox::explain {
 namespace {
 
-/// Percepts that are another number at almost every look while something moves.
+/// Percepts whose value changes in almost every update while something moves.
 constexpr std::string_view kRestless =
     "time range bearing position x z heading speed facing remaining last-seen confidence";
 
@@ -20,8 +20,8 @@ bool IsBelowInputLink(const std::vector<std::string>& path) {
   return link != path.end() && link != path.begin() && *(link - 1) == "io";
 }
 
-/// The restless percept that a rule tests, as "range"; empty if there is none. A rule that also looks at how moving
-/// goes stops matching as soon as its command has begun.
+/// The constantly changing percept that a rule tests, such as "range"; empty if there is none. A rule that also tests
+/// the status of the movement stops matching when its command has begun.
 std::string RestlessPercept(const RuleText& rule) {
   const PathMap& paths = rule.paths;
   std::string found;
@@ -29,13 +29,13 @@ std::string RestlessPercept(const RuleText& rule) {
     const auto path = paths.find(condition.id);
     if (path == paths.end()) continue;
     if (!IsBelowInputLink(path->second)) {
-      // What the operator itself puts on the state ends its proposal.
+      // An element that the operator itself adds to the state ends its proposal.
       if (condition.negated && path->second.empty()) return {};
       continue;
     }
     if (path->second.back() == "path" && (condition.attribute == "status" || condition.attribute == "command"))
       return {};
-    // Of what lies on the input link itself only the time is ours; a script may call its own percepts as it likes.
+    // Of the elements directly on the input link, only `time` is ours; scripts can define others.
     const bool is_own = path->second.back() == "input-link" && condition.attribute != "time";
     if (!condition.negated && !is_own && vocabulary::HoldsWord(kRestless, condition.attribute) &&
         vocabulary::IsPerceptAttribute(condition.attribute) && found.empty())
@@ -65,11 +65,11 @@ void FindRestless(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// "(<s> ^seen <time>)" of a selected operator: what it makes stays, one element for each value of the percept.
+/// "(<s> ^seen <time>)" for a selected operator: the elements stay, one for each value of the percept.
 void FindPiles(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   const std::string percept = RestlessPercept(rule);
   if (percept.empty() || !SpeaksOfSelectedOperator(rule)) return;
-  std::set<std::string> values;  // What the restless percepts are bound to.
+  std::set<std::string> values;  // The variables bound to constantly changing percepts.
   for (const RuleAttribute& condition : rule.conditions)
     if (!condition.negated && condition.attribute == percept)
       for (std::string& variable : VariablesIn(condition.value)) values.insert(std::move(variable));
@@ -91,7 +91,7 @@ void FindPiles(const RuleText& rule, const std::vector<RuleText>& rules, std::ve
   }
 }
 
-/// Actions on the input link itself.
+/// Actions that write on the input link.
 void FindInputWriters(const RuleText& rule, std::vector<Slip>& slips) {
   const PathMap& paths = rule.paths;
   for (const RuleAttribute& action : rule.actions) {
@@ -124,7 +124,7 @@ class PlaceChecker {
   PlaceChecker(const KnownPlaces& known, std::vector<Slip>& slips) : known_(known), slips_(slips) {}
 
   void Check(const RuleText& rule) {
-    std::map<std::string, std::string> kinds;  // Variables that stand for a waypoint or a region.
+    std::map<std::string, std::string> kinds;  // Variables for a waypoint or a region.
     for (const RuleAttribute& condition : rule.conditions)
       if (condition.attribute == "waypoint" || condition.attribute == "region")
         kinds[FirstWord(condition.value)] = condition.attribute;

@@ -27,7 +27,7 @@ void AddWords(const std::string& text, std::set<std::string>& words) {
   }
 }
 
-/// Every attribute in a text, those in paths too: "^taste.sweet" holds two.
+/// Adds all attributes in a text, including those in paths: "^taste.sweet" contains two.
 void AddAttributes(std::string_view text, std::set<std::string>& made) {
   for (std::size_t at = text.find('^'); at != std::string_view::npos; at = text.find('^', at + 1)) {
     std::string_view path = text.substr(at + 1, text.find_first_of(" \t\n(){}", at) - at - 1);
@@ -39,7 +39,7 @@ void AddAttributes(std::string_view text, std::set<std::string>& made) {
   }
 }
 
-/// The attributes of facts: of what stands in the braces behind "smem --add".
+/// Adds the attributes of facts: those in the braces after "smem --add".
 void AddRemembered(std::string_view text, Surroundings& around) {
   constexpr std::string_view kCommand = "smem ";
   for (std::size_t at = text.find(kCommand); at != std::string_view::npos; at = text.find(kCommand, at + 1)) {
@@ -54,7 +54,7 @@ void AddRemembered(std::string_view text, Surroundings& around) {
   }
 }
 
-/// "bank left" and "bank right" for "^bank left right", as far as the words are constants.
+/// Adds "bank left" and "bank right" for "^bank left right", if the words are constants.
 void AddValues(std::string_view text, std::set<std::string>& made) {
   for (std::size_t at = text.find('^'); at != std::string_view::npos; at = text.find('^', at + 1)) {
     std::size_t word = std::min(text.find_first_of(" \t\r\n(){}", at), text.size());
@@ -69,7 +69,7 @@ void AddValues(std::string_view text, std::set<std::string>& made) {
   }
 }
 
-/// Every attribute between --> and the next rule. Cruder than reading the rules, which may not load.
+/// Adds every attribute between --> and the next rule. It does not parse the rules, which may not load.
 void AddMade(const std::string& text, Surroundings& around) {
   for (std::size_t arrow = text.find("-->"); arrow != std::string::npos; arrow = text.find("-->", arrow + 3)) {
     const std::size_t end = std::min(text.find("\nsp", arrow), text.size());

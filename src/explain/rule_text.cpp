@@ -11,7 +11,7 @@
 namespace soarbox::explain {
 namespace {
 
-/// The words of a text; what is between bars is one word.
+/// Splits a text into words. Text between bars is one word.
 std::vector<std::string> WordsIn(std::string_view text) {
   std::vector<std::string> words;
   for (std::size_t i = text.find_first_not_of(' '); i < text.size(); i = text.find_first_not_of(' ', i)) {
@@ -41,7 +41,7 @@ RuleAttribute AttributeOf(const mind::RuleConditionFact& fact) {
   return condition;
 }
 
-/// "(+ <n> 1)" as "( + <n> 1 )": each bracket is a word of its own. Brackets between bars stay as they are.
+/// Converts "(+ <n> 1)" to "( + <n> 1 )", so that each bracket is a word. Brackets between bars are not changed.
 std::string WithBracketsApart(const std::string& call) {
   std::string text;
   bool quoted = false;
@@ -65,7 +65,7 @@ RuleAttribute AttributeOf(const mind::RuleActionFact& fact) {
   action.id = fact.id;
   action.attribute = fact.attribute;
   action.value = fact.value.starts_with('(') ? WithBracketsApart(fact.value) : fact.value;
-  // As rules write it: only for operators is a preference something to say.
+  // As rules are written: the preference matters only for operators.
   if (fact.attribute == "operator" || fact.sign != "+") action.value += " " + fact.sign;
   if (!fact.referent.empty())
     action.value += " " + (fact.referent.starts_with('(') ? WithBracketsApart(fact.referent) : fact.referent);
@@ -73,7 +73,7 @@ RuleAttribute AttributeOf(const mind::RuleActionFact& fact) {
   return action;
 }
 
-/// The constants that a name test allows: one, those of << a b >>, or "" for anything else.
+/// The constants that a name test allows: one, those of << a b >>, or "" for any other test.
 std::set<std::string> NamesOf(const std::string& value) {
   if (value.empty()) return {""};
   if (value.find("<<") != std::string::npos) {
@@ -166,7 +166,7 @@ bool IsElaboration(const RuleText& rule) {
   if (rule.support != RuleSupport::kByConditions) return rule.support == RuleSupport::kISupport;
   return std::ranges::none_of(rule.conditions, [&](const RuleAttribute& condition) {
     if (condition.attribute != "operator" || condition.negated || condition.value.ends_with('+')) return false;
-    // Below an operator of the state above, a rule elaborates its own state.
+    // A rule that tests the operator of the superstate elaborates its own state.
     const auto path = rule.paths.find(condition.id);
     return path == rule.paths.end() || path->second.empty();
   });
@@ -182,7 +182,7 @@ bool IsArchitectureAttribute(std::string_view attribute) {
       "quiescence", "record", "params", "child", "item", "item-count", "non-numeric", "non-numeric-count",
       "reward-link", "smem", "epmem", "command", "result", "svs", "status", "reason", "parameter", "progress", "reward",
       "value", "present-id", "spatial-scene",
-      // What memories answer.
+      // Attributes of answers of memories.
       "retrieved", "success", "failure", "bad-cmd", "memory-id", "match-score", "cue-size", "normalized-match-score",
       "match-cardinality", "graph-match", "mapping", "node", "cue"};
   return known.contains(attribute);
@@ -226,7 +226,7 @@ PathMap VariablePaths(const RuleText& rule) {
     for (const RuleAttribute& condition : rule.conditions) {
       const auto from = paths.find(condition.id);
       if (from == paths.end()) continue;
-      // <x>, or { <x> <> ... }: a variable behind a relation is bound elsewhere.
+      // <x>, or { <x> <> ... }. A variable after a relation is bound elsewhere.
       std::string first = condition.value.substr(condition.value.starts_with("{ ") ? 2 : 0);
       first = first.substr(0, first.find(' '));
       if (!IsVariable(first)) continue;
@@ -252,7 +252,7 @@ RuleText TextOf(const mind::RuleFacts& facts) {
   for (const mind::RuleCallFact& fact : facts.calls) {
     rule.all_calls.push_back({fact.function, fact.arguments});
     rule.calls.insert(fact.function);
-    // A function that is not built in is read as the first argument of exec.
+    // A function that is not built in is parsed as the first argument of exec.
     if (fact.function == "exec" && !fact.arguments.empty()) rule.calls.insert("exec " + fact.arguments.front());
   }
   Classify(rule);

@@ -10,75 +10,76 @@
 
 namespace soarbox::explain {
 
-/// One attribute of a clause of a rule as a kernel prints it, with dots already expanded.
+/// One attribute of a clause of a rule, as a kernel prints it. Paths with dots are already expanded.
 struct RuleAttribute {
   std::string id;         ///< The clause's variable, "<s>".
-  std::string attribute;  ///< Without the ^; a variable or a list of tests if it is no constant.
-  std::string value;      ///< All that follows it, "<o> +".
+  std::string attribute;  ///< Without the ^; a variable or a list of tests if it is not a constant.
+  std::string value;      ///< Everything after the attribute: "<o> +".
   bool negated = false;
-  bool on_state = false;  ///< The clause begins with the word state.
-  bool in_group = false;  ///< Of a condition: it is one of several in -{ ... }, or of a negated clause.
-  bool removes = false;   ///< Of an action: the value is followed by the sign - alone.
+  bool on_state = false;  ///< The clause begins with the word `state`.
+  bool in_group = false;  ///< For a condition: it belongs to a group -{ ... } with several conditions, or to a negated
+                          ///< clause.
+  bool removes = false;   ///< For an action: the value is followed by the sign - alone.
 };
 
 /// A call of a function in a rule's actions.
 struct RuleCall {
   std::string function;
-  std::vector<std::string> arguments;  ///< As they are printed; "(" for a call within the call.
+  std::vector<std::string> arguments;  ///< As they are printed; "(" for a nested call.
 };
 
-/// Places by name, each as attributes from the state on.
+/// Paths by the variable that they lead to. A path is a list of attributes that begins at the state.
 using PathMap = std::map<std::string, std::vector<std::string>>;
 
-/// The support that a rule declares for what it makes: :o-support, :i-support, or neither.
+/// The support that a rule declares for the elements that it makes: :o-support, :i-support, or neither.
 enum class RuleSupport : std::uint8_t { kByConditions, kOSupport, kISupport };
 
-/// What a rule says about itself, as far as reasons and checks need it.
+/// The content of a rule that reasons and checks need.
 struct RuleText {
   std::string name;
   std::vector<RuleAttribute> conditions, actions;
-  PathMap paths;  ///< Where the variables of its conditions lie.
+  PathMap paths;  ///< Paths of the variables in its conditions.
 
-  /// Constant names of the operators that it proposes; "" among them stands for names that are not constant.
+  /// Constant names of the operators that it proposes; contains "" if it proposes one whose name is not constant.
   std::set<std::string> proposes;
-  /// Names of the operators whose selection it tests; "" for any.
+  /// Names of the operators whose selection it tests; contains "" if it tests the selection of any operator.
   std::set<std::string> applies;
-  /// Names of operators of a state above below which it proposes others: it works on them in a substate.
+  /// Names of selected operators in a state above that it works on by proposing other operators in a substate.
   std::set<std::string> works_on;
-  /// Attributes that it puts directly on the output link.
+  /// Attributes that it adds directly to the output link.
   std::set<std::string> says;
   /// Names of the functions that its actions call.
   std::set<std::string> calls;
-  /// The same with their arguments, each call as often as it is there.
+  /// These calls with their arguments, in order and with repetitions.
   std::vector<RuleCall> all_calls;
-  bool acts = false;  ///< It has actions at all.
+  bool acts = false;  ///< It has at least one action.
   RuleSupport support = RuleSupport::kByConditions;
 };
 
-/// True for what a kernel prints for an identifier: a capital letter and a number.
+/// Whether a printed value is an identifier: a capital letter and a number.
 bool IsIdentifier(std::string_view value);
-/// What comes before the first blank.
+/// The part of `value` before the first blank.
 std::string FirstWord(const std::string& value);
-/// Reads what `print --all --full` answers. Text that is no rule is skipped.
+/// Parses the output of `print --all --full`. Skips text that is not a rule.
 std::vector<RuleText> ReadRules(std::string_view text);
-/// A text of rules with its comments blanked, so that places in it stay.
+/// Replaces the comments in a text of rules by blanks, so that positions stay the same.
 std::string BlankComments(std::string text);
-/// Reads clauses alone: "(<in> ^agent <a>)".
+/// Parses clauses outside a rule: "(<in> ^agent <a>)".
 std::vector<RuleAttribute> ReadConditions(std::string_view text);
-/// "<s>"
+/// Whether a word is a variable: "<s>".
 bool IsVariable(std::string_view word);
-/// All variables in a text, in order, each as often as it is there.
+/// All variables in a text, in order and with repetitions.
 std::vector<std::string> VariablesIn(std::string_view text);
-/// <h*1>: a kernel made it up for a dot or a test; authors' own hold no star before a number.
+/// Whether the kernel generated the variable, for a dot or a test: <h*1>. Variables of authors have no star before a
+/// number.
 bool IsMadeUpVariable(std::string_view variable);
-/// True if what the rule makes lasts only while it matches. False for rules that test the operator that is selected in
-/// their own state.
+/// Whether what the rule makes lasts only while it matches. False for rules that test the selected operator of their
+/// own state.
 bool IsElaboration(const RuleText& rule);
 bool IsConstantAttribute(std::string_view attribute);
-/// Attributes that the architecture, its memories and the world themselves make: "superstate", "retrieved", "status",
-/// ...
+/// Attributes that the architecture, its memories and the world create: "superstate", "retrieved", "status", ...
 bool IsArchitectureAttribute(std::string_view attribute);
-/// True if a rule tests what was recalled: memories may hold attributes that no rule and no percept makes.
+/// Whether a rule tests a recalled object. Memories may contain attributes that no rule and no percept makes.
 bool TestsWhatWasRecalled(const RuleText& rule);
 
 }  // namespace soarbox::explain

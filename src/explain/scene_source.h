@@ -5,12 +5,13 @@
 
 namespace soarbox::explain {
 
-/// What inspectors of living minds also are, see Inspector: what a mind imagines.
+/// The part of an Inspector that reports what a mind imagines. Inspectors of living minds also implement it.
 class SceneSource {
  public:
   virtual ~SceneSource() = default;
 
-  /// What `svs facts` prints (cli/svs_facts.h): its first line is "version N"; if the kernel reports nothing, anything.
+  /// The output of `svs facts` (cli/svs_facts.h). Its first line is "version N". If the kernel does not support the
+  /// command, the output is arbitrary text.
   virtual std::string SceneFacts() = 0;
 };
 

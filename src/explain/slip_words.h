@@ -8,7 +8,7 @@
 #include "diagnostics/number_from_chars.h"
 #include "explain/rule_text.h"
 
-// What several of the searches for slips (rule_slips_*.cpp) ask of a rule and its words.
+// Helpers that several searches for slips (rule_slips_*.cpp) use.
 
 namespace soarbox::explain {
 
@@ -18,7 +18,7 @@ inline bool IsNumber(std::string_view word) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
-/// The variables of a rule that stand for states.
+/// The variables of a rule that are bound to states.
 inline std::set<std::string> StatesOf(const RuleText& rule) {
   std::set<std::string> states;
   for (const RuleAttribute& condition : rule.conditions)
@@ -26,7 +26,7 @@ inline std::set<std::string> StatesOf(const RuleText& rule) {
   return states;
 }
 
-/// True if a condition binds the value of an action; else the action makes it.
+/// Whether a condition binds the value of an action. If not, the action creates the value.
 inline bool IsBoundByConditions(const RuleText& rule, std::string_view value) {
   for (const RuleAttribute& condition : rule.conditions)
     if (FirstWord(condition.value) == value) return true;

@@ -9,7 +9,7 @@
 
 namespace soarbox::explain {
 
-/// What a step of an answer to *why* is about.
+/// The subject of a step of an answer to *why*.
 enum class WhyKind : std::uint8_t {
   kReason,
   kAgent,
@@ -26,18 +26,20 @@ enum class WhyKind : std::uint8_t {
   kImagined,
 };
 
-/// One step of an answer to *why*, with what it rests on. You can look at what `link` names, and ask about it in turn.
+/// One step of an answer to *why*, with the steps that it depends on. Users can open the object that `link` names, and
+/// ask about it.
 struct WhyNode {
   std::string text;
   WhyKind kind = WhyKind::kReason;
-  std::string link;  ///< The agent's, operator's or rule's name, or an element's time tag; may be empty.
+  std::string link;  ///< Name of the agent, operator or rule, or the time tag of the element; may be empty.
   std::vector<WhyNode> below;
-  std::optional<double> time_s = std::nullopt;  ///< The moment that it is about, if that is another one than now.
+  std::optional<double> time_s = std::nullopt;  ///< The moment that the step is about, if it is not the present.
 };
 
-/// As lines, each step two blanks deeper.
+/// Returns the tree as lines; each level is indented by two more blanks.
 std::vector<std::string> Lines(const WhyNode& node, std::size_t indent = 0);
-/// The same for an agent's account: what is below its first line is not indented. Empty without an account.
+/// The same for an agent's account, except that the first level below the account's first line is not indented. Empty
+/// without an account.
 std::vector<std::string> AccountLines(const std::optional<WhyNode>& account);
 
 }  // namespace soarbox::explain

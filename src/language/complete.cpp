@@ -58,7 +58,7 @@ class Completer {
       AddVariables(*rule);
       return std::move(found_);
     }
-    // Read up to here: what follows may be half of the next thing.
+    // Parse only up to here, because the rest may be incomplete.
     const RuleWords words = ReadWords(std::string_view(text).substr(rule->span.begin, offset - rule->span.begin));
     const RuleWords& whole = *rule->words;
     if (begin > 0 && text[begin - 1] == '^') {
@@ -85,7 +85,7 @@ class Completer {
     for (const DocumentRule& rule : document_.rules())
       if (rule.span.begin < offset) last = &rule;
     if (last == nullptr || offset > last->span.end) return nullptr;
-    // Behind its last bracket it is over.
+    // The rule ends after its last bracket.
     int depth = 0;
     const std::string& code = document_.code();
     for (std::size_t at = last->span.begin; at < std::min(offset, code.size()); ++at) {
@@ -95,7 +95,7 @@ class Completer {
     return last;
   }
 
-  /// The path of the object whose attribute is typed at `from`; its ^ stands before `begin`.
+  /// Returns the path of the object whose attribute is typed at `from`; the ^ is before `begin`.
   static std::string ObjectAt(const RuleWords& words, const RuleWords& whole, std::size_t begin, std::size_t from,
                               std::size_t rule) {
     if (from > begin) {
@@ -103,7 +103,7 @@ class Completer {
       for (auto word = words.words.rbegin(); word != words.words.rend(); ++word)
         if (word->span.end + rule == from - 1) return word->path;
     }
-    // The clause's variable is the last one behind a bracket.
+    // The clause's variable is the last one after a bracket.
     std::string head;
     for (const Word& word : words.words) {
       if (word.kind == WordKind::kVariable && word.span.end + rule < begin) {
@@ -153,7 +153,7 @@ class Completer {
           if (word.kind != WordKind::kAttribute || word.text.empty()) continue;
           ++any[word.text];
           const std::string_view parent = Kindly(Parent(word.path));
-          // Objects that the same attribute leads to are of one kind.
+          // Objects with the same attribute path are of one kind.
           if (parent == kind ||
               (!kind.empty() && LastStep(parent) == LastStep(kind) && !LastStep(kind).starts_with('<')))
             ++same[word.text];

@@ -10,7 +10,7 @@
 
 namespace soarbox::language {
 
-/// How a word may go on.
+/// A possible completion of a word.
 struct Proposal {
   enum class Kind : std::uint8_t {
     kAttribute,
@@ -25,17 +25,17 @@ struct Proposal {
   Kind kind = Kind::kAttribute;
   std::string text;
   std::string detail;  ///< "m, 0 to 100", "used 12 times".
-  std::string about;   ///< A sentence or two.
+  std::string about;   ///< One or two sentences.
 };
 struct Proposals {
-  Span replaced;  ///< What the chosen text takes the place of.
+  Span replaced;  ///< The text that the chosen completion replaces.
   std::vector<Proposal> list;
 };
 
-/// What may stand at a place: behind ^ or a dot the attributes of the object there (percepts, commands and their
-/// parameters from the world's vocabulary, what the architecture gives, and what the program's rules use on the same
-/// kind of object, or on any if none is known); behind an attribute its values; behind < the rule's variables; outside
-/// of rules Soar's commands.
+/// Completions at a position. After ^ or a dot: the attributes of the object (percepts, commands and their parameters
+/// from the world's vocabulary, attributes of the architecture, and those that the program's rules use for the same
+/// kind of object, or for any object if its kind is not known). After an attribute: its values. After <: the variables
+/// of the rule. Outside rules: Soar's commands.
 Proposals Complete(const Program& program, const Document& document, std::size_t offset);
 
 }  // namespace soarbox::language

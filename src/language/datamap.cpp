@@ -37,7 +37,7 @@ Objects States(const Datamap& datamap) {
   return states;
 }
 
-/// Where an attribute leads to; * stands for any.
+/// The objects to which an attribute leads; * matches any attribute.
 Objects Follow(const Datamap& datamap, const Objects& from, const std::string& attribute) {
   Objects reached;
   for (const std::size_t at : from)
@@ -65,7 +65,7 @@ bool IsNumber(const std::string& text, double& number) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// Whether one of the vertices may have this value.
+/// Whether one of the vertices permits this value.
 bool MayBe(const Datamap& datamap, const Objects& values, const std::string& word) {
   return std::ranges::any_of(values, [&](std::size_t at) {
     const Datamap::Vertex& vertex = datamap.vertices[at];
@@ -73,7 +73,7 @@ bool MayBe(const Datamap& datamap, const Objects& values, const std::string& wor
     switch (vertex.kind) {
       case Kind::kString:
         return true;
-      // A constant in the place of an object is told of by the kernel's own checks.
+      // The kernel's own checks report a constant instead of an object.
       case Kind::kObject:
         return true;
       case Kind::kEnumeration:
@@ -206,11 +206,11 @@ std::vector<Diagnostic> FindUnknown(const Datamap& datamap, const Document& docu
       if (!is_value) steps.pop_back();
       Objects reached = states;
       for (const std::string& step : steps) {
-        // What lies above a substate may be any state.
+        // The superstate may be any state.
         reached = step == "superstate" ? states : Follow(datamap, reached, step);
         if (reached.empty()) break;
       }
-      if (reached.empty()) continue;  // The attribute before it is the one that is not known.
+      if (reached.empty()) continue;  // The attribute before it is the unknown one.
       const std::size_t offset = rule.span.begin + word.span.begin, length = word.span.end - word.span.begin;
       if (is_value) {
         if (MayBe(datamap, reached, word.text)) continue;
@@ -249,7 +249,7 @@ Datamap DatamapOf(const std::vector<const Document*>& documents) {
       for (const Word& word : rule.words->words) {
         if (word.path.starts_with('<') || word.path.empty()) continue;
         std::vector<std::string> steps = StepsOf(word.path);
-        // One state stands for all: what holds above a substate holds there.
+        // All states are treated as one: the contents of a superstate are those of its substates.
         while (!steps.empty() && steps.front() == "superstate") steps.erase(steps.begin());
         if (steps.empty() || std::ranges::find(steps, "*") != steps.end()) continue;
         const std::string last = steps.back();
@@ -261,7 +261,7 @@ Datamap DatamapOf(const std::vector<const Document*>& documents) {
         } else if (word.kind == WordKind::kAttribute &&
                    std::ranges::none_of(datamap.vertices[object].edges,
                                         [&](const Datamap::Edge& edge) { return edge.attribute == last; })) {
-          // Whether it is an object shows where more follows; until then it is anything.
+          // It is an object if the path continues; until then it may be anything.
           const bool leads_on = std::ranges::any_of(rule.words->words, [&](const Word& other) {
             return other.kind == WordKind::kAttribute && other.path.starts_with(word.path + ".");
           });

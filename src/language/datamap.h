@@ -15,7 +15,8 @@
 
 namespace soarbox::language {
 
-/// What working memory may hold, as VisualSoar describes it: a graph of objects, whose edges are attributes.
+/// The possible contents of working memory, as VisualSoar describes them: a graph of objects whose edges are
+/// attributes.
 struct Datamap {
   enum class Kind : std::uint8_t { kObject, kEnumeration, kInteger, kFloat, kString };
   struct Edge {
@@ -24,27 +25,28 @@ struct Datamap {
   };
   struct Vertex {
     Kind kind = Kind::kObject;
-    std::vector<std::string> words;  ///< Of an enumeration.
-    double min = 0, max = 0;         ///< Of numbers; both 0: any.
-    std::vector<Edge> edges;         ///< Of an object.
+    std::vector<std::string> words;  ///< For an enumeration.
+    double min = 0, max = 0;         ///< For numbers; both 0: no limits.
+    std::vector<Edge> edges;         ///< For an object.
   };
-  std::vector<Vertex> vertices;  ///< Empty: nothing is known.
+  std::vector<Vertex> vertices;  ///< Empty if there is no datamap.
   std::size_t root = 0;          ///< The top state.
 
   std::size_t Add(Kind kind);
-  /// The object behind an attribute, made if it is not there.
+  /// The object that an attribute leads to; it is created if it does not exist.
   std::size_t ObjectAt(std::size_t object, std::string_view attribute);
 };
 
-/// The attributes and values of rules that a datamap does not know, as warnings with places, each with the nearest that
-/// it does know. An attribute is known if any state of the datamap (the top state, and all objects with ^superstate)
-/// has it at the end of the rule's path; paths that begin at no state are left alone.
+/// Warnings about attributes and values of rules that the datamap does not contain, each with the most similar one. An
+/// attribute is valid if any state of the datamap (the top state, and all objects with ^superstate) has it at the end
+/// of the rule's path. Paths that do not begin at a state are not checked.
 std::vector<Diagnostic> FindUnknown(const Datamap& datamap, const Document& document);
 
-/// A datamap of the world's vocabulary (percepts and commands) and of what rules test and make.
+/// Builds a datamap from the world's vocabulary (percepts and commands), and from what rules test and make.
 Datamap DatamapOf(const std::vector<const Document*>& documents);
 
-/// As VisualSoar's JSON, format 6. `name`: of the project; `layout`: files of rules, relative to it.
+/// Converts a datamap to VisualSoar's JSON, format 6. `name`: name of the project; `layout`: paths of rule files,
+/// relative to it.
 std::string ToProjectJson(const Datamap& datamap, const std::string& name, const std::vector<std::string>& layout);
 
 }  // namespace soarbox::language

@@ -43,7 +43,7 @@ void Document::ReadCommands(RuleReader& reader) {
   std::vector<Diagnostic> unread;
   cli::CommandReader commands(text_);
   std::vector<cli::Word> words;
-  std::vector<std::filesystem::path> folders = {""};  // The last one is where names start from.
+  std::vector<std::filesystem::path> folders = {""};  // Names are relative to the last one.
   while (true) {
     const cli::CommandReader::Status status = commands.Next(words);
     if (status == cli::CommandReader::Status::kEnd) break;
@@ -84,7 +84,7 @@ void Document::AddProblems(RuleReader& reader, const std::vector<cli::Word>& wor
   std::shared_ptr<const ReadCommand> read = command.read;
   int above = command.line - 1;
   if (above > 0 && problems_.size() < kMostReadAgain && std::ranges::any_of(read->problems, names_line)) {
-    // Lines within the text of a problem count from where the reader begins: from the file's first line, then.
+    // Line numbers in a problem's text count from where the parser starts, so it starts at the file's first line.
     const std::string text = text_.substr(command.span.begin, command.span.end - command.span.begin);
     read = reader.Read(std::string(static_cast<std::size_t>(above), '\n') + text, words, 1);
     above = 0;

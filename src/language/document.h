@@ -15,21 +15,21 @@
 
 namespace soarbox::language {
 
-/// A command of a file, as the kernel reads it.
+/// A command in a file, as the kernel reads it.
 struct DocumentCommand {
-  Span span;     ///< Whole lines, up to the command's end.
-  int line = 1;  ///< Of the span's begin, from 1.
+  Span span;     ///< Complete lines, to the end of the command.
+  int line = 1;  ///< Line of the span's begin, from 1.
   std::shared_ptr<const ReadCommand> read;
 };
 
-/// A rule's words at their place in the file.
+/// The words of a rule and its position in the file.
 struct DocumentRule {
-  Span span;  ///< Up to the next rule.
-  Span body;  ///< Without the blanks and comments behind its last bracket.
+  Span span;  ///< To the next rule.
+  Span body;  ///< Without the blanks and comments after its last brace.
   std::shared_ptr<const RuleWords> words;
 };
 
-/// Words of rules that are known, by text.
+/// A cache of the words of rules, by text.
 class WordCache {
  public:
   std::shared_ptr<const RuleWords> Read(std::string_view rule);
@@ -38,7 +38,8 @@ class WordCache {
   std::unordered_map<std::string, std::shared_ptr<const RuleWords>> known_;
 };
 
-/// A file of rules that was read. It never changes: an edit makes another document, at the cost of what was edited.
+/// A file of rules after reading. Immutable: an edit creates another document, at a cost that depends only on the
+/// edited part.
 class Document {
  public:
   Document(std::filesystem::path path, std::string text, RuleReader& reader, WordCache& words);
@@ -47,24 +48,24 @@ class Document {
 
   const std::filesystem::path& path() const { return path_; }
   const std::string& text() const { return text_; }
-  /// With comments blanked, places as they are.
+  /// The text with comments blanked; positions are the same.
   const std::string& code() const { return code_; }
   const Lines& lines() const { return lines_; }
   const std::vector<DocumentCommand>& commands() const { return commands_; }
   const std::vector<DocumentRule>& rules() const { return rules_; }
-  /// What the reader of commands and of rules says, with this file's places.
+  /// The errors and warnings of the readers of commands and rules, with positions in this file.
   const std::vector<Diagnostic>& problems() const { return problems_; }
   /// The files that it sources, with the lines of the commands.
   struct Sourced {
-    std::string name;            ///< As it is written.
-    std::filesystem::path file;  ///< From the file's own folder, after the `pushd` and `cd` before it.
+    std::string name;            ///< As written in the command.
+    std::filesystem::path file;  ///< Relative to the file's folder, after the `pushd` and `cd` commands before it.
     int line = 1;
   };
   const std::vector<Sourced>& sourced() const { return sourced_; }
 
-  /// The rule that an offset lies in; null if none does.
+  /// The rule that contains an offset; null if there is none.
   const DocumentRule* RuleAt(std::size_t offset) const;
-  /// The part of the text that a problem points at.
+  /// The part of the text that a problem is about.
   Span SpanOf(const Diagnostic& problem) const;
 
  private:

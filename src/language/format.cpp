@@ -20,11 +20,11 @@ std::string_view Trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(" \t\r\f\v") - begin + 1);
 }
 
-/// An open bracket or brace of a rule, and where what it holds begins in the text that is made.
+/// An open bracket or brace of a rule, and the column of its contents in the output.
 struct Opened {
   char sign = '(';
   std::size_t column = 0;     ///< Of the bracket.
-  std::size_t attribute = 0;  ///< Of the first attribute behind it; 0: none yet.
+  std::size_t attribute = 0;  ///< Of the first attribute after it; 0: none yet.
 };
 
 class Formatter {
@@ -42,7 +42,7 @@ class Formatter {
   }
 
  private:
-  /// The token that a place lies in, behind its first letter: a quotation that began in a line before.
+  /// Whether a place is in a token after its first character: a quotation that began in an earlier line.
   bool IsWithinToken(std::size_t at) {
     while (next_ < tokens_.size() && tokens_[next_].begin + tokens_[next_].length <= at) ++next_;
     return next_ < tokens_.size() && tokens_[next_].begin < at;
@@ -72,7 +72,7 @@ class Formatter {
     made_ += '\n';
   }
 
-  /// Whether a quotation goes on behind a line's end.
+  /// Whether a quotation continues after the end of a line.
   bool Ends(std::size_t end) const {
     for (std::size_t i = next_; i < tokens_.size() && tokens_[i].begin < end; ++i)
       if (tokens_[i].begin + tokens_[i].length > end && tokens_[i].kind != TokenKind::kComment) return true;
@@ -86,13 +86,13 @@ class Formatter {
           words.starts_with("sp ") || words.starts_with("gp ") || words.starts_with("sp{") || words.starts_with("gp{");
       return opened_.empty() && begins_rule ? 0 : was;
     }
-    // Comments in the first column stay: they are lines that somebody has switched off.
+    // Comments in the first column are unchanged: they are disabled lines.
     if (words.front() == '#' && line.front() == '#') return 0;
     const Opened& inner = opened_.back();
     if (words.starts_with("-->")) return 0;
     if (words.front() == '}') return opened_.size() == 1 ? 0 : inner.column;
     if (inner.sign == '{') {
-      // A negated clause: its bracket stands below those of others.
+      // A negated clause: its bracket is aligned with those of others.
       return opened_.size() == 1 ? kIndent : inner.column + 2;
     }
     if (words.front() == ')') return inner.column;
@@ -101,7 +101,7 @@ class Formatter {
     return negated && inner.attribute > 0 ? inner.attribute - 1 : inner.attribute;
   }
 
-  /// Follows the brackets of a line. `first`: where its words begin, which now stand at column `indent`.
+  /// Follows the brackets of a line. `first`: the beginning of its words, which are now at column `indent`.
   void Walk(std::size_t begin, std::size_t end, std::size_t indent, std::size_t first) {
     for (std::size_t i = next_; i < tokens_.size() && tokens_[i].begin < end; ++i) {
       const Token& token = tokens_[i];

@@ -6,10 +6,10 @@
 
 namespace soarbox::language {
 
-/// A text of rules laid out as people write them: lines stay as they are, but rules begin in the first column, clauses
-/// three columns in, and attributes that go on in the next line stand below the first of their clause. Blanks at line
-/// ends go, as do all but one of several empty lines; the last line ends. Comments and quoted text keep their words.
-/// Everything else stays. Formatting twice gives the same as once, and no rule changes its meaning.
+/// Formats a text of rules. Line breaks stay. Rules begin in the first column and clauses in the fourth; attributes
+/// that continue a clause on the next line are aligned with the clause's first attribute. Removes blanks at line ends
+/// and repeated empty lines; ends the last line. Comments and quoted text are not changed. Formatting twice has the
+/// same result as once, and no rule changes its meaning.
 std::string FormatRules(std::string_view text);
 
 }  // namespace soarbox::language

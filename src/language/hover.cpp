@@ -44,7 +44,7 @@ std::string HoverRule(const Program& program, const std::string& name, const Las
     if (!made.empty()) text += "  \nmakes " + Join(made);
     if (!rule->calls.empty()) text += "  \ncalls " + Join(rule->calls);
     text += "  \n" + std::to_string(rule->conditions.size()) + " conditions";
-    // What a rule writes is no element.
+    // An element that a rule creates is not tested.
     if (!rule->actions.empty() || rule->calls.empty())
       text += ", " + std::to_string(rule->actions.size()) + " actions that make or remove elements";
   } else {

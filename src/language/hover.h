@@ -12,23 +12,23 @@
 
 namespace soarbox::language {
 
-/// What is known of an earlier run: how often each rule fired, in all agents together.
+/// The data of an earlier run: how often each rule fired, summed over all agents.
 struct LastRun {
   std::filesystem::path file;
   struct Firings {
     std::uint64_t count = 0;
-    double first_s = 0, last_s = 0;  ///< Simulated time.
+    double first_s = 0, last_s = 0;  ///< In simulated time.
   };
   std::map<std::string, Firings> rules;
-  bool has_firings = false;  ///< The recording holds firings at all (level all).
+  bool has_firings = false;  ///< The recording contains firings (Level::kAll).
 };
 
-/// "fired 12 times in run-0003.soarrec", "never fired in ..."; empty if the run does not say.
+/// "fired 12 times in run-0003.soarrec", "never fired in ..."; empty if the recording contains no firings.
 std::string TellFirings(const LastRun& run, const std::string& rule);
 
-/// What you want to know about the name at a place, as Markdown: what a rule does, what a percept or a command means
-/// and its unit, where an attribute is made and tested, which rules propose and apply an operator. Empty if nothing is
-/// known.
+/// Explains the name at a position, as Markdown: what a rule does, the meaning and unit of a percept or a command,
+/// where an attribute is made and tested, which rules propose and apply an operator. Empty if there is nothing to
+/// report. `run` may be null.
 std::string Hover(const Program& program, const Document& document, const Name& name, const LastRun* run);
 
 }  // namespace soarbox::language

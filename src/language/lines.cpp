@@ -6,7 +6,7 @@
 namespace soarbox::language {
 namespace {
 
-/// The bytes of the character that begins here; 1 for what is no UTF-8.
+/// Bytes of the character that begins here; 1 for invalid UTF-8.
 std::size_t BytesAt(std::string_view text, std::size_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
   const std::size_t length = first < 0xC0 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF8 ? 4 : 1;

@@ -36,7 +36,7 @@ bool IsWordEnd(char c) {
          std::string_view("(){}\";,").find(c) != std::string_view::npos;
 }
 
-/// Names of rules outside of rules: "excise go*west".
+/// Adds names of rules outside of rules: "excise go*west".
 void AddInCommands(const Document& document, const std::string& rule, std::vector<Use>& uses) {
   for (std::size_t at = document.code().find(rule); at != std::string::npos; at = document.code().find(rule, at + 1)) {
     const std::size_t end = at + rule.size();
@@ -182,14 +182,14 @@ Result<Renaming> Rename(const Program& program, const Document& document, std::s
     return Refusal(renaming.text + " is taken", "two names would become one");
   renaming.uses = UsesOf(program, *name, document.path());
   if (name->kind == Name::Kind::kAttribute) {
-    // The same word below the links is the world's, and stays.
+    // The same word below the links belongs to the world and is unchanged.
     std::erase_if(renaming.uses, [&](const Use& use) {
       const Document* of = program.Find(use.file);
       const std::optional<Name> there = of == nullptr ? std::nullopt : NameAt(*of, use.span.begin + 1);
       return there && !WhyNotRenamed(*there).empty();
     });
   }
-  // Bars stay around what stood between them.
+  // Keeps bars around names.
   for (Use& use : renaming.uses) {
     const Document* of = program.Find(use.file);
     if (of == nullptr || use.span.end - use.span.begin != name->text.size() + 2 || of->text()[use.span.begin] != '|')

@@ -13,30 +13,31 @@
 
 namespace soarbox::language {
 
-/// What a name in a text names.
+/// A name in a text.
 struct Name {
   enum class Kind : std::uint8_t { kRule, kVariable, kAttribute, kOperator, kValue } kind = Kind::kValue;
   std::string text;
-  std::string path;  ///< Of attributes and values, see Word.
+  std::string path;  ///< For attributes and values, see Word.
   Span span;         ///< In the file.
-  Span rule;         ///< The rule that it stands in; empty outside of rules.
+  Span rule;         ///< The rule that contains it; empty outside rules.
 };
-/// The name at an offset of a file, also right behind its last letter.
+/// The name at an offset of a file, or directly before it.
 std::optional<Name> NameAt(const Document& document, std::size_t offset);
 
-/// A place where a name stands.
+/// An occurrence of a name.
 struct Use {
   std::filesystem::path file;
   Span span;
-  bool defines = false;  ///< A rule's own name, an action that makes the attribute, the first use of a variable.
+  bool defines = false;  ///< It is the name at the beginning of a rule, an action that makes the attribute, or the
+                         ///< first use of a variable.
 };
-/// All uses of a name in a program. Attributes are the same wherever they stand; variables are those of their rule.
+/// All uses of a name in a program. Equal attributes are the same name everywhere; variables belong to their rule.
 std::vector<Use> UsesOf(const Program& program, const Name& name, const std::filesystem::path& file);
-/// Where it is defined: for an operator, the rules that propose it; for a file that is sourced, its first character.
+/// The definitions of the name: for an operator, the rules that propose it; for a sourced file, its first character.
 std::vector<Use> DefinitionsOf(const Program& program, const Document& document, std::size_t offset);
 
-/// The uses to replace, and the text to put there, to rename something. Fails for names that the world or the
-/// architecture gives, for names that are not allowed, and for those that are taken.
+/// The uses to replace, and the new text, to rename something. Fails for names of the world or the architecture, for
+/// invalid names, and for names that already exist.
 struct Renaming {
   std::vector<Use> uses;
   std::string text;

@@ -17,7 +17,7 @@
 namespace soarbox::language {
 namespace {
 
-/// So many rules of one `gp` are looked at.
+/// Maximum number of rules of one `gp` that are parsed.
 constexpr std::uint64_t kMostGenerated = 100;
 
 /// "source x.soar", "load file x.soar"
@@ -51,7 +51,7 @@ std::shared_ptr<const ReadCommand> RuleReader::Read(const std::string& text, con
   const std::string& command = words.front().text;
   const bool changes_folder = command == "cd" || command == "pushd" || command == "popd";
   if (!read->sourced.empty() || changes_folder) {
-    // Files are looked for by whoever knows where this one lies.
+    // The caller, which has the path of this file, resolves the names of files.
   } else if (words.size() == 2 && command == "sp") {
     ReadRule(words[1].text, words[1].line - line + 1, words[1].column, *read);
   } else if (words.size() == 2 && command == "gp") {
@@ -86,7 +86,7 @@ void RuleReader::ReadGenerated(const cli::Word& body, int line, ReadCommand& rea
     problem.line = line;
     read.problems.push_back(std::move(problem));
   }
-  // All have the same faults, as a rule.
+  // Usually all have the same errors.
   for (std::uint64_t i = 0; i < std::min(generated.count, kMostGenerated) && read.problems.empty(); ++i)
     ReadRule(generated.Body(i), line, body.column, read);
   read.name = FirstWordOf(body.text);

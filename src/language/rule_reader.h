@@ -23,20 +23,21 @@ class Agent;
 
 namespace soarbox::language {
 
-/// What the kernel's own reader made of one command of a file. Lines count from 1, the first of the command's text.
+/// The result of the kernel's reader for one command of a file. Lines count from 1, the first line of the command's
+/// text.
 struct ReadCommand {
-  std::string id;                            ///< Stands for the file in what is said about `rules`.
-  std::vector<kernel::ProductionPtr> rules;  ///< More than one for `gp`; none for other commands and refused rules.
-  std::vector<explain::RuleText> texts;      ///< What the rules say.
+  std::string id;                            ///< Name of the file in messages about `rules`.
+  std::vector<kernel::ProductionPtr> rules;  ///< More than one for `gp`; empty for other commands and refused rules.
+  std::vector<explain::RuleText> texts;      ///< The contents of the rules.
   std::vector<Diagnostic> problems;
-  std::string name;     ///< Of the rule, also of one that was refused.
-  std::string sourced;  ///< The file that it sources; then nothing else is there.
-  int line = 0;         ///< Where it begins in the text that was read with it, from 0.
+  std::string name;     ///< Name of the rule, even if it was refused.
+  std::string sourced;  ///< The file that the command sources; the other members are then empty.
+  int line = 0;         ///< Its first line in the text that was read together with it, from 0.
 };
 
-/// Hands commands to the kernel's reader, and remembers the answers: what was not edited is not read again.
+/// Parses commands with the kernel's reader, and caches the results so that only edited commands are parsed again.
 ///
-/// Reading a rule takes some 50 microseconds, and 2 if the rule is known. The reader keeps the symbols of all rules.
+/// Parsing a rule takes about 50 µs; a cached rule takes 2 µs. The reader keeps the symbols of all rules.
 class RuleReader {
  public:
   RuleReader();
@@ -44,12 +45,12 @@ class RuleReader {
   RuleReader(const RuleReader&) = delete;
   RuleReader& operator=(const RuleReader&) = delete;
 
-  /// `text`: all of the command, from the beginning of its first line, which is `line` of the file, counted from 1.
-  /// `words`: the same, taken apart.
+  /// `text`: the entire command, from the beginning of its first line. `line`: number of that line in the file, from 1.
+  /// `words`: the words of the command.
   std::shared_ptr<const ReadCommand> Read(const std::string& text, const std::vector<cli::Word>& words, int line);
 
   const kernel::SymbolTable& symbols() const { return symbols_; }
-  /// How many commands were handed to the kernel so far.
+  /// Number of commands that were parsed so far.
   std::size_t reads() const { return reads_; }
 
  private:
@@ -59,7 +60,7 @@ class RuleReader {
   void Forget();
 
   kernel::SymbolTable symbols_;
-  std::unique_ptr<kernel::Agent> agent_;  ///< Whose commands are tried; they change nothing.
+  std::unique_ptr<kernel::Agent> agent_;  ///< The agent that executes the commands; they change nothing.
   std::unique_ptr<cli::Session> session_;
   std::unique_ptr<cli::Interpreter> interpreter_;
   std::unordered_map<std::string, std::shared_ptr<const ReadCommand>> known_;

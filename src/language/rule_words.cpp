@@ -17,15 +17,15 @@ std::string WithoutBars(std::string_view text) {
   return std::string(text);
 }
 
-/// What a parenthesis opened.
+/// The contents of a parenthesis.
 struct Clause {
   std::string head;                         ///< Its variable; empty: a function, or not typed yet.
-  std::string attribute;                    ///< The last part of the attribute that its next values belong to.
+  std::string attribute;                    ///< The last part of the attribute of its next values.
   std::string steps;                        ///< All parts of it.
   std::optional<std::size_t> last_of_path;  ///< The word of the last part.
 };
 
-/// The object of a variable is reached from another one's, by these attributes.
+/// The object of a variable can be reached from another variable's by these attributes.
 struct Edge {
   std::string from, steps;
 };
@@ -94,7 +94,8 @@ class Reader {
     }
   }
 
-  /// The test that an attribute is: ^{ << a b >> <way> }, ^<< a b >>. Returns whether the token belongs to one.
+  /// Handles a test in the place of an attribute: ^{ << a b >> <way> }, ^<< a b >>. Returns whether the token is part
+  /// of one.
   bool TakeTest(TokenKind kind, std::string_view text, Span span) {
     if (!awaits_test_ && test_depth_ == 0) return false;
     awaits_test_ = false;
@@ -108,7 +109,7 @@ class Reader {
     Clause& clause = clauses_.back();
     if (kind == TokenKind::kVariable) Add(WordKind::kVariable, span, std::string(text), clause.head, clause.steps);
     if (kind == TokenKind::kConstant || kind == TokenKind::kQuoted || kind == TokenKind::kNumber) {
-      // Each of the choices stands where the attribute stands.
+      // Each of the choices is a possible attribute.
       const std::string above = clause.steps.substr(0, clause.steps.rfind('.') + 1);
       Add(WordKind::kAttribute, span, WithoutBars(text), clause.head, above + WithoutBars(text));
     }
@@ -148,7 +149,7 @@ class Reader {
     negated_ = false;
   }
 
-  /// "^io.input-link", or ".content" after the test of an attribute.
+  /// "^io.input-link", or ".content" after a test of an attribute.
   void TakeSteps(std::string_view text, Span span) {
     Clause& clause = clauses_.back();
     std::size_t at = 1;
@@ -175,7 +176,7 @@ class Reader {
     }
   }
 
-  /// Whether { or << come next.
+  /// Whether the next token is { or <<.
   bool TestFollows(std::size_t at) const {
     at = text_.find_first_not_of(" \t\r\n", at);
     return at != std::string_view::npos && (text_[at] == '{' || text_.substr(at).starts_with("<<"));
@@ -194,7 +195,7 @@ class Reader {
 
   void FindPaths() {
     for (const std::string& state : states_) rule_.paths.try_emplace(state, "");
-    // Each round follows the edges of one step further.
+    // Each iteration follows the edges by one more step.
     for (bool found = true; found;) {
       found = false;
       for (const auto& [variable, edge] : edges_) {
@@ -222,9 +223,9 @@ class Reader {
   std::vector<std::string> states_;
   std::map<std::string, Edge> edges_;
   bool opened_ = false, opens_state_ = false, negated_ = false;
-  bool awaits_test_ = false;                       ///< An attribute began that is a test.
-  int test_depth_ = 0;                             ///< How many { and << of it are open.
-  std::size_t test_end_ = std::string_view::npos;  ///< Behind it.
+  bool awaits_test_ = false;                       ///< An attribute that is a test has begun.
+  int test_depth_ = 0;                             ///< Number of its open { and <<.
+  std::size_t test_end_ = std::string_view::npos;  ///< The end of it.
 };
 
 bool BeginsRule(std::string_view line) {

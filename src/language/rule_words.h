@@ -17,42 +17,43 @@ enum class WordKind : std::uint8_t {
   kRuleName,
   kVariable,
   kAttribute,  ///< One part of ^io.input-link.
-  kValue,      ///< A constant that an attribute has, or is compared with.
-  kFunction,   ///< Called in the actions.
+  kValue,      ///< A constant value of an attribute, or a constant that it is compared with.
+  kFunction,   ///< A function that is called in the actions.
 };
 
-/// A word of a rule, and where its object stands in working memory.
+/// A word of a rule, and the position of its object in working memory.
 struct Word {
   WordKind kind = WordKind::kValue;
   Span span;         ///< In the text of the rule.
   std::string text;  ///< Without bars.
-  /// Attributes from the state on: of an attribute, itself included ("io.input-link.self"); of a value, those that lead
-  /// to it; of a variable, those that lead to its object, "" for the state. Above a state: "superstate.io". Where
-  /// nothing leads from the state to the object it begins with the variable: "<x>.color".
+  /// Attributes from the state on. For an attribute, it includes the attribute ("io.input-link.self"); for a value, it
+  /// leads to the value; for a variable, to its object, and is "" for the state. Paths through a superstate begin with
+  /// "superstate": "superstate.io". If there is no path from the state to the object, it begins with the variable:
+  /// "<x>.color".
   std::string path;
   bool in_actions = false;
-  bool negated = false;  ///< An attribute behind -.
+  bool negated = false;  ///< An attribute after -.
 };
 
-/// A value that is the name of an operator, or of the state in which one is worked on.
+/// Whether the value is the name of an operator, or of the state in which agents work on an operator.
 bool IsOperatorName(const Word& word);
 
-/// The words of one rule, from its "sp {" on.
+/// The words of one rule, beginning with its "sp {".
 struct RuleWords {
   std::string name;  ///< Empty if there is none.
   Span name_span;
   std::vector<Word> words;                   ///< In the order of the text.
-  std::map<std::string, std::string> paths;  ///< Of the variables, see Word.
-  std::set<std::size_t> heads;               ///< Where the variables stand that clauses begin with.
-  std::size_t arrow = std::string::npos;     ///< Where --> begins.
+  std::map<std::string, std::string> paths;  ///< Paths of the variables, see Word.
+  std::set<std::size_t> heads;               ///< Positions of the variables at the beginning of clauses.
+  std::size_t arrow = std::string::npos;     ///< Position of -->.
 };
 
-/// Finds the words of a rule in its text. For places and names only: whether the text is a rule is for the kernel's
-/// reader to say. Any text gives words, also one that is being typed.
+/// Finds the words of a rule in its text, for positions and names only; the kernel's reader decides whether the rule is
+/// valid. Accepts any text, also one that is being typed.
 RuleWords ReadWords(std::string_view rule);
 
-/// The parts of a text that begin with a rule (`sp`, `gp`) at the beginning of a line, up to the next one; what comes
-/// before the first is not among them.
+/// Splits a text into parts that begin with a rule (`sp`, `gp`) at the beginning of a line. The text before the first
+/// rule is not included.
 std::vector<Span> SplitAtRules(std::string_view text);
 
 }  // namespace soarbox::language

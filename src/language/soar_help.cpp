@@ -79,7 +79,7 @@ std::optional<SoarWord> SoarWordAt(const Document& document, std::size_t offset)
     if (!span.Holds(offset)) continue;
     const bool is_own =
         token.kind == TokenKind::kCommand || token.kind == TokenKind::kKeyword || token.kind == TokenKind::kArrow;
-    // Functions are words behind a bracket.
+    // Functions are words after a bracket.
     const bool is_call = token.kind == TokenKind::kConstant && span.begin > 0 && text[span.begin - 1] == '(';
     const std::string_view word = text.substr(span.begin, token.length);
     const std::string_view meaning = is_own || is_call ? MeaningIn(kWords, word) : std::string_view();

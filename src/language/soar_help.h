@@ -10,10 +10,10 @@
 
 namespace soarbox::language {
 
-/// What an attribute that the architecture makes means: "superstate". Empty for others.
+/// Explains an attribute that the architecture creates, such as "superstate". Empty for others.
 std::string_view MeaningOfAttribute(std::string_view attribute);
 
-/// What a word or sign of Soar's own language means, at an offset of a file: `state`, `-->`, `write`, `sp`.
+/// Explains a word or sign of Soar's language at an offset of a file: `state`, `-->`, `write`, `sp`.
 struct SoarWord {
   Span span;
   std::string text;  ///< As Markdown.

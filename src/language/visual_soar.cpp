@@ -37,13 +37,13 @@ std::vector<std::string> Words(const std::string& line) {
   return words;
 }
 
-/// A path of a project: VisualSoar writes the separators of the system that it runs on.
+/// A path of a project: VisualSoar writes the separators of its system.
 fs::path PathOf(std::string written) {
   std::ranges::replace(written, '\\', '/');
   return fs::path(written).relative_path();
 }
 
-/// "-Infinity", "2147483647"; what is no number counts as no limit.
+/// "-Infinity", "2147483647"; any other word counts as no limit.
 double Limit(const std::string& word) {
   double number = 0;
   const auto [end, error] = NumberFromChars(word, number);
@@ -59,7 +59,7 @@ std::optional<std::size_t> Count(const std::string& word) {
   return number;
 }
 
-/// Adds a file of the layout if it is there and lies below the project's folder.
+/// Adds a file of the layout if it exists and is below the project's folder.
 void AddRules(VisualSoarProject& project, const fs::path& file, int line, std::vector<Diagnostic>& problems) {
   const fs::path base = project.file.has_parent_path() ? project.file.parent_path() : fs::path(".");
   if (IsPlainFileBelow(file, std::vector<fs::path>{base})) {
@@ -73,7 +73,7 @@ void AddRules(VisualSoarProject& project, const fs::path& file, int line, std::v
   problems.push_back(std::move(problem));
 }
 
-/// The datamap of a text project.
+/// Parses the datamap of a text project.
 class DatamapText {
  public:
   DatamapText(const fs::path& file, const std::string& text) : file_(file), in_(text) {}

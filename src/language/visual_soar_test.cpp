@@ -82,7 +82,7 @@ TEST_F(VisualSoar, ChoicesOfAttributesAreKnownOneByOne) {
 
 TEST_F(VisualSoar, AnUnknownAttributeIsToldWithWhatWasMeant) {
   const std::vector<Diagnostic> found = CheckAgainstDatamap(WriteText());
-  ASSERT_EQ(found.size(), 2U);  // The file that is gone, too.
+  ASSERT_EQ(found.size(), 2U);  // Including the missing file.
   EXPECT_EQ(found.back().message, "the datamap has no attribute ^lok of ^io.input-link");
   EXPECT_EQ(found.back().hint, "did you mean lock?");
   EXPECT_EQ(found.back().line, 1);

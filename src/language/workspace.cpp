@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 10'000;  ///< Of a folder that is looked through.
-constexpr std::size_t kMostSlips = 500;     ///< Of one file: nobody reads more.
+constexpr std::size_t kMostFiles = 10'000;  ///< Maximum number of files in a folder that is searched.
+constexpr std::size_t kMostSlips = 500;     ///< Maximum number of slips per file.
 
 fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -173,7 +173,7 @@ std::vector<Diagnostic> Workspace::MissingFiles(const Document& document) const 
 }
 
 void Workspace::AddDuplicates(const Program& program, std::map<fs::path, std::vector<Diagnostic>>& found) {
-  // Programs that share files may well have rules of one name.
+  // Programs that share files may have rules of the same name.
   constexpr std::size_t kMostPrograms = 4;
   for (std::size_t i = 0; i < std::min(program.roots.size(), kMostPrograms); ++i) {
     Program one;
@@ -223,7 +223,7 @@ std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& prog
     const fs::path& path = document->second->path();
     found[path].push_back(explain::PlaceSlip(slip, path, document->second->code()));
   }
-  // Gaps and crowds know a rule's text only; its place is where the text stands.
+  // Gaps and crowds only contain a rule's text; its place is that of the text.
   std::vector<Diagnostic> traps = kernel::FindRuleGaps(productions, productions.size(), reader_.symbols());
   for (Diagnostic& crowd : cli::FindRuleCrowds(productions, productions.size(), reader_.symbols()))
     traps.push_back(std::move(crowd));
@@ -253,7 +253,7 @@ std::vector<Diagnostic> CheckAgainstDatamap(const fs::path& file) {
     if (named) problems.push_back(read.error());
     return problems;
   }
-  // A file beside or above which a project happens to lie has nothing to do with it.
+  // A file that happens to be next to or below a project does not belong to it.
   if (!named && std::ranges::count(read->rules, fs::absolute(file, error).lexically_normal()) == 0 &&
       RootOfProject(project) != fs::absolute(file, error).lexically_normal())
     return problems;
@@ -266,7 +266,7 @@ std::vector<Diagnostic> CheckAgainstDatamap(const fs::path& file) {
     if (document == nullptr) continue;
     for (Diagnostic& unknown : FindUnknown(read->datamap, *document)) problems.push_back(std::move(unknown));
   }
-  // What is wrong with the project itself is told where the project is named.
+  // Errors of the project itself are reported when the project is named.
   if (!named) std::erase_if(problems, [&](const Diagnostic& problem) { return problem.file == project.string(); });
   return problems;
 }

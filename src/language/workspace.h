@@ -17,33 +17,34 @@
 
 namespace soarbox::language {
 
-/// The files that a file is loaded together with: those of all programs that reach it. A program is a file that no
-/// other one sources, its root, and all that it sources.
+/// The files that are loaded together with a file: those of all programs that include it. A program is a root, which is
+/// a file that no other file sources, and all files that it sources directly or through others.
 struct Program {
-  std::filesystem::path root;  ///< Of several the first, in alphabetical order.
+  std::filesystem::path root;  ///< The first of several, in alphabetical order.
   std::vector<std::filesystem::path> roots;
-  std::vector<std::shared_ptr<const Document>> documents;  ///< In the order of loading, each root before its files.
-  std::filesystem::path project;                           ///< Of VisualSoar; empty if there is none.
+  std::vector<std::shared_ptr<const Document>> documents;  ///< In the order of loading; each root comes before its
+                                                           ///< files.
+  std::filesystem::path project;                           ///< The project of VisualSoar; empty if there is none.
 
   const Document* Find(const std::filesystem::path& path) const;
 };
 
-/// The files of a person who edits rules: open files hold what was typed, all others what is on disk.
+/// The files that a user edits. Open files have the text in the editor; all others have the text on the disk.
 ///
-/// Diagnostics come in two steps. What the kernel's reader says of one file costs what was edited, a few milliseconds.
-/// What only all rules together show (slips, duplicates, gaps, crowds, the datamap) costs all rules.
+/// Diagnostics come in two steps. Those of the kernel's reader for one file cost a few milliseconds, depending on the
+/// edited part. Those that need all rules (slips, duplicates, gaps, crowds, the datamap) cost time for all rules.
 class Workspace {
  public:
-  /// Nothing but plain files below these folders is read; empty: any.
+  /// Reads only plain files below these folders; empty: all files.
   explicit Workspace(std::vector<std::filesystem::path> folders = {}) : folders_(std::move(folders)) {}
 
-  /// The folders that an editor works in: programs are looked for in all of them. A file elsewhere has its own folder
+  /// Sets the editor's folders, in which programs are searched. For a file elsewhere, its own folder is searched
   /// (sim::FolderOfProgram).
   void SetFolders(std::vector<std::filesystem::path> folders);
   const std::vector<std::filesystem::path>& folders() const { return editor_folders_; }
-  /// Files may have come, gone or changed: the folders are looked through again when a program is asked for.
+  /// Call it when files may have been added, removed or changed. The next query searches the folders again.
   void LookAgain() { regions_.clear(); }
-  /// What should be said of folders that have too many files, each once. Empties the list.
+  /// Removes and returns notices about folders with too many files. Each folder is reported once.
   std::vector<std::string> TakeNotices() { return std::exchange(notices_, {}); }
 
   void Open(const std::filesystem::path& path, std::string text);
@@ -51,20 +52,20 @@ class Workspace {
   bool IsOpen(const std::filesystem::path& path) const { return open_.contains(path); }
   std::vector<std::filesystem::path> OpenFiles() const;
 
-  /// Null if there is no such file, or it may not be read.
+  /// Null if the file does not exist or may not be read.
   std::shared_ptr<const Document> Find(const std::filesystem::path& path);
-  /// The programs that a file belongs to, by who sources whom among the files of its workspace folder, of VisualSoar's
-  /// project or of the scenario. A file that nobody sources is its own program.
+  /// The programs that contain a file, determined by the `source` commands in the files of its workspace folder, its
+  /// VisualSoar project or its scenario. A file that no other file sources is its own program.
   Program ProgramOf(const std::filesystem::path& path);
-  /// The roots of those programs.
+  /// The roots of these programs.
   std::vector<std::filesystem::path> RootsOf(const std::filesystem::path& path) {
     return GraphOf(RegionOf(path)).RootsOf(path);
   }
 
-  /// What only all rules of a program together show, by file; of each some 500. What Document::problems has is not
-  /// among it.
+  /// Diagnostics that need all rules of a program, by file; about 500 per file at most. Does not include
+  /// Document::problems.
   std::map<std::filesystem::path, std::vector<Diagnostic>> Slips(const Program& program);
-  /// Files that a document sources and that are not there.
+  /// Reports the files that a document sources and that do not exist.
   std::vector<Diagnostic> MissingFiles(const Document& document) const;
 
   const RuleReader& reader() const { return reader_; }
@@ -88,8 +89,8 @@ class Workspace {
   std::map<std::filesystem::path, std::shared_ptr<const Document>> open_;
   std::map<std::filesystem::path, OnDisk> disk_;
   std::vector<std::filesystem::path> editor_folders_;
-  std::map<std::filesystem::path, sim::SourceGraph> regions_;  ///< By the folder that was looked through.
-  /// What a file on disk sources, as it was read last.
+  std::map<std::filesystem::path, sim::SourceGraph> regions_;  ///< By the folder that was searched.
+  /// The files that a file on the disk sourced when it was last read.
   struct Scanned {
     std::filesystem::file_time_type time;
     std::uintmax_t size = 0;
@@ -106,8 +107,7 @@ class Workspace {
   std::map<std::filesystem::path, ReadProject> projects_;
 };
 
-/// The files of a program without an editor: what `soarbox check` and `soarbox datamap` ask. `file` is a file of rules
-/// or a project.
+/// The diagnostics of `soarbox check` and `soarbox datamap`, without an editor. `file` is a file of rules or a project.
 std::vector<Diagnostic> CheckAgainstDatamap(const std::filesystem::path& file);
 
 }  // namespace soarbox::language

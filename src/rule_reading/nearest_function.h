@@ -5,8 +5,8 @@
 
 namespace soarbox::rule_reading {
 
-/// The built-in function that is probably meant by a name that no function has: `write` for `print` and other printers,
-/// "rand-int or rand-float" for `random`, otherwise one that is spelled alike. Empty if there is none.
+/// Suggests a built-in function for an unknown name: `write` for `print` and other printing functions, "rand-int or
+/// rand-float" for `random`, otherwise one with a similar name. Empty if there is none.
 std::string_view NearestFunction(std::string_view name);
 
 }  // namespace soarbox::rule_reading

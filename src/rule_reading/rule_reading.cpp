@@ -33,7 +33,7 @@ class FactWriter {
   void AddConditions(std::span<const Condition> conditions, int group) {
     for (const Condition& condition : conditions) {
       if (condition.kind == ConditionKind::kConjunctiveNegation) {
-        // A group within a group belongs to the outer one.
+        // A nested group belongs to the outer one.
         AddConditions(condition.conditions(), group > 0 ? group : ++groups_);
         continue;
       }
@@ -47,7 +47,7 @@ class FactWriter {
     }
   }
 
-  /// The word state is there once for each variable.
+  /// Marks all conditions of a state's variable, because the word `state` occurs once per variable.
   void MarkStates() {
     for (mind::RuleConditionFact& condition : facts.conditions) condition.on_state = states_.contains(condition.id);
   }
@@ -66,11 +66,11 @@ class FactWriter {
   }
 
  private:
-  /// Of several tests the one for equality comes first, as authors write them; the kernel has an order of its own.
+  /// Writes the test for equality first, as authors do; the kernel has another order.
   std::string TextOf(const Test& test) const {
     std::string text;
     if (test.kind == TestKind::kConjunction) {
-      // What learning keeps as it is makes no difference to what matches.
+      // Literal tests, which only learning uses, do not affect the match.
       const auto counts = [](const Test& part) { return part.kind != TestKind::kLiteral; };
       for (const Test& part : test.parts())
         if (part.kind == TestKind::kEqual) text += " " + TextOf(part);
@@ -88,7 +88,7 @@ class FactWriter {
     return text;
   }
 
-  /// The test of an identifier without the word state; more than one test stay together.
+  /// The test of an identifier without the word `state`. Several tests are kept together.
   std::string IdOf(const Test& id) {
     std::vector<std::string> tests;
     bool is_state = false;
@@ -125,7 +125,7 @@ class FactWriter {
   int groups_ = 0;
 };
 
-/// Puts bars around the variables with which conditions compare: "> <h>" as "> |<h>|".
+/// Adds bars to the variables with which conditions compare: "> <h>" is converted to "> |<h>|".
 std::string WithComparedInBars(std::string_view text) {
   constexpr std::string_view kRelations[] = {"<", ">", "<=", ">=", "<>", "<=>"};
   std::string done;
@@ -151,7 +151,7 @@ std::string WithComparedInBars(std::string_view text) {
   return done;
 }
 
-/// Takes these bars away again.
+/// Removes these bars.
 std::string WithoutBarsOfVariables(std::string text) {
   for (std::size_t at = text.find("|<"); at != std::string::npos; at = text.find("|<", at)) {
     const std::size_t end = text.find('|', at + 1);
@@ -165,8 +165,8 @@ std::string WithoutBarsOfVariables(std::string text) {
   return text;
 }
 
-/// The end of what is between braces that are open at `begin`: where their closing brace is. Braces between bars, and
-/// in the documentation of a rule, do not count.
+/// Position of the closing brace for braces that are open at `begin`. Braces in bars and in the documentation of a rule
+/// do not count.
 std::size_t EndOfBraces(std::string_view text, std::size_t begin) {
   int depth = 1;
   char quote = 0;
@@ -210,7 +210,7 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
   constexpr std::string_view kBegin = "sp {";
   std::vector<mind::RuleFacts> rules;
   kernel::SymbolTable symbols;
-  // A kernel has loaded these rules: a function that is not built in is a client's.
+  // A kernel has loaded these rules, so a function that is not built in belongs to a client.
   kernel::RuleLanguage language;
   language.is_client_function = [](std::string_view) { return true; };
   for (std::size_t at = text.find(kBegin); at != std::string_view::npos; at = text.find(kBegin, at)) {
@@ -229,8 +229,8 @@ std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text) {
 }
 
 std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text) {
-  // A rule begins with a state; conditions alone do not. What they compare with may be bound by conditions that are not
-  // here: the reader would leave such comparisons out, and keeps them if they are with a word.
+  // A rule must begin with a state, but conditions alone may not. Variables in comparisons may be bound by other
+  // conditions; the parser would drop such comparisons, but it keeps comparisons with a constant.
   constexpr std::string_view kState = "<printed-conditions*1>";
   const std::string body = "conditions (state " + std::string(kState) + " ^superstate) " + WithComparedInBars(text) +
                            " --> (" + std::string(kState) + " ^read yes)";

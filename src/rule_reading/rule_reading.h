@@ -11,18 +11,18 @@ class Production;
 class SymbolTable;
 }  // namespace soarbox::kernel
 
-/// Rules as facts, read by the kernel's own reader: there is no other reader of Soar. It needs no agent, so that it
-/// also reads what an official kernel prints.
+/// Converts rules to facts with the kernel's own parser, which is the only parser of Soar rules. It needs no agent, so
+/// that it can also read what an official kernel prints.
 namespace soarbox::rule_reading {
 
-/// What a parsed rule says.
+/// The content of a parsed rule.
 mind::RuleFacts FactsOf(const kernel::Production& rule, const kernel::SymbolTable& symbols);
 
-/// The rules of a text that a kernel printed (`print --full`), one after another. Skips other text and what cannot be
-/// read.
+/// Parses rules that a kernel printed (`print --full`), one after another. Skips other text and rules that cannot be
+/// parsed.
 std::vector<mind::RuleFacts> ReadPrintedRules(std::string_view text);
 
-/// Conditions alone, as `matches` prints them: "(<in> ^agent <a>)", "(<s> -^done)".
+/// Parses conditions as `matches` prints them: "(<in> ^agent <a>)", "(<s> -^done)".
 std::vector<mind::RuleConditionFact> ReadPrintedConditions(std::string_view text);
 
 }  // namespace soarbox::rule_reading

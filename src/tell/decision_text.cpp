@@ -23,8 +23,8 @@ using mind::Policy;
 using mind::PreferenceKind;
 using mind::Stage;
 
-constexpr std::size_t kMostReasons = 4;     ///< That one sentence names.
-constexpr std::size_t kMostCompared = 300;  ///< Of more drops none are looked at in pairs.
+constexpr std::size_t kMostReasons = 4;     ///< Maximum number of reasons in a sentence.
+constexpr std::size_t kMostCompared = 300;  ///< With more drops, mutual drops are not searched.
 
 std::string Maker(const Decision::Preference& preference) {
   if (preference.rule.empty() || preference.rule == "|Memory System Recall|") return "the architecture";
@@ -32,7 +32,7 @@ std::string Maker(const Decision::Preference& preference) {
   return "rule " + preference.rule;
 }
 
-/// Who a better or worse preference puts above and below.
+/// The operators that a better or worse preference ranks higher and lower.
 std::uint32_t Upper(const Decision::Preference& p) {
   return p.kind == PreferenceKind::kBetter ? p.op : p.referent;
 }
@@ -65,7 +65,7 @@ class Teller {
         return say(Situation::kMakesWorst);
       case PreferenceKind::kBetter:
       case PreferenceKind::kWorse: {
-        // From the view of the one that the sentence is about.
+        // Phrased from the perspective of the sentence's subject.
         const bool from_below = Lower(p) == subject_ || (p.kind == PreferenceKind::kWorse && Upper(p) != subject_);
         const std::uint32_t first = from_below ? Lower(p) : Upper(p), second = from_below ? Upper(p) : Lower(p);
         return Say(from_below ? Situation::kMakesWorse : Situation::kMakesBetter,
@@ -86,7 +86,7 @@ class Teller {
   }
   const Decision::Preference& At(std::uint32_t place) const { return decision_.preferences[place]; }
 
-  /// Of several that each suffice, the one that speaks of the subject.
+  /// If several preferences suffice, the one that mentions the subject.
   const Decision::Preference* Telling(const Decision::Drop& drop) const {
     const Decision::Preference* first = nullptr;
     for (const std::uint32_t place : By(drop)) {
@@ -101,7 +101,7 @@ class Teller {
     return first;
   }
 
-  /// The preference by which a candidate that was dropped itself is better than this one; null if none is.
+  /// The preference by which another dropped candidate is better than this one; null if there is none.
   const Decision::Preference* DominatedBy(const Decision::Drop& drop, std::uint32_t other) const {
     if (drop.stage != Stage::kDominated) return nullptr;
     for (const std::uint32_t place : By(drop))
@@ -110,7 +110,7 @@ class Teller {
   }
 
   /// "a (O3) and b (O2) are each better than the other (rules R and S), so both were dropped", if this drop and another
-  /// one are by each other, and the subject is better than neither.
+  /// one were caused by each other, and the subject is better than neither.
   std::string Mutual(const Decision::Drop& drop, std::uint32_t& other) const {
     if (decision_.drops.size() > kMostCompared || drop.stage != Stage::kDominated) return {};
     if (subject_ != Decision::kNoOperator && DominatedBy(drop, subject_) != nullptr) return {};
@@ -131,14 +131,14 @@ class Teller {
     return {};
   }
 
-  /// Without what a clause says of a drop its candidate would lose all the same: to another preference that suffices,
-  /// or at a later stage.
+  /// Whether a drop's candidate would lose without the preference of a clause: by another sufficient preference, or at
+  /// a later stage.
   bool WouldStillLose(const Decision::Drop& drop, const std::string& clause) const {
     return drop.decisive == Decisive::kNo ||
            std::ranges::any_of(By(drop), [&](std::uint32_t place) { return Clause(At(place)) != clause; });
   }
 
-  /// Each reason once, the first few.
+  /// The first few reasons, each once.
   std::vector<std::string> Reasons() const {
     std::vector<std::string> reasons;
     std::set<std::uint32_t> told;
@@ -168,7 +168,7 @@ class Teller {
     return reasons;
   }
 
-  /// How one of several that are left was chosen; empty if it was the only one.
+  /// How one of several remaining candidates was chosen; empty if there was only one.
   std::string Choice() const {
     if (decision_.left.size() < 2) return {};
     const std::string count = std::to_string(decision_.left.size());
@@ -222,7 +222,7 @@ std::string WhySelected(const mind::Decision& decision) {
   const Decision::Preference* proposal = FirstOf(decision, PreferenceKind::kAcceptable, decision.selected);
   if (const Decision::Preference* require = FirstOf(decision, PreferenceKind::kRequire, decision.selected)) {
     std::string clause = teller.Clause(*require);
-    // Without it the only one proposed would have been selected, too.
+    // Without it, the only proposed operator would also have been selected.
     if (decision.drops.empty() && proposal != nullptr)
       return Say(Situation::kOnlyOneBy, {{"maker", Maker(*proposal)}}) + "; " + clause;
     std::vector<std::string> parts = {std::move(clause)};

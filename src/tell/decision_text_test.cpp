@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// One row per situation: the facts and what is said of them.
+// One row per situation: the facts and the resulting text.
 #include "tell/decision_text.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using enum mind::PreferenceKind;
 
 constexpr std::uint32_t kA = 0, kB = 1, kC = 2;
 
-/// Facts by hand. Operators are a (O1), b (O2) and c (O3); the rule of the n-th preference is "rn".
+/// Facts built by hand. Operators are a (O1), b (O2) and c (O3); the rule of the n-th preference is "rn".
 class Facts {
  public:
   explicit Facts(std::uint32_t operators = 3) {

@@ -34,7 +34,7 @@ std::string RecalledWhat(const mind::Recalled& recall) {
   return (recall.is_episode ? "episode " : "@") + std::to_string(recall.number);
 }
 
-/// Three blanks per level below the first, as far as one can see.
+/// Indents a line by three blanks per level below the first, up to a limit.
 std::string Indented(int level, std::string line) {
   constexpr int kDeepest = 100;
   return std::string(3 * static_cast<std::size_t>(std::clamp(level, 1, kDeepest) - 1), ' ') + std::move(line);
@@ -74,7 +74,7 @@ std::string ParametersText(std::span<const mind::Parameter> parameters) {
       continue;
     }
     const std::string value = ValueText(parameter.value);
-    // What would look like another attribute stands between bars.
+    // Bars around a value that contains text like an attribute.
     const bool is_quoted =
         std::holds_alternative<std::string_view>(parameter.value) && value.find(" ^") != std::string::npos;
     text += is_quoted ? "|" + value + "|" : value;

@@ -12,23 +12,24 @@
 
 namespace soarbox::tell {
 
-// Lines for what a mind did, as trace, exports and comparisons show them. Nobody reads them back.
+// Lines that describe what a mind did, for trace, exports and comparisons. No program parses them.
 
-/// What one mind did in a tick, line by line.
+/// What one mind did in a tick, as lines.
 struct MindWords {
-  std::vector<std::string> percepts;   ///< "path value", or "-path" of what has gone.
-  std::vector<std::string> decisions;  ///< "O: O1 (seek)", "==>S: S2 (operator tie)", three blanks per level.
-  /// "fire RULE", "+ 12: S1 ^a b", after a count of the decisions before it.
+  std::vector<std::string> percepts;   ///< "path value", or "-path" for a removed percept.
+  std::vector<std::string> decisions;  ///< "O: O1 (seek)", "==>S: S2 (operator tie)", indented by three blanks per
+                                       ///< level.
+  /// "fire RULE", "+ 12: S1 ^a b", each after the number of decisions before it.
   std::vector<std::string> details;
-  std::vector<std::string> commands;       ///< "move-to ^waypoint gate", and how they went: "move-to: complete".
-  std::vector<std::string> reasons;        ///< For each of the decisions: why it was taken, or nothing.
-  std::vector<std::string> command_rules;  ///< For each of the commands: the rule that made it, or nothing.
+  std::vector<std::string> commands;       ///< "move-to ^waypoint gate", and results: "move-to: complete".
+  std::vector<std::string> reasons;        ///< For each decision: its reason, or an empty text.
+  std::vector<std::string> command_rules;  ///< For each command: the rule that made it, or an empty text.
 };
 MindWords Words(const mind::EventLog& log, bool with_details = true);
 
-/// Numbers with six digits.
+/// Prints numbers with six digits.
 std::string ValueText(const mind::Value& value);
-/// "agent", or "agent#3" for the one of several with that key.
+/// "agent", or "agent#3" for one of several, by its key.
 std::string PerceptName(std::string_view attribute, std::uint32_t key);
 /// "self.speed", "agent#3.range".
 std::string PerceptPath(std::string_view path, std::string_view attribute, std::uint32_t key);
@@ -41,20 +42,21 @@ std::string CommandText(const mind::CommandEnded& command);
 /// "complete", "interrupted", "error".
 std::string_view StatusName(mind::CommandStatus status);
 
-/// "tie", "no-change", ...; "none" of the top state.
+/// "tie", "no-change", ...; "none" for the top state.
 std::string_view ReasonName(mind::StateReason reason);
-/// "operator tie"; empty of the top state.
+/// "operator tie"; empty for the top state.
 std::string ImpasseText(mind::StateReason reason, bool on_operator);
-/// "O: O1 (seek)", "==>S: S2 (operator tie)", "learn RULE", without blanks in front; empty of events that are no
-/// decisions, nor stand among them.
+/// "O: O1 (seek)", "==>S: S2 (operator tie)", "learn RULE", without indentation. Empty for events that are not listed
+/// with decisions.
 std::string DecisionLine(const mind::Event& event);
-/// The level of the goal stack that a decision is of; 1 if it is of none.
+/// The level of the goal stack of a decision; 1 for other events.
 int LevelOf(const mind::Event& event);
-/// Of the numbers and rewards of reinforcement learning, which stand among decisions, too.
+/// Whether the event is a value or reward of reinforcement learning. These are listed with decisions, too.
 bool IsOfReward(const mind::Event& event);
-/// Why it came: of operators and states what the decision procedure said, of recalls and learned rules from what.
+/// The reason of an event: for operators and states the recorded decision; for recalls and learned rules, where they
+/// come from.
 std::string ReasonText(const mind::Event& event);
-/// "fire RULE", "retract RULE", "+ 12: S1 ^operator O1 +", "- 12: S1 ^a b"; empty of other events.
+/// "fire RULE", "retract RULE", "+ 12: S1 ^operator O1 +", "- 12: S1 ^a b"; empty for other events.
 std::string DetailLine(const mind::Event& event);
 
 }  // namespace soarbox::tell

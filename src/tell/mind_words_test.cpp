@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// One operator that a rule proposes.
+/// One operator, proposed by a rule.
 std::string OnlyOne() {
   mind::DecisionView decision;
   decision.operators = {{"O1", "seek"}};
@@ -100,7 +100,7 @@ TEST(MindWords, DetailsCountTheDecisionsBeforeThemAndCanBeLeftOut) {
   EXPECT_EQ(Words(log, false).decisions.size(), 1u);
 }
 
-/// The names of an event's fields, as the page of recordings lists them.
+/// The names of an event's fields, as the page on recordings lists them.
 struct Names {
   std::string text;
   template <typename Field>

@@ -9,10 +9,10 @@
 
 namespace soarbox::tell {
 
-/// What can be said of a mind. One sentence, or part of one, belongs to each: they stand in one table, from which
-/// debugger, recordings and reports take their words, and docs/dev/answers.md lists them.
+/// Everything that can be reported about a mind. Each situation has one sentence, or part of one, in a table. The
+/// debugger, recordings and reports use it, and docs/dev/answers.md lists it.
 enum class Situation : std::uint8_t {
-  // What one preference does.
+  // The effect of one preference.
   kProposes,
   kRequires,
   kRejects,
@@ -34,7 +34,7 @@ enum class Situation : std::uint8_t {
   kByChanceOfValue,
   kNewest,
   kOldest,
-  // Why one was not.
+  // Why an operator was not selected.
   kMutual,
   kWouldStillLose,
   kLosesWithoutThat,
@@ -43,7 +43,7 @@ enum class Situation : std::uint8_t {
   kMoreDropped,
   kAnotherForced,
   kNoLongerProposed,
-  // What comes next.
+  // What happens next.
   kSelectedUnspoken,
   kGoesNext,
   kHasChanged,
@@ -67,7 +67,7 @@ enum class Situation : std::uint8_t {
   kStackGrows,
   kNoProposer,
   kWriteProposer,
-  // What an operator that is selected waits for.
+  // What a selected operator waits for.
   kApplied,
   kAppliedSilently,
   kNotFiredYet,
@@ -75,7 +75,7 @@ enum class Situation : std::uint8_t {
   kNoApplierMatches,
   kNothingBelow,
   kNoApplier,
-  // What a rule waits for.
+  // What a rule requires.
   kRuleWaits,
   kRuleWaitsFor,
   kRuleExcluded,
@@ -105,12 +105,12 @@ enum class Situation : std::uint8_t {
   kWaitForItself,
   kOnlyCreates,
   kUnwritten,
-  // Rules that are not there.
+  // Rules that did not load or do not exist.
   kNotParsed,
   kErrorIn,
   kMoreNotLoaded,
   kNoRules,
-  // Commands and the end.
+  // Commands, and the end of a program.
   kSaidBy,
   kSaidByOneOf,
   kGivenThen,
@@ -136,19 +136,19 @@ enum class Situation : std::uint8_t {
   kHaltedBy,
   kHaltedByOneOf,
   kHalted,
-  // More of operators.
+  // More about operators.
   kFiresAgain,
   kIsTied,
   kIsContradicted,
   kCouldWin,
   kNoChance,
-  // Learning, and recordings of old.
+  // Learning, and recordings.
   kLearnedFrom,
   kLearnedIn,
   kAsRecorded,
 };
 
-/// A row of the table. {slots} stand for facts.
+/// A row of the table. A {slot} is replaced by a fact.
 struct Sentence {
   Situation situation;
   std::string_view when;
@@ -162,13 +162,13 @@ struct Slot {
   std::string_view fact;
 };
 
-/// The sentence with these facts. Each of its slots must be given.
+/// Returns the sentence with these facts. Each of its slots must be given.
 std::string Say(Situation situation, std::initializer_list<Slot> slots = {});
 
 /// "a", "a and b", "a, b and c".
 std::string Listed(std::span<const std::string> parts);
 
-/// docs/dev/answers.md.
+/// Generates docs/dev/answers.md.
 std::string AnswersPage();
 
 }  // namespace soarbox::tell
