@@ -10,7 +10,7 @@
 
 namespace soarbox::picture {
 
-/// A picture as shapes, so that it can be written as SVG or drawn as pixels. Places are in px from the top left.
+/// A picture made of shapes, which can be written as SVG or drawn to pixels. Positions are in px from the top left.
 struct Drawing {
   enum class Anchor { kStart, kMiddle, kEnd };
 
@@ -28,7 +28,7 @@ struct Drawing {
     Ink ink;
   };
   struct Text {
-    float x = 0, y = 0;  ///< On the base line.
+    float x = 0, y = 0;  ///< At the baseline.
     float size_px = 12;
     Anchor anchor = Anchor::kStart;
     Ink ink;
@@ -37,7 +37,7 @@ struct Drawing {
   using Shape = std::variant<Path, Disc, Box, Text>;
 
   float width = 640, height = 360;
-  std::string title;  ///< What it shows, for those who do not see it.
+  std::string title;  ///< A description for people who cannot see it.
   std::vector<Shape> shapes;
 
   void Line(float x0, float y0, float x1, float y1, float width_px, Ink ink) {
@@ -45,9 +45,9 @@ struct Drawing {
   }
 };
 
-/// A whole SVG file.
+/// Writes a complete SVG file.
 std::string SvgOf(const Drawing& drawing);
-/// Pixels on white, `scale` of them for each px.
+/// Draws on a white background with `scale` pixels for each px.
 Image ImageOf(const Drawing& drawing, float scale = 2);
 
 }  // namespace soarbox::picture

@@ -28,11 +28,11 @@ int ChannelOf(int cell, int channel) {
   return cell >> ((2 - channel) * kBitsKept) & ((1 << kBitsKept) - 1);
 }
 
-/// Cells with equal rights to one colour.
+/// Cells that share one colour of the palette.
 struct Group {
   std::vector<int> cells;
   std::uint64_t pixels = 0;
-  int channel = 0, spread = 0;  ///< The channel in which the cells differ most, and how much.
+  int channel = 0, spread = 0;  ///< The channel with the largest spread of the cells, and that spread.
 };
 
 Group GroupOf(std::vector<int> cells, const std::vector<std::uint32_t>& counts) {
@@ -53,7 +53,7 @@ Group GroupOf(std::vector<int> cells, const std::vector<std::uint32_t>& counts) 
   return group;
 }
 
-/// Halves the group whose split helps most, again and again (median cut).
+/// Repeatedly halves the group for which a split helps most (median cut).
 std::vector<Group> GroupsOf(const std::vector<std::uint32_t>& counts) {
   std::vector<int> used;
   for (int cell = 0; cell < kCells; ++cell)
@@ -81,7 +81,7 @@ std::vector<Group> GroupsOf(const std::vector<std::uint32_t>& counts) {
 
 struct Indexed {
   std::string palette;               ///< 256 colours of three bytes.
-  std::vector<std::uint8_t> pixels;  ///< Their numbers.
+  std::vector<std::uint8_t> pixels;  ///< Their indices in the palette.
 };
 
 Indexed IndexedOf(const Image& image, const Image& before) {
@@ -113,7 +113,7 @@ Indexed IndexedOf(const Image& image, const Image& before) {
   return made;
 }
 
-/// Numbers of few bits, lowest first, in blocks of 255 bytes that begin with their length.
+/// Writes codes of a few bits, lowest bits first, in blocks of up to 255 bytes that begin with their length.
 class BitBlocks {
  public:
   void Add(unsigned code, int bits) {
@@ -138,7 +138,7 @@ class BitBlocks {
   int count_ = 0;
 };
 
-/// Packs numbers of 8 bits as the format wants them (Lempel, Ziv and Welch).
+/// Compresses 8-bit codes in the format of GIF (Lempel-Ziv-Welch).
 std::string PackedLzw(const std::vector<std::uint8_t>& pixels) {
   constexpr unsigned kClear = 256, kEnd = 257, kMostCodes = 4096;
   constexpr int kFirstBits = 9;
@@ -182,19 +182,19 @@ std::string GifMaker::Add(const Image& image) {
     out = "GIF89a";
     AddShort(out, width_);
     AddShort(out, height_);
-    out += std::string_view("\x70\x00\x00", 3);  // No palette for all.
-    // Repeats for ever.
+    out += std::string_view("\x70\x00\x00", 3);  // No global palette.
+    // Repeats forever.
     out += std::string_view("\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00", 19);
   }
   const Indexed indexed = IndexedOf(image, before_);
-  // What is not drawn stays; how long; which number is transparent.
+  // Keep pixels that are not drawn; duration; index of the transparent colour.
   out += std::string_view("\x21\xf9\x04\x05", 4);
   AddShort(out, hundredths_);
   out += static_cast<char>(kUnchanged);
   out += std::string_view("\x00\x2c\x00\x00\x00\x00", 6);
   AddShort(out, width_);
   AddShort(out, height_);
-  out += '\x87';  // A palette of its own, of 256 colours.
+  out += '\x87';  // A local palette of 256 colours.
   out += indexed.palette;
   out += '\x08';
   out += PackedLzw(indexed.pixels);

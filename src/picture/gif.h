@@ -10,20 +10,20 @@
 
 namespace soarbox::picture {
 
-/// Makes an animated GIF that repeats, picture by picture. Each picture has the 255 colours that suit it best; pixels
-/// that stay as they were cost next to nothing.
+/// Creates an animated GIF that repeats, one picture at a time. Each picture has its own palette of 255 colours.
+/// Unchanged pixels need almost no space.
 class GifMaker {
  public:
-  /// All pictures have this size. `hundredths` is how long each is shown, in 1/100 s.
+  /// All pictures have this size. `hundredths`: how long each is shown, in 1/100 s.
   GifMaker(int width, int height, int hundredths);
-  /// The bytes of the file that this picture adds; those of the first begin the file.
+  /// Returns the bytes of the file for this picture. Those of the first picture include the beginning of the file.
   std::string Add(const Image& image);
-  /// The bytes that end the file.
+  /// Returns the bytes at the end of the file.
   static std::string End();
 
  private:
   int width_, height_, hundredths_;
-  Image before_;  ///< The picture before; empty at first.
+  Image before_;  ///< The previous picture; empty at first.
 };
 
 }  // namespace soarbox::picture

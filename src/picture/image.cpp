@@ -11,7 +11,7 @@ std::uint8_t ByteOf(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
 }
 
-/// Mixes a colour into all pixels of a box; `away(x, y)` is how far a place lies outside of the shape, in pixels.
+/// Blends a colour into all pixels of a box. `away(x, y)` is the distance of a position outside the shape, in pixels.
 template <typename Away>
 void Fill(Image& image, float x0, float y0, float x1, float y1, Ink ink, Away away) {
   if (!(std::isfinite(x0) && std::isfinite(y0) && std::isfinite(x1) && std::isfinite(y1))) return;

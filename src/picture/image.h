@@ -7,7 +7,7 @@
 
 namespace soarbox::picture {
 
-/// A colour as on the screen, 0 to 1 per channel.
+/// A colour in the colour space of the screen, 0 to 1 per channel.
 struct Ink {
   float r = 0, g = 0, b = 0, a = 1;
 };
@@ -23,17 +23,17 @@ struct Image {
     return &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
   }
   const std::uint8_t* At(int x, int y) const { return const_cast<Image*>(this)->At(x, y); }
-  /// Mixes the colour into a pixel; its share is the colour's alpha times `cover`. Ignores pixels outside of the image.
+  /// Blends a colour into a pixel, with its alpha times `cover`. Ignores pixels outside the image.
   void Mix(int x, int y, Ink ink, float cover);
 
-  // Shapes with smooth edges. Places and sizes are in pixels; a pixel's middle is at half a number.
+  // Antialiased shapes. Positions and sizes are in pixels; the centre of a pixel has a fractional part of one half.
   void Line(float x0, float y0, float x1, float y1, float width_px, Ink ink);
   void Disc(float x, float y, float radius, Ink ink);
   void Ring(float x, float y, float radius, float width_px, Ink ink);
   void Box(float x, float y, float w, float h, Ink ink);
 };
 
-/// The same picture with half the width and height; each pixel is the mean of four. Both sizes must be even.
+/// The picture at half the width and height; each pixel is the mean of four. Both sizes must be even.
 Image Halved(const Image& image);
 
 }  // namespace soarbox::picture

@@ -18,7 +18,7 @@
 namespace soarbox::picture {
 namespace {
 
-/// An image with many colours, and pixels that no formula of a neighbour predicts.
+/// An image with many colours, whose pixels are not predictable from neighbours.
 Image Colourful(int width, int height, unsigned shift = 0) {
   Image image(width, height);
   unsigned state = 1;
@@ -35,7 +35,7 @@ std::uint32_t NumberAt(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-/// The pixels of a PNG as PngOf writes them; checks the sums of its chunks.
+/// Decodes a PNG written by PngOf; checks the checksums of its chunks.
 Image ReadPng(const std::string& file) {
   EXPECT_EQ(file.substr(0, 8), "\x89PNG\r\n\x1a\n");
   std::string packed;
@@ -71,7 +71,7 @@ Image ReadPng(const std::string& file) {
   return image;
 }
 
-/// What a GIF shows, picture after picture, as a reader of the format draws it.
+/// Decodes the pictures of a GIF, as a reader of the format draws them.
 std::vector<Image> ReadGif(const std::string& file, int width, int height) {
   std::vector<Image> pictures;
   const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(file.at(at))); };
@@ -142,7 +142,7 @@ TEST(Picture, APngHoldsThePixelsOfTheImage) {
 
 TEST(Picture, AGifShowsThePicturesOneAfterTheOther) {
   constexpr int kWidth = 320, kHeight = 200;
-  // Few colours are kept as they are; what does not change is as before.
+  // Few colours are kept exactly; unchanged pixels stay the same.
   Image first(kWidth, kHeight, {0.2f, 0.4f, 0.6f, 1});
   first.Box(20, 30, 100, 50, {1, 0, 0, 1});
   Image second = first;

@@ -25,7 +25,7 @@ void AddChunk(std::string& out, std::string_view kind, std::string_view content)
   AddNumber(out, static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(out.size() - from))));
 }
 
-/// The neighbour of three that is nearest to left + above - corner (the Paeth predictor of the standard).
+/// The one of three neighbours that is nearest to left + above - corner (the Paeth predictor of the standard).
 int Predicted(int left, int above, int corner) {
   const int to_left = std::abs(above - corner), to_above = std::abs(left - corner),
             to_corner = std::abs(left + above - 2 * corner);
@@ -33,7 +33,7 @@ int Predicted(int left, int above, int corner) {
   return to_above <= to_corner ? above : corner;
 }
 
-/// Each row, after the number of its filter: differences from what the neighbours predict.
+/// Each row after the number of its filter, as differences from predicted values.
 std::string FilteredRows(const Image& image) {
   constexpr char kPaeth = 4;
   const std::size_t row = kChannels * static_cast<std::size_t>(image.width);
@@ -68,7 +68,7 @@ std::string PngOf(const Image& image) {
   std::string head;
   AddNumber(head, static_cast<std::uint32_t>(image.width));
   AddNumber(head, static_cast<std::uint32_t>(image.height));
-  // 8 bits, colours without alpha, the one way to pack, the one set of filters, rows in order.
+  // 8 bits, RGB without alpha, the only compression and filter methods, no interlacing.
   head += std::string_view("\x08\x02\x00\x00\x00", 5);
   std::string out = "\x89PNG\r\n\x1a\n";
   AddChunk(out, "IHDR", head);

@@ -7,7 +7,7 @@
 
 namespace soarbox::picture {
 
-/// The image as a PNG file: 8 bits per channel, no alpha.
+/// Encodes the image as PNG: 8 bits per channel, no alpha.
 std::string PngOf(const Image& image);
 
 }  // namespace soarbox::picture

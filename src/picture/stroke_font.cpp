@@ -7,8 +7,8 @@
 namespace soarbox::picture {
 namespace {
 
-/// A character: its width and its strokes. A point is two digits, x and y, on a grid where 2 is the base line, 6 the
-/// height of small letters and 8 that of capitals; a slash begins another stroke.
+/// A character: its width and its strokes. A point is two digits, x and y, on a grid: y = 2 is the baseline, 6 the
+/// height of small letters and 8 that of capitals. A slash begins another stroke.
 struct Glyph {
   int width;
   const char* strokes;
@@ -121,7 +121,7 @@ template <typename See>
 void ForEachGlyph(std::string_view text, See see) {
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
-    if (code >= 0x80 && code < 0xc0) continue;  // The rest of a character of several bytes.
+    if (code >= 0x80 && code < 0xc0) continue;  // A continuation byte of a character.
     const bool is_known = code >= ' ' && code <= '~';
     see(is_known ? kGlyphs[static_cast<std::size_t>(code - ' ')] : kUnknown);
   }

@@ -7,12 +7,12 @@
 
 namespace soarbox::picture {
 
-/// How wide a text is, in pixels, if its capitals are `height_px` high. Each byte above 0x7f that begins a character
-/// counts as one unknown character.
+/// Width of a text in pixels, for capitals of height `height_px`. A character that is not ASCII counts as one unknown
+/// character.
 float TextWidth(std::string_view text, float height_px);
 
-/// Writes a line of text from its left end on the base line. Letters are strokes, so any size is smooth. Characters
-/// other than those of ASCII are drawn as boxes.
+/// Draws a line of text that begins at (x, base_y) on the baseline. Letters are strokes, so any size is smooth.
+/// Characters that are not ASCII are drawn as boxes.
 void WriteText(Image& image, float x, float base_y, float height_px, std::string_view text, Ink ink, float width_px);
 
 }  // namespace soarbox::picture

@@ -7,7 +7,7 @@
 
 namespace soarbox::viewer {
 
-/// Shows what stands around a plain (backdrop_meshes.h) while the scene has one.
+/// Shows the surroundings of a plain (backdrop_meshes.h) while the scene has a plain.
 class Backdrop {
  public:
   Backdrop(Ogre::SceneManager& scene, Materials& materials) : scene_(scene), materials_(materials) {}
@@ -19,7 +19,7 @@ class Backdrop {
 
   Ogre::SceneManager& scene_;
   Materials& materials_;
-  Ogre::SceneNode* node_ = nullptr;  ///< The scene manager owns it; null until it is needed.
+  Ogre::SceneNode* node_ = nullptr;  ///< Owned by the scene manager; null until it is needed.
 };
 
 }  // namespace soarbox::viewer

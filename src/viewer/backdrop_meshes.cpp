@@ -16,14 +16,14 @@ using world::Vec3;
 
 constexpr float kHalf_m = kPlainSide_m / 2;
 
-/// How far the edge of the square plain is from its middle in a direction.
+/// Distance from the centre of the square plain to its edge in a direction.
 float EdgeAt(float angle) {
   return kHalf_m / std::max(std::abs(std::sin(angle)), std::abs(std::cos(angle)));
 }
 
-/// The height of the hills, so far behind the edge.
+/// Height of the hills at a distance behind the edge.
 float HillAt(float angle, float behind_m) {
-  // The noise goes round with the angle without a seam.
+  // The noise follows the angle, so there is no seam.
   const float x = 2.4f * std::sin(angle) + 7, z = 2.4f * std::cos(angle) + 7;
   const float crest = 3 + 17 * Fractal2(x, z, 3, 21);
   const float rise = std::clamp(behind_m / 55, 0.0f, 1.0f);
@@ -97,7 +97,7 @@ MeshData TreesMesh() {
   constexpr int kTrees = 150;
   for (int i = 0; i < kTrees; ++i) {
     const auto chance = [&](int n) { return LatticeValue(i, n, 9, 31); };
-    // Woods and gaps between them.
+    // Woods with gaps between them.
     const float angle = 2 * kPi * (static_cast<float>(i) + chance(1)) / kTrees;
     const float wood = Noise2(3 * std::sin(angle) + 5, 3 * std::cos(angle) + 5, 8);
     if (wood < 0.42f && chance(2) < 0.8f) continue;

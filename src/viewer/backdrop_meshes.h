@@ -5,11 +5,11 @@
 
 namespace soarbox::viewer {
 
-/// The side of the plain that these stand around.
+/// Side length of the plain that these meshes surround.
 inline constexpr float kPlainSide_m = 200;
 
-/// Hills with trees around a plain, and a fence along its edge: they end the view and tell how far away things are.
-/// Nobody can reach them, so they have no bodies.
+/// Hills with trees around a plain, and a fence along its edge. They limit the view and show distances. They have no
+/// bodies in the world, because no agent can reach them.
 MeshData HillsMesh();
 MeshData TreesMesh();
 MeshData FenceMesh();

@@ -12,10 +12,10 @@ namespace {
 struct BodyVertex {
   float position[3], normal[3], uv[2];
   std::uint8_t paint[4];
-  std::uint8_t bones[4];  ///< The first, the second, the share of the first in 255ths.
+  std::uint8_t bones[4];  ///< The first bone, the second bone, the weight of the first in 255ths.
 };
 
-/// The texture is as wide as media/shaders/place.glsl says; a texel holds a row.
+/// Width of the texture, as in media/shaders/place.glsl; a texel contains a row.
 constexpr std::size_t kWidth = 1024, kFloatsPerRow = 4, kRowsPerBone = 3;
 
 std::uint8_t Byte255(float value) {

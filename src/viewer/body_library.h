@@ -12,7 +12,8 @@
 
 namespace soarbox::viewer {
 
-/// The meshes of bodies with a skeleton: what all bodies of one look and detail share, made and uploaded once.
+/// The meshes of bodies with a skeleton, one for each look and detail. Each is built and uploaded once and shared by
+/// all bodies.
 class BodyLibrary {
  public:
   const SharedShape& For(world::BodyLook look, BodyDetail detail);
@@ -27,34 +28,34 @@ class BodyLibrary {
   std::map<std::pair<world::BodyLook, BodyDetail>, Uploaded> uploaded_;
 };
 
-/// A body as it is to be drawn.
+/// A body in the pose in which it is drawn.
 struct PosedBody {
   SkinPlace place;
   std::vector<world::BonePose> bones;
 };
 
-/// The bones of all bodies of a frame, in one texture that vertex programs read (kBonesTexture).
+/// The bones of all bodies of a frame, in one texture that the vertex programs read (kBonesTexture).
 class BoneTexture {
  public:
   BoneTexture();
 
-  /// Begins the bodies of a frame.
+  /// Removes the bodies of the previous frame.
   void Begin() { rows_.clear(); }
-  /// Adds a body's bones and returns the place of its first row. The body has as many bones as its skeleton.
+  /// Adds a body's bones and returns the index of its first row. `body` must have as many bones as its skeleton.
   float Add(const PosedBody& body, world::BodyLook look);
-  /// Hands them to the renderer.
+  /// Uploads the rows to the renderer.
   void End();
 
  private:
   Ogre::TexturePtr texture_;
   std::vector<float> rows_;
-  std::map<world::BodyLook, std::vector<world::BonePose>> to_bind_;  ///< From the model to each bone's own space.
+  std::map<world::BodyLook, std::vector<world::BonePose>> to_bind_;  ///< Maps model space to the space of each bone.
 };
 
-/// A ball around a body in any pose.
+/// Radius of a sphere that contains a body in any pose.
 inline constexpr float kBodyReach_m = 2.4f;
 
-/// Adds a body to a batch of its look.
+/// Adds a body to the batch of its look.
 void AddBody(InstanceBatch& batch, const PosedBody& body, world::Color trim, float first_row,
              InstanceBatch::Shown shown);
 

@@ -6,7 +6,7 @@
 
 namespace soarbox::viewer {
 
-/// How much of a body is worth drawing.
+/// Level of detail of a body.
 enum class BodyDetail : std::uint8_t { kFine, kMiddle, kCoarse, kTiny };
 
 /// The mesh of a body with a skeleton, in its bind pose: a soldier in full gear, or the rifle.

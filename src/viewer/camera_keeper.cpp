@@ -14,18 +14,19 @@ using world::CameraSnapshot;
 using world::Quat;
 using world::Vec3;
 
-/// Somebody who will be out of this part of the picture that soon makes the camera go.
+/// The camera starts to move when an agent will leave the inner kInside of the view within kSoon_s.
 constexpr float kInside = 0.93f, kSoon_s = 0.8f;
-/// Where it goes, those who move have room for so long.
+/// The new view leaves moving agents space for this time.
 constexpr float kRoom_s = 1.6f;
-/// The picture is too wide when the camera could come this much nearer; after a while it does.
+/// The picture is too wide if the camera could come nearer by this fraction. After kWideFor_s it does.
 constexpr float kTooWide = 0.6f, kWideFor_s = 2.5f;
-/// How long ground where agents have been is remembered, and in which steps.
+/// How long the area where agents have been is remembered, and the length of a step.
 constexpr float kRecent_s = 3, kRecentStep_s = 0.25f;
-/// Up to here the camera goes back for places; for agents up to kFurthest_m, those in the middle first.
+/// Maximum distance of the camera for showing places. For agents it is kFurthest_m; those in the middle have priority.
 constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
 constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
-/// Scenery: so far beside what is in the picture already, of that size at most, and not of a world that is full of it.
+/// Scenery is added up to kBeside_m from what is already in the picture, if it is at most kLongestPiece_m long, and not
+/// in a world that is full of it.
 constexpr float kBeside_m = 6, kLongestPiece_m = 16, kSceneryWithin_m = 58;
 constexpr std::size_t kMostPieces = 100;
 
@@ -50,7 +51,7 @@ Vec3 Middle(std::span<const FramedBody> bodies) {
   return (low + high) * 0.5f;
 }
 
-/// Whether head and feet are in that share of the picture.
+/// Whether head and feet are within this fraction of the picture.
 bool IsInside(const FramedBody& body, Vec3 at, const CameraSnapshot& pose, float aspect, float share) {
   const Vec3 right = Rotate(pose.orientation, {1, 0, 0}), up = Rotate(pose.orientation, {0, 1, 0}),
              ahead = Rotate(pose.orientation, {0, 0, -1});
@@ -64,7 +65,7 @@ bool IsInside(const FramedBody& body, Vec3 at, const CameraSnapshot& pose, float
   return true;
 }
 
-/// Where everybody is and will be.
+/// The present and the expected positions of all bodies.
 std::vector<FramedBody> WithRoom(std::span<const FramedBody> bodies) {
   std::vector<FramedBody> all(bodies.begin(), bodies.end());
   for (const FramedBody& body : bodies) {
@@ -74,7 +75,8 @@ std::vector<FramedBody> WithRoom(std::span<const FramedBody> bodies) {
   return all;
 }
 
-/// Without those who are so far out that the others would be specks: the nearest to the middle of all stay.
+/// Leaves out bodies that are so far away that the others would be tiny. The ones nearest to the centre of all are
+/// kept.
 std::vector<FramedBody> WithinReach(std::span<const FramedBody> bodies, const CameraSnapshot& goal, float aspect) {
   std::vector<FramedBody> kept(bodies.begin(), bodies.end());
   const auto reaches = [&](std::size_t count) {
@@ -97,7 +99,7 @@ std::vector<FramedBody> WithinReach(std::span<const FramedBody> bodies, const Ca
   return kept;
 }
 
-/// As a camera looks over a scene: not along the ground, and not straight down but on a map.
+/// An orientation that suits a view of a scene: not along the ground, and straight down only on a map.
 Quat Comfortable(Quat orientation) {
   const Vec3 ahead = Rotate(orientation, {0, 0, -1});
   if (ahead.y < -0.999f) return orientation;
@@ -107,7 +109,7 @@ Quat Comfortable(Quat orientation) {
   return world::Normalized(turn * tilt);
 }
 
-/// The ground that a box or a figure stands on; empty: it is something else, or a part of the landscape.
+/// The corners of the base of a box or a figure; empty for other things and parts of the landscape.
 std::vector<FramedBody> CornersOf(const world::DrawableSnapshot& drawable) {
   const Vec3 at = drawable.position;
   if (drawable.belongs_to_agent || !drawable.visible || !world::IsFinite(at)) return {};
@@ -131,7 +133,7 @@ CameraSnapshot FramingPose(std::span<const FramedBody> bodies, Quat orientation,
   const float slope_x = 0.86f * Tangent(vertical_fov_deg) * std::max(aspect, 0.2f);
   const Vec3 right = Rotate(orientation, {1, 0, 0}), up = Rotate(orientation, {0, 1, 0}),
              ahead = Rotate(orientation, {0, 0, -1});
-  // Each point keeps the camera behind two planes per direction; the outermost ones settle its place.
+  // For each direction, each point keeps the camera behind two planes; the outermost planes determine its place.
   float to_right = -1e9f, to_left = -1e9f, to_top = -1e9f, to_bottom = -1e9f, nearest = 1e9f;
   for (const FramedBody& body : bodies) {
     for (const float y : {-0.5f, 0.5f}) {
@@ -144,7 +146,7 @@ CameraSnapshot FramingPose(std::span<const FramedBody> bodies, Quat orientation,
       nearest = std::min(nearest, z);
     }
   }
-  constexpr float kAway_m = 6.5f;  // A single agent is not to fill the window.
+  constexpr float kAway_m = 6.5f;  // A single agent must not fill the window.
   const float depth =
       std::min({-(to_right + to_left) / (2 * slope_x), -(to_top + to_bottom) / (2 * slope_y), nearest - kAway_m});
   const float x = (to_right - to_left) / 2, y = (to_top - to_bottom) / 2;
@@ -217,7 +219,7 @@ std::vector<FramedBody> SceneryAround(const world::SceneSnapshot& scene, std::sp
     if (std::vector<FramedBody> corners = CornersOf(drawable); !corners.empty()) pieces.push_back(std::move(corners));
     if (pieces.size() > kMostPieces) return found;
   }
-  // What is next to something that is in the picture belongs to it.
+  // Things next to something in the picture are added, too.
   for (bool grows = true; grows;) {
     grows = false;
     for (std::vector<FramedBody>& piece : pieces) {

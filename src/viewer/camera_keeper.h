@@ -11,43 +11,44 @@
 
 namespace soarbox::viewer {
 
-/// Something that the picture should show.
+/// A body that the picture should show.
 struct FramedBody {
-  world::Vec3 position;  ///< Of its middle.
+  world::Vec3 position;  ///< Of the body's centre.
   world::Vec3 velocity;  ///< m/s
   float radius_m = 0.35f, height_m = 1.75f;
 };
 
-/// The nearest pose with this orientation that shows all the bodies.
+/// Returns the nearest camera pose with this orientation that shows all the bodies.
 world::CameraSnapshot FramingPose(std::span<const FramedBody> bodies, world::Quat orientation, float vertical_fov_deg,
                                   float aspect);
 
-/// Decides where the camera has to go so that what matters stays in the picture, and otherwise lets it rest.
+/// Decides where the camera must move so that agents stay in the picture.
 ///
-/// It asks for a new place only when somebody is about to leave the picture, or when the picture has been far too wide
-/// for a while: small movements move nothing. It never turns the camera. Pure arithmetic, no drawing.
+/// It returns a new goal only when an agent is about to leave the picture, or when the picture has been far too wide
+/// for some time. Small movements do not move the camera. It never turns the camera. It only computes and draws
+/// nothing.
 class CameraKeeper {
  public:
-  /// Agents come first: places (of waypoints, regions, items) join in as long as agents stay large enough.
-  /// `goal`: where the camera is or is on its way to. Returns the new goal; none: the present one is good.
-  /// Then scenery does.
+  /// Agents have priority. Places (waypoints, regions, items) are added as long as agents stay large enough, then
+  /// scenery. `goal` is the pose that the camera has or moves to. Returns the new goal, or nothing if `goal` is still
+  /// good.
   std::optional<world::CameraSnapshot> Follow(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
                                               const world::CameraSnapshot& goal, float aspect, float seconds,
                                               std::span<const FramedBody> scenery = {});
-  /// Forgets how long the picture has been too wide.
+  /// Resets the time for which the picture has been too wide.
   void Begin() { wide_s_ = 0; }
 
  private:
   float wide_s_ = 0;
 };
 
-/// Where agents have been in the last seconds of the user's clock. In a world that runs fast, this says better than
-/// their velocity where they will be: they turn round many times while the camera moves once.
+/// The area in which agents have been in the last seconds of wall time. In a world that runs fast, this predicts their
+/// positions better than their velocities, because they turn many times while the camera moves once.
 class RecentGround {
  public:
   void Note(std::span<const FramedBody> agents, float seconds);
   void Forget() { spans_.clear(); }
-  /// Adds its corners to what is to be in the picture.
+  /// Adds the corners of the area to the bodies that the picture should show.
   void AddTo(std::vector<FramedBody>& bodies) const;
 
  private:
@@ -55,16 +56,17 @@ class RecentGround {
     world::Vec3 low, high;
     float age_s = 0;
   };
-  std::deque<Span> spans_;  ///< The newest last.
+  std::deque<Span> spans_;  ///< Newest last.
 };
 
-/// Those of the places that can be shown with the agents without making them too small; and of scenery, all or nothing.
+/// Returns the agents, the places that can be shown with them without making them too small, and either all of
+/// `scenery` or none of it.
 std::vector<FramedBody> WithPlaces(std::span<const FramedBody> agents, std::span<const world::Vec3> places,
                                    world::Quat orientation, float vertical_fov_deg, float aspect,
                                    std::span<const FramedBody> scenery = {});
 
-/// What stands about between the agents and beside them and would look odd if the picture's edge cut it: walls, crates
-/// and figures, as the corners of their ground. Of a wide landscape nothing.
+/// Returns walls, crates and figures between and next to the agents, as the corners of their bases. They would look odd
+/// if the edge of the picture cut them. Returns nothing for a wide landscape.
 std::vector<FramedBody> SceneryAround(const world::SceneSnapshot& scene, std::span<const world::Vec3> places);
 
 }  // namespace soarbox::viewer

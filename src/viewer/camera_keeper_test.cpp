@@ -34,7 +34,7 @@ world::AgentSnapshot AgentAt(std::uint32_t id, Vec3 position) {
   return agent;
 }
 
-/// A camera that looks at a world as the window does, tick by tick.
+/// A camera that follows a world as in the window, tick by tick.
 class Watcher {
  public:
   Watcher(int width, int height) : width_(width), height_(height) {}
@@ -64,7 +64,7 @@ class Watcher {
     last_step_ = step;
   }
 
-  /// The agents that are not whole in the picture, and how high the smallest one is.
+  /// Returns the agents that are not completely in the picture, and the height of the smallest one.
   std::string Missing(const world::SceneSnapshot& scene, float& smallest_px) const {
     const Projection view(camera_.pose(), width_, height_);
     const auto width = static_cast<float>(width_), height = static_cast<float>(height_);
@@ -100,7 +100,7 @@ TEST_P(Scenarios, KeepTheirAgentsInThePictureFromTheFirstSecondOn) {
   const auto scenario = sim::FindScenario(GetParam(), {root + "/scenarios", root + "/media"});
   ASSERT_TRUE(scenario.ok()) << scenario.error().message;
   const auto simulation = std::move(sim::Simulation::Create(*scenario, {}).value());
-  // The whole window, and what panels leave of it.
+  // The entire window, and the space that panels leave.
   Watcher large(1280, 720), small(620, 400);
   for (int tick = 0; tick <= 900; ++tick) {
     if (tick > 0) {
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Scenarios,
                            return name;
                          });
 
-/// How many of the walls and figures that stand around are in the picture whole, and how many there are.
+/// Number of walls and figures that are completely in the picture, and their total number.
 std::pair<int, int> SceneryIn(const std::string& name, int tick) {
   const std::string root = SOARBOX_SOURCE_DIR;
   const auto scenario = sim::FindScenario(name, {root + "/scenarios", root + "/media"});
@@ -179,7 +179,7 @@ TEST(CameraKeeper, RestsWhileNobodyIsAboutToLeaveThePicture) {
   watcher.Show(scene, {});
   const Vec3 before = watcher.camera().pose().position;
   for (int i = 0; i < 300; ++i) {
-    // It strolls to and fro, well within the picture.
+    // It walks back and forth, well within the picture.
     scene.agents[0].position.x = -6 + 0.5f * std::sin(0.1f * static_cast<float>(i));
     watcher.Show(scene, {});
   }
@@ -250,7 +250,7 @@ TEST(CameraKeeper, IsTheUsersOnceItIsSteeredAndComesBackWhenAsked) {
     camera.Update(input, kFrame_s, nullptr, 720);
     EXPECT_FALSE(camera.keeps());
   }
-  // A button that is only held takes nothing.
+  // A held button alone moves nothing.
   camera.BeginKeeping();
   camera.Update({.looking = true}, kFrame_s, nullptr, 720);
   EXPECT_TRUE(camera.keeps());

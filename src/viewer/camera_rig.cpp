@@ -28,14 +28,14 @@ Quat About(Vec3 axis, float angle) {
   return {std::cos(angle / 2), axis.x * s, axis.y * s, axis.z * s};
 }
 
-/// Looking along a heading (0: -z) and down by a pitch.
+/// The orientation with this heading (0: -z) and this pitch down.
 Quat Looking(float yaw, float pitch) {
   return world::Normalized(About({0, 1, 0}, yaw) * About({1, 0, 0}, pitch));
 }
 
 float YawOf(Quat q) {
   Vec3 ahead = Rotate(q, {0, 0, -1});
-  // Straight down: the top of the picture tells the heading.
+  // Straight down: the top of the picture defines the heading.
   if (std::abs(ahead.y) > 0.999f) ahead = Rotate(q, {0, ahead.y < 0 ? 1.0f : -1.0f, 0});
   return std::atan2(-ahead.x, -ahead.z);
 }
@@ -102,7 +102,7 @@ void CameraRig::StopKeeping() {
 }
 
 void CameraRig::Approach(float seconds) {
-  // A spring that is damped just so that it does not swing, solved exactly: the same at any frame rate.
+  // A critically damped spring, solved exactly: the same at any frame rate.
   constexpr float kPull = 2.6f;
   const Vec3 away = shown_.position - pose_.position;
   const Vec3 step = (drift_ + away * kPull) * seconds;
@@ -150,7 +150,7 @@ void CameraRig::Zoom(const CameraInput& input, float nearest_m) {
   const float before = distance_;
   distance_ = std::clamp(distance_ * std::pow(0.88f, input.wheel), nearest_m, kFurthestEye_m);
   if (input.wheel == 0 || input.towards == Vec3{} || mode_ == CameraMode::kFollow) return;
-  // The point at the height of the pivot that is under the cursor stays there.
+  // The point under the cursor at the height of the pivot stays at its place.
   const Vec3 way = input.towards;
   const float fall = pose_.position.y - pivot_.y;
   if (!(way.y < -0.05f) || !(fall > 0)) return;
@@ -176,7 +176,7 @@ bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
   switch (mode) {
     case CameraMode::kFree:
       if (is_level) {
-        // Out of a head or off the map: a little behind and above what was seen.
+        // When leaving the agent's eyes or the map: start a little behind and above the last view.
         pose_.orientation = Looking(yaw, -0.5f);
         const Vec3 middle = before == CameraMode::kMap ? pivot_ : pose_.position;
         const float away = before == CameraMode::kMap ? distance_ * 0.6f : 9;
@@ -185,7 +185,7 @@ bool CameraRig::SetMode(CameraMode mode, const world::AgentSnapshot* agent) {
       break;
     case CameraMode::kOrbit:
     case CameraMode::kFollow: {
-      // From the ground up, a body is not to be seen; begin a little above it.
+      // A body cannot be seen from ground level, so start a little above it.
       const float pitch = is_level ? -0.45f : std::clamp(PitchOf(shown_.orientation), -1.3f, -0.2f);
       pose_.orientation = Looking(yaw, pitch);
       pivot_ = agent != nullptr ? MiddleOf(*agent) : pose_.position + Rotate(shown_.orientation, {0, 0, -1}) * reach;
@@ -252,7 +252,7 @@ void CameraRig::Frame(std::span<const world::AgentSnapshot* const> agents, float
   CameraSnapshot best = pose_from(Looking(YawOf(shown_.orientation), pitch), fov);
   constexpr int kSides = 12;
   for (int side = 0; best_side && side < kSides; ++side) {
-    // From where the camera must stand back least; a side must be clearly better to take the place of an earlier one.
+    // Chooses the side from which the camera is nearest. A later side must be clearly better than an earlier one.
     const CameraSnapshot pose = pose_from(Looking(2 * kPi * static_cast<float>(side) / kSides, pitch), fov);
     if (world::Distance(pose.position, middle) < 0.93f * world::Distance(best.position, middle)) best = pose;
   }
@@ -292,14 +292,14 @@ void CameraRig::Fly(const CameraInput& input, float seconds) {
   if (input.looking) Turn(input.mouse_dx, input.mouse_dy);
   const Quat q = pose_.orientation;
   if (input.wheel != 0) {
-    // What is under the cursor stays there.
+    // The point under the cursor stays at its place.
     const Vec3 way = input.towards != Vec3{} ? input.towards : Rotate(q, {0, 0, -1});
     pose_.position += way * (ReachAlong(way) * (1 - std::pow(0.88f, input.wheel)));
     pose_.position.y = std::max(pose_.position.y, 0.2f);
   }
   const Vec3 wish = world::Normalized(Rotate(q, {-input.left, input.up, -input.forward}));
   const Vec3 wanted = wish * kSpeed_mps * (input.fast ? kFastFactor : 1.0f);
-  // The same exponential approach starts and stops the camera, whatever the frame rate.
+  // The same exponential approach starts and stops the camera at any frame rate.
   const float keep = std::exp(-10 * seconds);
   velocity_ = wanted + (velocity_ - wanted) * keep;
   const bool moves = input.forward != 0 || input.left != 0 || input.up != 0;
@@ -327,7 +327,7 @@ void CameraRig::Look(const CameraInput& input, float seconds, const world::Agent
   pose_.vertical_fov_deg = std::clamp(pose_.vertical_fov_deg * std::pow(0.92f, input.wheel), 20.0f, 100.0f);
   const float yaw = std::atan2(-agent.forward.x, -agent.forward.z);
   const Quat wanted = Looking(yaw + look_yaw_, -0.04f + look_pitch_);
-  // A head turns; it does not jump.
+  // A head turns smoothly and does not jump.
   const float turn = on_the_way_ < 1 || input.looking ? 1.0f : 1 - std::exp(-12 * seconds);
   pose_.orientation = BetweenOrientations(pose_.orientation, wanted, turn);
   const Vec3 ahead = world::Normalized(Vec3{agent.forward.x, 0, agent.forward.z});

@@ -17,7 +17,7 @@ Tone Mix(const Tone& a, const Tone& b, float t) {
   return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
 }
 
-/// Four tones in blotches of about a hand's size.
+/// Four tones in patches of about the size of a hand.
 Tone Camouflage(float u, float v) {
   const float broad = Fractal2(u * 9, v * 9, 3, 61), other = Fractal2(u * 11 + 7, v * 11, 3, 67),
               small = Fractal2(u * 22, v * 22, 2, 71);
@@ -63,7 +63,7 @@ Tone ClothTone(Cloth cloth, float u, float v) {
   return {1, 1, 1};
 }
 
-/// How strongly threads show.
+/// Visibility of the threads.
 float WeaveOf(Cloth cloth) {
   switch (cloth) {
     case Cloth::kCamouflage:
@@ -104,7 +104,7 @@ Image ClothImage(int cell_size) {
 
 ClothPlace PlaceOnCloth(Cloth cloth, world::Vec3 at) {
   const auto cell = static_cast<int>(cloth);
-  // The body spans two metres at most either way; a border keeps neighbours out of coarse levels.
+  // The body spans at most two metres in each direction. A border separates neighbouring cells in coarse mipmap levels.
   const float u = std::clamp((at.x + 0.6f * at.z + 1) / 2, 0.0f, 1.0f);
   const float v = std::clamp(1 - (at.y + 0.25f * at.z) / 1.85f, 0.0f, 1.0f);
   const auto within = [](int index, float share) {

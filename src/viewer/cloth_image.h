@@ -6,13 +6,13 @@
 
 namespace soarbox::viewer {
 
-/// One picture for all that soldiers wear: sixteen cells, one for each cloth.
+/// One picture with all materials that soldiers wear: sixteen cells, one for each Cloth.
 Image ClothImage(int cell_size);
 
 struct ClothPlace {
   float u, v;
 };
-/// Where on the picture a place of the body (in m, in its bind pose) is.
+/// Texture coordinates of a point of the body (in m, in its bind pose).
 ClothPlace PlaceOnCloth(Cloth cloth, world::Vec3 at);
 
 /// 0..1

@@ -5,13 +5,13 @@
 
 namespace soarbox::viewer {
 
-/// A hand-made scene that looks like the thesis' world: agents that walk in circles, a stack of blocks, walls, debug
-/// circles and paths, and the help text of its sandbox script. For the demo tool and the picture test.
+/// A scene that resembles the world of the thesis: agents that walk in circles, a stack of blocks, walls, debug circles
+/// and paths, and the help text of its sandbox script. Used by the demo tool and the picture test.
 class DemoScene {
  public:
   DemoScene(int agents, int view, int width_px, int height_px);
 
-  /// The scene at a time; the same for the same arguments.
+  /// Returns the scene at a time; the same for the same arguments.
   world::SceneSnapshot At(double time_s) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 using world::DrawableSnapshot;
 using world::ShapeKind;
 
-/// The extents of a box or a capsule; nothing for others.
+/// The extents of a box or a capsule; nothing for other shapes.
 world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
   if (d.shape == ShapeKind::kBox) return d.size;
   return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};

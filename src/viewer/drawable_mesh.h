@@ -7,13 +7,13 @@
 
 namespace soarbox::viewer {
 
-/// Whether it is a capsule of an agent, of the size of a body rather than of something that it carries.
+/// Whether the drawable is a capsule that is the agent's body, not something that the agent carries.
 bool LooksLikeABody(const world::DrawableSnapshot& drawable, const world::AgentSnapshot* agent);
 
-/// The mesh that a drawable without a skeleton asks for, by its shape, size, mesh and material.
+/// The mesh of a drawable without a skeleton, chosen by its shape, size, mesh name and material.
 struct DrawableMesh {
   MeshData data;
-  bool is_stand_in = false;  ///< The resource name is unknown; this is a box that says so.
+  bool is_stand_in = false;  ///< The mesh name is unknown; this is a box that shows this.
 };
 /// What models from files wear: their corners bring their colours along.
 inline constexpr const char* kModelMaterial = "Soarbox/Model";
@@ -22,10 +22,10 @@ bool WearsItsOwn(const world::DrawableSnapshot& drawable, const std::string& own
 /// `agent_body` gives a capsule the look of an agent.
 DrawableMesh MeshOf(const world::DrawableSnapshot& drawable, bool agent_body);
 
-/// What a drawable with a skeleton looks like: a soldier may change its uniform by the name of its material.
+/// Returns the look of a drawable with a skeleton. The material name may select another uniform for a soldier.
 world::BodyLook LookOf(const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable);
 
-/// Whether it is the usual plain, which hills, trees and a fence stand around (backdrop_meshes.h).
+/// Whether it is the usual plain, which hills, trees and a fence surround (backdrop_meshes.h).
 bool IsPlain(const world::DrawableSnapshot& drawable);
 
 }  // namespace soarbox::viewer

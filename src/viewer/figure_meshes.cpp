@@ -31,7 +31,7 @@ void Paste(MeshData& mesh, MeshData part, Vec3 at, Coat coat) {
   mesh.Append(part);
 }
 
-/// A ball squeezed to these half axes, with lumps of that share of them.
+/// An ellipsoid with these half axes, with lumps of this relative size.
 MeshData Ball(Vec3 half, float lumps = 0, std::uint32_t seed = 1) {
   const int around = PiecesOf(16), up = PiecesOf(10);
   MeshData mesh;
@@ -62,8 +62,8 @@ MeshData BoxAt(Vec3 middle, Vec3 size, float chamfer_m = 0.02f) {
   return BoxMesh(middle - size * 0.5f, middle + size * 0.5f, {.chamfer_m = chamfer_m});
 }
 
-/// Brings a mesh that stands on the ground at the origin to the middle of a shape, in its natural size for a body of
-/// the usual height.
+/// Moves a mesh that stands on the ground at the origin to the centre of a shape, in its natural size for a body of the
+/// usual height.
 MeshData Standing(MeshData mesh, Vec3 size) {
   constexpr float kUsual_m = 1.7f;
   const float scale = size.y / kUsual_m;
@@ -72,7 +72,7 @@ MeshData Standing(MeshData mesh, Vec3 size) {
 }
 
 struct Beast {
-  float length, height, leg, girth;  ///< Of the trunk in m; height: of the back.
+  float length, height, leg, girth;  ///< Of the trunk in m; `height` is that of the back.
   Vec3 head;                         ///< Half axes.
   float head_up, head_ahead;         ///< From the front of the back.
   float ear, tail;
@@ -96,7 +96,7 @@ MeshData Animal(const Beast& b) {
   Paste(mesh, Ball({0.55f * b.girth, 0.8f * b.girth, 0.55f * b.girth}, b.lumps, 5),
         {0, (at.y + body_y) / 2, (at.z + 0.32f * b.length) / 2}, {});
   Paste(mesh, Ball(b.head), at, head);
-  // A muzzle and eyes, so that one sees where it looks.
+  // A muzzle and eyes, which show the direction of its face.
   Paste(mesh, Ball({0.6f * b.head.x, 0.5f * b.head.y, 0.55f * b.head.z}),
         at + Vec3{0, -0.25f * b.head.y, 0.75f * b.head.z}, {0, 0.9f, 0.1f});
   for (const float side : {-1.0f, 1.0f}) {
@@ -125,7 +125,7 @@ MeshData Wolf() {
   return Animal({1.30f, 0.82f, 0.40f, 0.22f, {0.12f, 0.13f, 0.22f}, 0.12f, 0.08f, 0.11f, 0.10f, 0.15f, false, false});
 }
 
-/// Somebody in a tunic, with a hat against the sun.
+/// A person in a tunic with a sun hat.
 MeshData Villager() {
   MeshData mesh;
   for (const float x : {-0.10f, 0.10f}) Paste(mesh, CylinderMesh(0.085f, 0.80f), {x, 0.40f, 0}, {0, 0.35f, 0});
@@ -142,7 +142,7 @@ MeshData Villager() {
   return mesh;
 }
 
-/// A low machine on wheels, with a lamp that shows where it goes.
+/// A low machine on wheels, with a lamp that shows its direction.
 MeshData Robot() {
   MeshData mesh = BoxAt({0, 0.34f, -0.05f}, {0.72f, 0.34f, 1.05f}, 0.08f);
   Paste(mesh, BoxAt({0, 0.56f, -0.12f}, {0.50f, 0.14f, 0.62f}, 0.06f), {}, {1, 0.75f, 0.2f});
@@ -156,7 +156,7 @@ MeshData Robot() {
   return mesh;
 }
 
-/// A wooden cart, loaded, with its shafts ahead.
+/// A loaded wooden cart with its shafts at the front.
 MeshData Cart() {
   MeshData mesh = BoxAt({0, 0.52f, -0.15f}, {0.80f, 0.08f, 1.40f});
   for (const float x : {-0.40f, 0.40f}) {
@@ -199,7 +199,7 @@ MeshData Bell() {
   return mesh;
 }
 
-/// Bars of metal in a pile, larger than the thing itself so that one sees them from afar.
+/// A pile of metal bars, larger than the thing itself so that it is visible from far away.
 MeshData Bars(Vec3 size) {
   MeshData mesh;
   const float unit = size.x, ground = -0.5f * size.y;
@@ -215,7 +215,7 @@ MeshData Bars(Vec3 size) {
   return mesh;
 }
 
-/// A flower as tall as somebody's knee, with six petals.
+/// A flower of knee height with six petals.
 MeshData Flower(Vec3 size) {
   MeshData mesh;
   const float unit = size.x, ground = -0.5f * size.y, top = ground + 1.7f * unit;
@@ -259,7 +259,7 @@ MeshData Hedge(Vec3 size) {
   return mesh;
 }
 
-/// Somebody in white with an apron and a tall hat.
+/// A person in white with an apron and a tall hat.
 MeshData Cook() {
   MeshData mesh;
   for (const float x : {-0.10f, 0.10f}) Paste(mesh, CylinderMesh(0.085f, 0.80f), {x, 0.40f, 0}, {0, 0.45f, 0});
@@ -321,7 +321,7 @@ MeshData Sack(Vec3 size) {
   return mesh;
 }
 
-/// A boulder that fills the box: a rough ball with faces.
+/// A boulder that fills the box: a rough sphere with faces.
 MeshData RoundRock(Vec3 size) {
   constexpr int kAround = 22, kUp = 13;
   const auto seed = static_cast<std::uint32_t>(std::abs(size.x * 37 + size.y * 91 + size.z * 53));
@@ -343,7 +343,7 @@ MeshData RoundRock(Vec3 size) {
         const float facing = Dot(out, normal);
         if (facing > 0.05f) reach = std::min(reach, at / facing);
       }
-      // A cube rather than a ball, so that the body behind it does not stand out.
+      // Nearly a cube, so that the body behind it does not protrude.
       const float square = 1 / std::max({std::abs(out.x), std::abs(out.y), std::abs(out.z)});
       const float rough = 0.06f * (Noise2(5 * out.x + 9, 5 * out.y + 5 * out.z + 9, seed) - 0.5f);
       const Vec3 p = out * (reach * (1 + rough) * (0.55f + 0.45f * square));

@@ -8,12 +8,12 @@
 
 namespace soarbox::viewer {
 
-/// What a box or a capsule of this material looks like when the material is of a thing or a creature rather than of a
-/// surface: "Soarbox/Rock", "Soarbox/Medkit", "Soarbox/Sheep". Empty for other materials. The mesh fills the shape:
-/// `size` is a box's extents, or a capsule's diameter, height, diameter; its middle is the shape's, and it faces +z.
+/// Returns the mesh of a box or a capsule whose material is a thing or a creature, not a surface: "Soarbox/Rock",
+/// "Soarbox/Medkit", "Soarbox/Sheep". Nothing for other materials. The mesh fills the shape: `size` is the extents of
+/// the box, or the diameter, height and diameter of the capsule. It has the same centre and faces +z.
 std::optional<MeshData> FigureMesh(std::string_view material, world::Vec3 size);
 
-/// Whether there is such a figure.
+/// Whether this material has such a mesh.
 bool IsFigure(std::string_view material);
 
 }  // namespace soarbox::viewer

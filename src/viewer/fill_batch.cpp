@@ -18,7 +18,7 @@ std::uint8_t ChannelByte(float value) {
 FillBatch::FillBatch(const Ogre::MaterialPtr& material) : Ogre::SimpleRenderable("Soarbox/Fills") {
   mRenderOp.operationType = Ogre::RenderOperation::OT_TRIANGLE_LIST;
   mRenderOp.useIndexes = false;
-  mRenderOp.vertexData = new Ogre::VertexData();  // Owned by us; Ogre's render operation is a plain struct.
+  mRenderOp.vertexData = new Ogre::VertexData();  // Owned here; Ogre's render operation is a plain struct.
   Ogre::VertexDeclaration* layout = mRenderOp.vertexData->vertexDeclaration;
   layout->addElement(0, offsetof(FillCorner, place), Ogre::VET_FLOAT3, Ogre::VES_POSITION);
   layout->addElement(0, offsetof(FillCorner, colour), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);

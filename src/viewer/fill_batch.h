@@ -7,7 +7,7 @@
 
 namespace soarbox::viewer {
 
-/// All translucent triangles of debug drawing of a frame in one draw call.
+/// Draws all translucent triangles of a frame's debug drawing in one draw call.
 class FillBatch : public Ogre::SimpleRenderable {
  public:
   explicit FillBatch(const Ogre::MaterialPtr& material);

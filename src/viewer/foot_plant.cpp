@@ -17,21 +17,22 @@ using Size = world::SoldierSize;
 
 constexpr Vec3 kUp{0, 1, 0};
 
-/// A foot comes down below one height and leaves the ground above the other.
+/// A foot is set down below the first height and lifted above the second.
 constexpr float kDown_m = 0.010f, kLeaves_m = 0.014f;
-/// The other end of the sole carries once it is so much lower.
+/// The other end of the sole carries the body when it is lower by this amount.
 constexpr float kRolls_m = 0.006f;
-/// Feet in the air lose what they are away within about this time.
+/// Feet in the air lose their difference from the animation in about this time.
 constexpr float kReturns_s = 0.09f;
-/// Who stands takes a step when a foot is so far from where it belongs; after a while, for less.
+/// A standing body takes a step if a foot differs from the animation by this amount; after kSettles_s, by the smaller
+/// one.
 constexpr float kStep_m = 0.10f, kStep_rad = 0.45f, kSettle_m = 0.04f, kSettle_rad = 0.15f, kSettles_s = 0.5f;
 constexpr float kStepTakes_s = 0.26f, kStepLift_m = 0.05f;
 constexpr float kStanding_mps = 0.7f;
-/// No leg holds on to the ground further away than this.
+/// Maximum difference from the animation of a foot on the ground.
 constexpr float kFarthest_m = 0.34f, kFarthest_rad = 0.9f;
-/// From hip to ankle, as far as a leg goes.
+/// Maximum distance from hip to ankle.
 constexpr float kLegs_m = 0.998f * (Size::kThigh + Size::kShin);
-/// Below this height of the hips nobody stands on feet.
+/// Below this height of the hips a body does not stand on its feet.
 constexpr float kLying_m = 0.45f;
 
 float Wrapped(float angle) {
@@ -64,7 +65,7 @@ void MoveLeg(std::vector<BonePose>& bones, int thigh, Vec3 ankle, float turn) {
   const float length = std::clamp(world::Length(way), std::abs(upper - lower) + 0.02f, 0.999f * (upper + lower));
   const Vec3 direction = world::Normalized(way);
   const Vec3 reached = hip + direction * length;
-  // The knee stays on its side.
+  // The knee stays on its side of the leg.
   Vec3 side = (knee - hip) - direction * Dot(knee - hip, direction);
   const Vec3 ahead = Rotate(bone(2).orientation, {0, 0, 1});
   if (world::LengthSquared(side) < 1e-6f) side = ahead - direction * Dot(ahead, direction);
@@ -84,7 +85,7 @@ void MoveLeg(std::vector<BonePose>& bones, int thigh, Vec3 ankle, float turn) {
 
 }  // namespace
 
-/// A foot as the movement has it, in the world but for the heights.
+/// A foot as the animation has it, in world space except for the heights.
 struct FootPlant::Sole {
   Vec3 ankle, heel, ball;
   float heel_m = 0, ball_m = 0;  ///< Above the ground that the model stands on.
@@ -137,7 +138,7 @@ void FootPlant::Hold(Foot& foot, const Foot& other, const Sole& sole, bool is_ne
     if (foot.step >= 1) stand();
     return;
   }
-  // Mixed movements may push a sole into the ground.
+  // Blended animations may push a sole into the ground.
   foot.offset.y = std::max(0.0f, -sole.lowest_m());
   if (is_lying_ || sole.lowest_m() > kLeaves_m) foot.stands = false;
   if (!foot.stands) {
@@ -173,7 +174,7 @@ void FootPlant::Follow(const SkinPlace& place, float seconds, std::vector<BonePo
     return;
   }
   const float speed = known_ ? world::Length(Flat(place.at.position - last_place_)) / std::max(seconds, 1e-3f) : 0;
-  constexpr float kFastest_mps = 12;  // Beyond this it was put there.
+  constexpr float kFastest_mps = 12;  // A faster body was placed there.
   const bool is_new = !known_ || speed > kFastest_mps;
   known_ = true;
   last_place_ = place.at.position;
@@ -188,7 +189,7 @@ void FootPlant::Follow(const SkinPlace& place, float seconds, std::vector<BonePo
     const auto ankle = [&] {
       return bones[static_cast<std::size_t>(thigh + 2)].position + Rotate(back, foot.offset) / place.scale.x;
     };
-    // Who has gone on so far that the leg ends takes the foot along.
+    // A body that has moved further than the leg reaches takes the foot along.
     const Vec3 hip = bones[static_cast<std::size_t>(thigh)].position;
     if (foot.stands && foot.step < 0 && world::Distance(hip, ankle()) > kLegs_m) {
       BeginStep(foot);

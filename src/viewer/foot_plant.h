@@ -7,29 +7,30 @@
 
 namespace soarbox::viewer {
 
-/// Keeps a soldier's feet where they are set down while the body moves and turns over them.
+/// Keeps a soldier's feet in place on the ground while the body moves and turns.
 ///
-/// Movements are made for certain speeds and ways; between those, and whenever a body turns, starts or stops, soles
-/// that carry it would slide. From one tick to the next this holds them where they came down, by bending the legs; feet
-/// that are in the air go back to where the movement has them. A soldier who stands and has turned or stopped away from
-/// his feet takes small steps. Only what is drawn changes: the world knows nothing of it.
+/// Animations are made for certain speeds and directions. At other speeds, and when a body turns, starts or stops, the
+/// soles that carry it would slide. FootPlant keeps the soles where they touched the ground by bending the legs. Feet
+/// in the air return to the animation. A soldier who stands still and whose feet differ too much from the animation
+/// takes small steps. Only the picture changes, never the world.
 class FootPlant {
  public:
-  /// The next tick: `bones` of the soldier in the model, which stands at `place`; moves those of the legs.
+  /// Processes the next tick. `bones` are the soldier's bones in model space, and `place` is the model's place; moves
+  /// the bones of the legs.
   void Follow(const SkinPlace& place, float seconds, std::vector<world::BonePose>& bones);
-  /// The next tick does not follow from the last one.
+  /// The next tick does not follow the last one.
   void Forget() { known_ = false; }
 
  private:
   struct Foot {
     bool stands = false;
-    bool on_heel = false;  ///< What it stands on; else the ball.
-    world::Vec3 at;        ///< Where that is held; in the world.
-    float yaw = 0;         ///< The direction it points in, likewise; about the upright axis.
-    // How it is drawn away from the movement: the ankle by `offset` in the world, turned by `turn`.
+    bool on_heel = false;  ///< The part of the sole that carries the body; else the ball of the foot.
+    world::Vec3 at;        ///< Where that part is held, in world space.
+    float yaw = 0;         ///< The direction of the foot while it is held, about the vertical axis.
+    // Difference from the animation: the ankle is moved by `offset` in world space and turned by `turn`.
     world::Vec3 offset;
     float turn = 0;
-    float step = -1;  ///< 0..1 while it steps back to where the movement has it; -1: it does not.
+    float step = -1;  ///< 0..1 during a step back to the animation; -1: no step.
     world::Vec3 step_offset;
     float step_turn = 0;
   };

@@ -21,14 +21,14 @@ using Size = world::SoldierSize;
 
 constexpr float kTick_s = 1 / 30.0f;
 
-/// A body that goes as it is told to, and whose feet are watched.
+/// A body that moves as requested while its feet are measured.
 class Walk {
  public:
   Walk(LocomotionStyle style, bool holds) : animator_(world::SoldierRig()), holds_(holds) {
     animator_.SetLocomotion(true, style);
   }
 
-  /// Speeds in the body's own directions.
+  /// Speeds in the body's own frame.
   void Tick(float forward_mps, float left_mps, float turn_left_rad_s) {
     heading_ += turn_left_rad_s * kTick_s;
     const Vec3 ahead{std::sin(heading_), 0, std::cos(heading_)}, left{ahead.z, 0, -ahead.x};
@@ -56,9 +56,9 @@ class Walk {
     last_ = std::move(bones);
   }
 
-  /// The furthest that a heel or a ball went over the ground while it lay on it.
+  /// Maximum distance that a heel or a ball slid on the ground.
   float most_slid_m() const { return most_slid_m_; }
-  /// The furthest that a bone went in the model from one tick to the next.
+  /// Maximum distance that a bone moved in the model from one tick to the next.
   float most_jump_m() const { return most_jump_m_; }
   void ForgetJumps() { most_jump_m_ = 0; }
   int steps() const { return steps_; }

@@ -19,7 +19,7 @@ double ThreadTime_s() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// What the process has in memory now; 0 where the system does not tell.
+/// Resident memory of the process in MB; 0 if the system does not report it.
 long MemoryMegabytes() {
   std::ifstream in("/proc/self/statm");
   long all = 0, resident = 0;

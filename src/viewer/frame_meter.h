@@ -6,21 +6,21 @@
 
 namespace soarbox::viewer {
 
-/// What the window costs while a script plays its user: read by tests that let it run for long. Processor time of the
-/// window's thread, so that a busy machine changes little. For that thread.
+/// Measures the cost of frames while a script plays the user; long-running tests read it. It uses the processor time of
+/// the window's thread, so that the load of the machine changes little. Call it on that thread only.
 class FrameMeter {
  public:
   FrameMeter() { Begin(); }
 
-  /// Around the drawing of the panels, once a frame.
+  /// Call these before and after drawing the panels, once per frame.
   void BeginPanels();
   void EndPanels();
-  /// When the frame is laid out: what its fullest window holds.
+  /// Call it when the frame's draw data are complete: notes the vertices of the largest window.
   void NoteDrawn();
 
-  /// One line of JSON on what frames cost since the last call, and on the memory of the process now:
-  /// {"event":"measure","name":"at 30
-  /// s","time":30.0,"frames":40,"frame_ms":2.1,"panels_ms":1.0,"corners":5120,"memory_mb":310}
+  /// Returns one line of JSON with the cost of the frames since the last call and the current memory of the process:
+  /// {"event":"measure","name":NAME,"time":30.0,"frames":40,"frame_ms":2.1,"panels_ms":1.0,"corners":5120,
+  /// "memory_mb":310}
   std::string Read(const std::string& name, double time_s);
 
  private:

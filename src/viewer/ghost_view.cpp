@@ -11,7 +11,7 @@
 namespace soarbox::viewer {
 namespace {
 
-// The figure is made for a body of this size and scaled to others.
+// The figure is built for a body of this size and scaled to others.
 constexpr float kRadius_m = 0.4f, kHeight_m = 1.8f;
 
 }  // namespace
@@ -21,7 +21,7 @@ GhostView::GhostView(Ogre::SceneManager& scene, Materials& materials) : scene_(s
 }
 
 GhostView::~GhostView() {
-  // Ogre's scene must not hold what we own when the engine takes it down.
+  // Ogre's scene must not refer to our objects when the engine ends it.
   for (const auto& [key, batch] : batches_) batch->detachFromParent();
 }
 
@@ -30,7 +30,7 @@ void GhostView::Update(const std::vector<Ghost>& ghosts, const SceneView& bodies
   std::size_t plain = 0;
   for (const Ghost& ghost : ghosts) {
     if (ghost.is_name_only || !world::IsFinite(ghost.position)) continue;
-    // Opacities come in steps, so that fading does not make a material per frame.
+    // Opacity is quantised, so that fading does not create a material per frame.
     const int step = std::clamp(static_cast<int>(std::lround(ghost.opacity * 10)), 1, 10);
     world::Color color = ghost.color;
     color.a = static_cast<float>(step) / 10;

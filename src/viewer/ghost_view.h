@@ -16,7 +16,7 @@ namespace soarbox::viewer {
 struct Ghost;
 class SceneView;
 
-/// Translucent figures beside the truth: where somebody would be, or is believed to be.
+/// Translucent figures that show where an agent would be, or is believed to be, next to its true position.
 class GhostView {
  public:
   GhostView(Ogre::SceneManager& scene, Materials& materials);
@@ -25,8 +25,8 @@ class GhostView {
   GhostView(const GhostView&) = delete;
   GhostView& operator=(const GhostView&) = delete;
 
-  /// Shows these instead of the ones before: with the present bodies of their agents, or as plain figures. Their bones
-  /// go into those of the frame.
+  /// Replaces the ghosts of the last frame. A ghost has the current body of its agent, or a plain figure. The bones are
+  /// added to `bones`.
   void Update(const std::vector<Ghost>& ghosts, const SceneView& bodies, BoneTexture& bones);
 
  private:

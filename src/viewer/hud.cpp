@@ -16,7 +16,7 @@ constexpr ImU32 kBarColor = IM_COL32(14, 19, 26, 205), kBarText = IM_COL32(236, 
                 kBarQuiet = IM_COL32(152, 166, 180, 255), kGo = IM_COL32(96, 208, 132, 255),
                 kHold = IM_COL32(247, 190, 82, 255);
 
-/// Writes one word after the other along the bar.
+/// Writes words one after the other along the bar.
 class BarWriter {
  public:
   BarWriter(ImDrawList& out, const PanelHost& host, float x) : out_(out), host_(host), x_(x) {}

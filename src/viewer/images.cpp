@@ -40,7 +40,7 @@ std::array<float, 3> Grey(float value) {
   return {value, value, value};
 }
 
-/// 0 within `width` of the border of the cell that `value` (in cells) falls into, 1 inside.
+/// 0 within `width` of the border of the cell that contains `value` (in cells), else 1.
 float InsideCell(float value, float width) {
   const float inside = value - std::floor(value);
   return std::clamp(std::min(inside, 1 - inside) / width, 0.0f, 1.0f);

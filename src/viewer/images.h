@@ -7,8 +7,8 @@
 
 namespace soarbox::viewer {
 
-/// Pictures made by code: the textures of the scene and its sky. Four bytes per pixel (red, green, blue, alpha), rows
-/// from the top, colours as on the screen.
+/// Pictures that are computed: the textures of the scene and its sky. Four bytes per pixel (red, green, blue, alpha),
+/// rows from the top, colours in sRGB as on the screen.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
@@ -19,16 +19,16 @@ struct Image {
 };
 
 Image WhiteImage();
-/// Magenta and black squares: something is missing.
+/// Magenta and black squares, for missing textures.
 Image CheckerImage();
-/// Three unrelated tileable noises in red, green and blue, for the ground's grain.
+/// Three unrelated tileable noise patterns in red, green and blue, for the ground.
 Image GrainImage();
 Image ConcreteImage();
 Image BrickImage();
 /// Brushed planks in pale grey, to be tinted.
 Image CrateImage();
 
-/// Leaves of several greens, seen as a mass.
+/// Leaves in several shades of green, seen from a distance.
 Image LeafImage();
 /// Weathered stone with veins and lichen.
 Image StoneImage();

@@ -14,11 +14,11 @@ using debugger::SceneShape;
 using world::Color;
 using world::Vec3;
 
-/// By SceneShape::Kind: made up, sensed, remembered.
+/// By SceneShape::Kind: imagined, sensed, remembered.
 constexpr Color kWire[] = {{0.86f, 0.66f, 1, 0.95f}, {0.45f, 0.85f, 1, 0.8f}, {0.78f, 0.80f, 0.86f, 0.7f}};
 constexpr float kSkin[] = {0.22f, 0.08f, 0.05f};
 constexpr Color kAnswer{1, 0.88f, 0.3f, 1}, kCrossed{1, 0.32f, 0.2f, 0.9f};
-/// More names would hide what they name.
+/// Maximum number of names; more would hide the shapes.
 constexpr std::size_t kMostTitles = 40;
 constexpr float kEnd_m = 0.12f;
 
@@ -65,7 +65,7 @@ void PaintImagined(const std::vector<SceneShape>& shapes, const debugger::Answer
   for (const SceneShape& shape : shapes) {
     if (shape.points.empty()) continue;
     PaintShape(shape, marks);
-    // What the world feeds has a name there already.
+    // Shapes from the world have a name there already.
     if (shape.kind != SceneShape::Kind::kSensed && ++names <= kMostTitles) marks.ghosts.push_back(TitleOf(shape));
   }
   for (const debugger::SceneLine& line : answer.lines) {

@@ -8,8 +8,8 @@
 
 namespace soarbox::viewer {
 
-/// What the selected agent imagines, over the world: wire and skin of each shape, and the lines of the answer that is
-/// looked at with its value.
+/// Paints the imagined scene of the selected agent over the world: each shape as wire and surface, and the lines of the
+/// selected answer with its value.
 void PaintImagined(const std::vector<debugger::SceneShape>& shapes, const debugger::AnswerLines& answer,
                    OverlayMarks& marks);
 

@@ -8,7 +8,7 @@ namespace soarbox::viewer {
 
 enum class InputKind : std::uint8_t { kKey, kMouseButton, kMouseMove, kPanel, kPad };
 
-/// Something that the user did, in the words of the sandbox's scripts (the tables that Sandbox_HandleEvent gets).
+/// A user action, in the terms of the sandbox's scripts (the tables that Sandbox_HandleEvent receives).
 struct InputEvent {
   InputKind kind = InputKind::kKey;
   bool pressed = false;       ///< Keys and buttons: down or up. Keys that repeat come only once.

@@ -137,7 +137,7 @@ void InputReader::ReadHeldKeys(FrameInput& input, bool with_arrows) const {
     }
     return value;
   };
-  // With Ctrl they are commands.
+  // With Ctrl, these keys are commands.
   if (keys[SDL_SCANCODE_LCTRL] != 0 || keys[SDL_SCANCODE_RCTRL] != 0) return;
   input.camera.forward = axis({SDL_SCANCODE_W}, {SDL_SCANCODE_S});
   input.camera.left = axis({SDL_SCANCODE_A}, {SDL_SCANCODE_D});

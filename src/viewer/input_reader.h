@@ -16,39 +16,39 @@ union SDL_Event;
 
 namespace soarbox::viewer {
 
-/// A left click on the scene, or the box that a left drag drew there.
+/// A left click on the scene, or the box of a left drag.
 struct Picked {
   ScreenPoint from, to;  ///< Equal for a click; else two opposite corners.
   bool is_box = false;
-  bool is_double = false;  ///< The second click of two.
-  bool adds = false;       ///< Shift or Ctrl was held: it adds to the selection, or takes away from it.
+  bool is_double = false;  ///< It is the second click of a double click.
+  bool adds = false;       ///< Shift or Ctrl was held: add to the selection, or remove from it.
 };
 
-/// Everything that the user did since the last frame, by recipient.
+/// All user input since the last frame, by recipient.
 struct FrameInput {
   std::vector<InputEvent> events;       ///< For the scripts.
   std::vector<ViewerCommand> commands;  ///< For the window and the application.
   CameraInput camera;
   std::vector<Picked> picked;
-  std::optional<Picked> box;          ///< While it is being drawn.
-  std::optional<ScreenPoint> cursor;  ///< Where the mouse rests on the scene; none while it is over a panel or away.
+  std::optional<Picked> box;          ///< The box while the user draws it.
+  std::optional<ScreenPoint> cursor;  ///< Cursor position over the scene; none over a panel or outside the window.
   bool closed = false;                ///< The window was closed.
   int new_width = 0, new_height = 0;  ///< The window's new size; 0: unchanged.
 };
 
-/// Who gets the input first.
+/// Decides which input the scene does not get.
 struct InputClaims {
-  /// Sees each event before the scene; true keeps it from the scene and the scripts. It may change where the mouse is,
-  /// if the scene begins elsewhere than the window. May be empty.
+  /// Called with each event before the scene. If it returns true, neither the scene nor the scripts get the event. It
+  /// may change the mouse position if the origin of the scene differs from the window's. May be empty.
   std::function<bool(SDL_Event&)> takes = {};
   bool mouse = false;   ///< The mouse is over a panel.
-  bool keys = false;    ///< Somebody types into a panel: held keys do not move the camera.
-  bool arrows = false;  ///< A list takes the arrow keys: they do not move it either.
+  bool keys = false;    ///< The user types into a panel: held keys do not move the camera.
+  bool arrows = false;  ///< A list uses the arrow keys: they do not move the camera.
 };
 
 /// Reads SDL's events, those of gamepads included, and knows what is held down.
 ///
-/// Left click selects, left drag selects a box, right drag looks or circles, middle drag moves, the wheel zooms.
+/// Left click selects, left drag selects a box, right drag looks around or circles, middle drag moves, the wheel zooms.
 class InputReader {
  public:
   explicit InputReader(SDL_Window* window) : window_(window) {}

@@ -9,15 +9,16 @@ namespace soarbox::viewer {
 
 namespace {
 
-/// Of each batch's buffers: those of the shape come first.
+/// Index of the buffer with the rows of the things; the buffers of the shape come first.
 constexpr unsigned short kThingSource = 1;
 
-/// What the finer shadow map covers, as the sun sees it.
+/// The area of the finer shadow map, as seen from the sun.
 struct NearMap {
   Ogre::Vector3 middle, right, up;
-  float inner_m;  ///< So far from the middle the coarser map is not looked at (SunLit in media/shaders/scene.glsl).
+  float inner_m;  ///< Up to this distance from the centre the coarser map is not used (SunLit in
+                  ///< media/shaders/scene.glsl).
 
-  /// Whether a thing and its shadow, which lie behind each other here, are in the finer map alone.
+  /// Whether a thing and its shadow, which coincide in this view, need only the finer map.
   bool Holds(const Ogre::Sphere& ball) const {
     const Ogre::Vector3 away = ball.getCenter() - middle;
     return std::abs(away.dotProduct(right)) + ball.getRadius() < inner_m &&
@@ -25,7 +26,7 @@ struct NearMap {
   }
 };
 
-/// The finer map, if the camera draws the coarser one.
+/// Returns the finer map if the camera draws the coarser one.
 std::optional<NearMap> NearMapBefore(Ogre::SceneManager& scene, const Ogre::Camera& camera) {
   constexpr float kInner = 0.82f;
   const Ogre::TexturePtr& texture = scene.getShadowTexture(0);
@@ -43,7 +44,7 @@ InstanceBatch::InstanceBatch(Ogre::SceneManager& scene, const SharedShape& shape
   mRenderOp.operationType = Ogre::RenderOperation::OT_TRIANGLE_LIST;
   mRenderOp.useIndexes = true;
   mRenderOp.useGlobalInstancingVertexBufferIsAvailable = false;
-  mRenderOp.vertexData = shape.vertices->clone(false);  // Owned by us; Ogre's render operation is a plain struct.
+  mRenderOp.vertexData = shape.vertices->clone(false);  // Owned here; Ogre's render operation is a plain struct.
   mRenderOp.indexData = shape.corners->clone(false);
   for (std::size_t row = 0; row < rows_of_each_; ++row) {
     mRenderOp.vertexData->vertexDeclaration->addElement(kThingSource, row * sizeof(Ogre::Vector4), Ogre::VET_FLOAT4,
@@ -82,7 +83,7 @@ void InstanceBatch::End() {
 }
 
 void InstanceBatch::_updateRenderQueue(Ogre::RenderQueue* queue) {
-  // Each camera draws what it has put into its queue before the next one begins, so that the buffer can be used again.
+  // Each camera draws its queue before the next camera begins, so the buffer can be reused.
   const bool is_shadow = scene_._getCurrentRenderStage() == Ogre::SceneManager::IRS_RENDER_TO_TEXTURE;
   const Shown only = is_shadow ? Shown::kInShadow : Shown::kInPicture;
   const std::optional<NearMap> near = is_shadow ? NearMapBefore(scene_, *mCamera) : std::nullopt;

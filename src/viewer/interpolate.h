@@ -8,8 +8,8 @@
 
 namespace soarbox::viewer {
 
-/// Between two ticks: a straight way for positions, the short way round for orientations. What jumped further than
-/// any body moves in a tick was put there, and is drawn there at once.
+/// Interpolation between two ticks: linear for positions, the shorter way for orientations. A body that moved further
+/// than any body can move in a tick was placed there, so it is drawn at its new position at once.
 
 inline constexpr float kJump_m = 4;
 

@@ -14,7 +14,7 @@ struct Step {
 constexpr Step kAbove[] = {{0, 0},        {0, -0.6f},    {0.6f, -0.3f},  {-0.6f, -0.3f}, {0, -1.2f},     {1.1f, 0.4f},
                            {-1.1f, 0.4f}, {0.7f, -1.2f}, {-0.7f, -1.2f}, {0, -1.8f},     {1.2f, -0.8f},  {-1.2f, -0.8f},
                            {0.6f, 1.9f},  {-0.6f, 1.9f}, {0, -2.6f},     {1.3f, -1.8f},  {-1.3f, -1.8f}, {0, -3.6f}};
-/// Of labels beside a point: which side, and how many heights below the middle.
+/// For labels next to a point: the side, and the number of heights below the middle.
 constexpr Step kBeside[] = {{1, 0},     {-1, 0},    {1, -1.1f},  {-1, -1.1f}, {1, 1.1f},
                             {-1, 1.1f}, {1, -2.2f}, {-1, -2.2f}, {1, 2.2f},   {-1, 2.2f}};
 constexpr float kArrow_px = 22;
@@ -87,7 +87,7 @@ std::optional<LabelPlace> LabelLayout::Place(const LabelWish& wish) {
   for (const bool is_short : {false, true}) {
     const float width = is_short ? wish.short_width : wish.width, height = is_short ? wish.short_height : wish.height;
     if (width <= 0) continue;
-    std::optional<LabelPlace> second;  // Free, but over somebody's body.
+    std::optional<LabelPlace> second;  // Free, but over the body of an agent.
     for (int i = -1; i < count; ++i) {
       const int place = i < 0 ? wish.usual_place : i;
       if (place < 0 || place >= count) continue;
@@ -99,7 +99,7 @@ std::optional<LabelPlace> LabelLayout::Place(const LabelWish& wish) {
     if (second) return take(second->box, is_short, second->place);
   }
   if (!wish.must_show) return std::nullopt;
-  // Wherever there is room, the nearest first.
+  // Any free place, the nearest first.
   const float width = wish.short_width > 0 ? wish.short_width : wish.width;
   const float height = wish.short_width > 0 ? wish.short_height : wish.height;
   std::optional<ScreenBox> best;

@@ -17,7 +17,7 @@ namespace {
 using Kind = ShownLabel::Kind;
 
 constexpr std::size_t kMostNames = 48, kMostSpeech = 10, kMostSpared = 48, kMostPlaces = 24;
-/// So much of the picture may names cover; and with so many in it, each stays near its agent.
+/// Maximum fraction of the view that labels may cover. With kMany labels or more, each stays next to its agent.
 constexpr float kMostCovered = 0.08f;
 constexpr std::size_t kMany = 24;
 constexpr int kPlacesOfMany = 5;
@@ -26,7 +26,8 @@ constexpr float kEdge_px = 4, kGap_px = 3;
 constexpr double kSpeechShown_s = 3.5, kSpeechFades_s = 0.6;
 constexpr ImU32 kPaper = IM_COL32(12, 17, 24, 200), kSpeechPaper = IM_COL32(250, 249, 242, 238);
 
-/// From red through amber to green; the length of the bar says the same to those who do not tell them apart.
+/// From red through amber to green. The length of the bar has the same meaning, for people who cannot distinguish the
+/// colours.
 world::Color HealthColor(float share) {
   return share < 0.5f ? world::Color{0.92f, 0.25f + 0.9f * share, 0.08f, 1}
                       : world::Color{0.92f - 1.6f * (share - 0.5f), 0.70f, 0.08f + 0.8f * (share - 0.5f), 1};
@@ -36,7 +37,7 @@ world::Color SwatchColor(const world::AgentSnapshot& agent) {
   return agent.team.empty() ? AgentColor(agent.kind) : TeamColor(agent.team);
 }
 
-/// The first bytes of a text, cut between characters, with a sign that some are missing.
+/// The first bytes of a text, cut between characters, with a mark if it was cut.
 std::string Shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most - 1;
@@ -44,7 +45,7 @@ std::string Shortened(const std::string& text, std::size_t most) {
   return text.substr(0, end) + "\xe2\x80\xa6";
 }
 
-/// What an agent is about in a word or two.
+/// The agent's activity in a word or two.
 std::string StateOf(const world::AgentSnapshot& agent, const world::AgentOverlay* overlay) {
   if (agent.failed) return "stopped by an error";
   if (!agent.alive) return "dead";
@@ -56,7 +57,7 @@ std::string StateOf(const world::AgentSnapshot& agent, const world::AgentOverlay
   return mind + " \xc2\xb7 " + Shortened(body, 24);
 }
 
-/// Sizes that follow the fonts.
+/// Sizes that depend on the fonts.
 struct Metrics {
   ImFont *name, *text;
   float em, pad, swatch, bar;
@@ -70,10 +71,10 @@ struct Metrics {
         bar(std::max(3.0f, em * 0.25f)) {}
 };
 
-/// Something to be placed and painted.
+/// A label to be placed and painted.
 struct Item {
   Kind kind = Kind::kName;
-  float rank = 0;  ///< Smaller ones choose first.
+  float rank = 0;  ///< Smaller ranks choose first.
   LabelWish wish;
   const world::AgentSnapshot* agent = nullptr;
   const Ghost* ghost = nullptr;
@@ -81,13 +82,13 @@ struct Item {
   std::string title, text;
   bool stands_out = false;  ///< Selected or hovered.
   float alpha = 1;
-  float body_px = 0;                                          ///< Of names: how high the agent is in the picture.
-  std::vector<ScreenPoint> speakers;                          ///< Of speech: whose heads its arrows point to.
+  float body_px = 0;                                          ///< Of names: height of the agent in the picture.
+  std::vector<ScreenPoint> speakers;                          ///< Of speech: the heads to which its arrows point.
   std::map<std::string, std::pair<world::Color, int>> teams;  ///< Of crowds: colour and number by team.
   LabelPlace place;
 };
 
-/// The width of the sign before the name of a place.
+/// Width of the symbol before the name of a place.
 float PlaceSign(const Metrics& metrics) {
   return metrics.em * 0.62f;
 }
@@ -96,7 +97,7 @@ std::uint64_t KeyOf(const Item& item) {
   return (static_cast<std::uint64_t>(item.kind) << 32) | (item.agent != nullptr ? item.agent->id : 0);
 }
 
-/// Collects what wants to be labelled; whatever is out of the picture is left out.
+/// Collects the labels; leaves out everything outside of the picture.
 class Collector {
  public:
   Collector(const LabelScene& scene, const world::CameraSnapshot& camera, const Projection& projection,
@@ -114,7 +115,7 @@ class Collector {
       if (!at) continue;
       const bool stands_out = StandsOut(agent.id);
       const float distance = world::Distance(agent.position, camera_.position);
-      // From high above, as on a map, distance says little.
+      // From high above, as on a map, the distance means little.
       const float gone_m = std::max(kGone_m, 2.2f * camera_.position.y), fade_m = gone_m * kFadeFrom_m / kGone_m;
       if (!(distance < gone_m) && !stands_out) {
         if (agent.alive) far.emplace_back(&agent, *at);
@@ -124,7 +125,7 @@ class Collector {
       item.agent = &agent;
       item.stands_out = stands_out;
       item.rank = stands_out ? -1 : distance + (agent.alive ? 0.0f : 1000.0f);
-      // A hollow lozenge: somebody else moves it.
+      // A hollow lozenge: another simulation moves it.
       item.title = (agent.kind == sim::kForeignKind ? "\xe2\x97\x87 " : "") + LabelName(agent);
       if (agent.has_score) item.title += "  " + ScoreText(agent.score);
       item.text = StateOf(agent, OverlayOf(scene_.overlays, agent.id));
@@ -145,7 +146,7 @@ class Collector {
     }
   }
 
-  /// The newest thing that each agent said. Several who say the same beside each other share a bubble.
+  /// The latest speech of each agent. Agents next to each other who say the same share a bubble.
   void AddSpeech() {
     std::unordered_map<std::uint32_t, const world::SpeechSnapshot*> last;
     for (const world::SpeechSnapshot& speech : scene_.overlays.speech) {
@@ -216,7 +217,7 @@ class Collector {
     }
   }
 
-  /// Names of places come after all others: they are many, and stay where they are.
+  /// Names of places come last: there are many, and they do not move.
   void AddPlaces() {
     constexpr float kAfterAll = 5000, kThingsLater = 1000;
     for (const world::PlaceSnapshot& spot : scene_.overlays.places) {
@@ -279,7 +280,7 @@ class Collector {
   ImVec2 screen_;
 };
 
-/// Paints what has found its place: first the threads and arrows of all, then the labels over them.
+/// Paints the labels that have a place: first all threads and arrows, then the labels over them.
 class Painter {
  public:
   explicit Painter(const Metrics& metrics) : out_(*ImGui::GetBackgroundDrawList()), metrics_(metrics) {}
@@ -291,7 +292,7 @@ class Painter {
       return;
     }
     if (item.kind != Kind::kName) return;
-    // A label that moved away keeps a thread to its agent.
+    // A thread connects a label that is far from its agent.
     const ImVec2 at{item.wish.at.x, item.wish.at.y};
     const ImVec2 near{std::clamp(at.x, box.left + 3, box.right - 3), std::clamp(at.y, box.top + 3, box.bottom)};
     if (std::abs(near.x - at.x) + std::abs(near.y - at.y) > 5)
@@ -320,14 +321,14 @@ class Painter {
   static ImVec2 High(const ScreenBox& box) { return {box.right, box.bottom}; }
 
   void Arrow(const ScreenBox& box, ImVec2 to, ImU32 ink) {
-    // From the point of the bubble's edge that is nearest.
+    // Starts at the point of the bubble's edge that is nearest.
     const float x = std::clamp(to.x, box.left + 8, std::max(box.left + 8, box.right - 8));
     const float y = std::clamp(to.y, box.top + 6, std::max(box.top + 6, box.bottom - 6));
     const ImVec2 from{x, y};
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::sqrt(dx * dx + dy * dy);
     if (length < 1) return;
     const float half = 5, nx = -dy / length * half, ny = dx / length * half;
-    // It ends beside the head, not in it.
+    // It ends next to the head.
     const float stop = std::max(0.0f, 1 - 7 / length);
     out_.AddTriangleFilled({from.x + nx, from.y + ny}, {from.x - nx, from.y - ny},
                            {from.x + dx * stop, from.y + dy * stop}, ink);
@@ -402,7 +403,7 @@ class Painter {
     out_.AddText(metrics_.text, metrics_.text->FontSize, {box.left + 4, box.top + 1}, Packed(ink), item.text.c_str());
   }
 
-  /// A sign tells what it is: a ring for a waypoint, a square for a region or a thing, a lozenge for an item.
+  /// The symbol shows the kind: a ring for a waypoint, a square for a region or a thing, a lozenge for an item.
   void PlaceName(const Item& item) {
     using Of = world::PlaceSnapshot::Kind;
     const ScreenBox& box = item.place.box;
@@ -434,7 +435,7 @@ class Painter {
   const Metrics& metrics_;
 };
 
-/// Dots for those without a name, numbers where dots would crowd.
+/// Dots for agents without a name, numbers where dots would crowd.
 std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSnapshot*, ScreenPoint>>& agents,
                                 const Metrics& metrics) {
   std::vector<ScreenPoint> points;
@@ -508,7 +509,7 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
     const auto before = places_.find(KeyOf(item));
     if (before == places_.end() || item.agent == nullptr) continue;
     item.wish.usual_place = before->second;
-    if (item.rank > 0) item.rank *= 0.9f;  // Who has a place keeps it unless another one is clearly nearer.
+    if (item.rank > 0) item.rank *= 0.9f;  // A label keeps its place unless another agent is clearly nearer.
   }
   // Equal ranks keep the agents' order.
   std::stable_sort(found.items.begin(), found.items.end(),
@@ -535,7 +536,7 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
       if (bubbles < kMostSpeech && place(item)) ++bubbles;
     } else if (item.kind == Kind::kName) {
       if (are_many && !item.stands_out) item.wish.places = kPlacesOfMany;
-      // Of a crowd, only those have names who are larger than these.
+      // In a crowd, only agents above this size have names.
       const bool is_small = are_many && item.body_px < 2.2f * metrics.em;
       const bool may_show = item.stands_out || (names < kMostNames && left > 0 && !is_small) || !are_many;
       if (may_show && place(item)) {

@@ -16,26 +16,26 @@ struct ImFont;
 
 namespace soarbox::viewer {
 
-/// What labels are made from.
+/// Input of the labels of a frame.
 struct LabelScene {
   const std::vector<world::AgentSnapshot>& agents;
   const world::OverlaySnapshot& overlays;
   const std::vector<std::uint32_t>& selection;
   std::uint32_t hovered = 0;
-  std::uint32_t hidden = 0;  ///< The agent whose eyes the camera looks out of.
+  std::uint32_t hidden = 0;  ///< The agent through whose eyes the camera looks.
   std::span<const Ghost> ghosts = {};
-  bool names = true, speech = true;         ///< Which of them are on.
-  float top_px = 0;                         ///< A bar over the picture ends here.
-  std::span<const ScreenBox> blocked = {};  ///< Where something else stands in the picture.
+  bool names = true, speech = true;         ///< Which labels are switched on.
+  float top_px = 0;                         ///< Lower edge of the bar over the picture.
+  std::span<const ScreenBox> blocked = {};  ///< Parts of the picture that other things cover.
 };
 
-/// Something that the labels of a frame say, and where.
+/// A label of the last frame, with its place.
 struct ShownLabel {
   enum class Kind : std::uint8_t {
     kName,    ///< Team, name, state and health.
-    kDot,     ///< An agent without room for its name.
-    kCrowd,   ///< How many of each team stand where there is no room for names.
-    kSpeech,  ///< What one or several say.
+    kDot,     ///< An agent without space for its name.
+    kCrowd,   ///< Number of agents of each team where there is no space for names.
+    kSpeech,  ///< Speech of one or several agents.
     kGhost,   ///< The name of a ghost.
     kPlace,   ///< The name of a waypoint, a region, a thing or an item.
   };
@@ -45,29 +45,30 @@ struct ShownLabel {
   bool is_short = false;
 };
 
-/// Names above agents and bubbles for what they say. No two cover each other, and none is cut by the picture's edge:
-/// the selected and the nearest come first; a label without room is shortened, then becomes a dot, then part of a
-/// crowd's number. A label stays where it stood in the frame before, if it can.
+/// Names above agents, and speech bubbles. Labels do not cover each other and are not cut by the picture's edge. The
+/// selected and the nearest agents have priority. A label without space is shortened, then becomes a dot, then is
+/// counted in a crowd. A label keeps its place from frame to frame if it can.
 class AgentLabels {
  public:
-  /// Draws them behind the panels of ImGui's present frame, into a picture of ImGui's display size.
+  /// Draws them below the panels of ImGui's current frame, in a picture of ImGui's display size.
   void Draw(ImFont* name_font, ImFont* text_font, const LabelScene& scene, const world::CameraSnapshot& camera,
             const Projection& projection);
 
-  /// What the last Draw drew.
+  /// The labels of the last Draw().
   const std::vector<ShownLabel>& shown() const { return shown_; }
-  /// The agent whose label the last Draw drew there; 0 if there is none, or one of several agents.
+  /// Returns the agent whose label the last Draw() placed there; 0 if there is none, or if the label belongs to several
+  /// agents.
   std::uint32_t AgentAt(ScreenPoint pixel) const;
 
  private:
   std::vector<ShownLabel> shown_;
-  std::unordered_map<std::uint64_t, int> places_;  ///< By kind and agent: where it stood.
+  std::unordered_map<std::uint64_t, int> places_;  ///< Last place of each label, by kind and agent.
 };
 
-/// The overlay of an agent; null if there is none.
+/// Returns the overlay of an agent; null if it has none.
 const world::AgentOverlay* OverlayOf(const world::OverlaySnapshot& overlays, std::uint32_t agent_id);
 
-/// Its name, of a length that labels can show.
+/// Texts for a label, shortened to a length that labels can show.
 std::string ScoreText(float score);
 std::string LabelName(const world::AgentSnapshot& agent);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Labels and bubbles keep apart and inside the picture: over a real fight, and where hundreds crowd. Needs no display:
-// only the letters' sizes are ImGui's.
+// Labels and bubbles do not overlap and stay inside the picture: in a real fight, and in a crowd of hundreds. Needs no
+// display: only the sizes of letters come from ImGui.
 #include "viewer/labels.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using Kind = ShownLabel::Kind;
 using world::Vec3;
 
-/// A picture without a window: the letters of the window, at a text size.
+/// A picture without a window, with the window's fonts at a text size.
 class Paper {
  public:
   Paper(int width, int height, float text_scale) : width_(width), height_(height) {
@@ -156,7 +156,7 @@ TEST(Labels, OfACrowdTheNearAreNamedAndTheOthersCounted) {
       return l.kind == Kind::kName && l.agent_id == id;
     })) << id;
 
-  // Nobody moved, so nothing hops about.
+  // No agent moved, so no label moves.
   const std::vector<ShownLabel> again = paper.Draw(wanted, camera);
   const std::vector<ShownLabel> settled = paper.Draw(wanted, camera);
   ASSERT_EQ(again.size(), settled.size());

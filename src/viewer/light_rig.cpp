@@ -10,13 +10,13 @@ namespace {
 constexpr std::uint16_t kShadowMapSize = 2048, kShadowMapSizeLow = 1536;
 constexpr std::size_t kFurtherLights = 4;
 
-/// Half the width of what each shadow map covers when the camera is near the ground, in m.
+/// Half the width of the area of each shadow map when the camera is near the ground, in m.
 constexpr float kCovered[2] = {20, 95};
-/// In low detail one map serves; the other covers next to nothing, so that hardly anything is drawn into it.
+/// In low detail only one map is used; the other covers almost nothing, so that almost nothing is drawn into it.
 constexpr float kCoveredLow[2] = {42, 0.5f};
 
-/// Frames a square in front of the camera as the sun sees it. The square moves in whole texels, so that the edges of
-/// shadows do not crawl when the camera moves.
+/// Covers a square in front of the camera as seen from the sun. The square moves by entire texels, so that the edges of
+/// shadows do not flicker when the camera moves.
 class SunView : public Ogre::ShadowCameraSetup {
  public:
   SunView(std::uint16_t map_size, bool low_detail) : map_size_(map_size), low_detail_(low_detail) {}
@@ -25,7 +25,7 @@ class SunView : public Ogre::ShadowCameraSetup {
                        const Ogre::Light* light, Ogre::Camera* sun_eye, std::size_t map) const override {
     const Ogre::Vector3 eye = camera->getDerivedPosition();
     Ogre::Vector3 ahead = camera->getDerivedDirection();
-    // Whole powers of two, so that the maps change size seldom.
+    // Powers of two, so that the maps seldom change their size.
     const float height = std::max(1.0f, std::abs(eye.y) / 14.0f);
     const float* usual = low_detail_ ? kCoveredLow : kCovered;
     const float covered = usual[std::min<std::size_t>(map, 1)] * std::exp2(std::ceil(std::log2(height)));

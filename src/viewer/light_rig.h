@@ -10,8 +10,8 @@ namespace soarbox::viewer {
 
 /// Sun, ambient light, further lights and shadow maps.
 ///
-/// The first directional light of a snapshot is the sun; it alone casts shadows, through two maps: a fine one around
-/// what is in front of the camera and a coarse one around that. Up to four further lights shine without shadows.
+/// The first directional light of a snapshot is the sun. Only the sun casts shadows, with two shadow maps: a fine one
+/// for the area in front of the camera and a coarse one around it. Up to four further lights shine without shadows.
 class LightRig {
  public:
   LightRig(Ogre::SceneManager& scene, const Shaders& shaders, const Ogre::MaterialPtr& caster, bool low_detail);
@@ -19,7 +19,7 @@ class LightRig {
   /// Returns whether there are further lights.
   bool Update(const world::SceneSnapshot& snapshot);
 
-  /// Turns the sky's picture against the world.
+  /// Rotates the sky's picture relative to the world.
   void SetSkyRotation(world::Vec3 degrees);
 
  private:

@@ -18,7 +18,7 @@ LineCorner* AddLine(LineCorner* out, const world::LineSnapshot& line) {
   for (int i = 0; i < 4; ++i) {
     const bool at_end = i >= 2;
     const world::Vec3 here = at_end ? b : a, there = at_end ? a : b;
-    // The corners walk around the strip: left and right of the start, right and left of the end.
+    // The corners go around the strip: left and right of the start, right and left of the end.
     const float side = i == 0 || i == 3 ? -1.0f : 1.0f;
     *out++ = {{here.x, here.y, here.z},
               {there.x, there.y, there.z},
@@ -33,7 +33,7 @@ LineCorner* AddLine(LineCorner* out, const world::LineSnapshot& line) {
 LineBatch::LineBatch(const Ogre::MaterialPtr& material) : Ogre::SimpleRenderable("Soarbox/Lines") {
   mRenderOp.operationType = Ogre::RenderOperation::OT_TRIANGLE_LIST;
   mRenderOp.useIndexes = true;
-  mRenderOp.vertexData = new Ogre::VertexData();  // Owned by us; Ogre's render operation is a plain struct.
+  mRenderOp.vertexData = new Ogre::VertexData();  // Owned here; Ogre's render operation is a plain struct.
   mRenderOp.indexData = new Ogre::IndexData();
   Ogre::VertexDeclaration* layout = mRenderOp.vertexData->vertexDeclaration;
   layout->addElement(0, offsetof(LineCorner, here), Ogre::VET_FLOAT3, Ogre::VES_POSITION);

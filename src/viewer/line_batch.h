@@ -7,14 +7,14 @@
 
 namespace soarbox::viewer {
 
-/// All lines of a frame in one draw call. Each line is a strip that the vertex shader widens on the screen, so that it
-/// has the same width near and far.
+/// Draws all lines of a frame in one draw call. Each line is a strip that the vertex shader widens in screen space, so
+/// its width does not depend on the distance.
 class LineBatch : public Ogre::SimpleRenderable {
  public:
   explicit LineBatch(const Ogre::MaterialPtr& material);
   ~LineBatch() override;
 
-  /// Replaces the lines; `extra` are drawn too.
+  /// Replaces the lines by `lines` and `extra`.
   void Update(const std::vector<world::LineSnapshot>& lines, const std::vector<world::LineSnapshot>& extra);
 
   Ogre::Real getBoundingRadius() const override { return 1e6f; }

@@ -31,7 +31,7 @@ std::vector<TextLine> ParseMarkup(std::string_view markup) {
     const char c = markup[i];
     if (c == '\n') {
       flush();
-      // An empty line keeps the height of the font in force.
+      // An empty line has the height of the current font.
       if (lines.back().empty()) lines.back().push_back(run);
       lines.emplace_back();
       continue;

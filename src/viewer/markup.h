@@ -18,8 +18,8 @@ struct TextRun {
 };
 using TextLine = std::vector<TextRun>;
 
-/// Cuts the sandbox's markup (lua_api.md section 10) into lines of runs. Like the sandbox it swallows the character
-/// after an unknown command, and drops the rest after a font that does not exist.
+/// Splits the sandbox's markup (lua_api.md section 10) into lines of runs. Like the sandbox, it skips the character
+/// after an unknown command, and drops the remaining text after a font that does not exist.
 std::vector<TextLine> ParseMarkup(std::string_view markup);
 
 /// The line height of a font, in px.

@@ -16,12 +16,12 @@ Ogre::Vector4 ColorVector(world::Color c) {
 }
 
 Ogre::PixelBox Box(const Image& image) {
-  // Ogre reads from this box only.
+  // Ogre only reads from this box.
   return Ogre::PixelBox(static_cast<unsigned>(image.width), static_cast<unsigned>(image.height), 1, Ogre::PF_BYTE_RGBA,
                         const_cast<std::uint8_t*>(image.pixels.data()));
 }
 
-/// The mean of some rows of a picture, as linear light.
+/// The mean of some rows of a picture in linear light.
 Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
   double sum[3] = {0, 0, 0};
   int count = 0;
@@ -39,7 +39,7 @@ Ogre::Vector4 MeanLight(const Image& image, int first_row, int end_row) {
 
 const std::vector<std::string> kSurfaceSamplers{"paint", "shadow_near", "shadow_far", "sky", "bones"};
 
-/// What keeps the variants of a material apart.
+/// The suffix that distinguishes the variants of a material.
 const char* EndingOf(Placing placing) {
   return placing == Placing::kOne ? "" : placing == Placing::kMany ? "/many" : "/bones";
 }
@@ -206,7 +206,7 @@ void Materials::SetSkyPicture(const std::array<Image, 6>& faces) {
     texture = textures.createManual(kSkyTexture, kGroup, Ogre::TEX_TYPE_CUBE_MAP, size, size, Ogre::MIP_UNLIMITED,
                                     Ogre::PF_BYTE_RGBA, Ogre::TU_AUTOMIPMAP);
   }
-  // What the shaders need to know of the sky as a whole: the light from above, and the haze over the horizon.
+  // Values of the sky for the shaders: the light from above, and the haze at the horizon.
   shaders_.scene_values().setNamedConstant("sky_mean", MeanLight(faces[2], 0, faces[2].height));
   shaders_.scene_values().setNamedConstant("haze_colour",
                                            MeanLight(faces[4], faces[4].height * 46 / 100, faces[4].height / 2));

@@ -9,10 +9,10 @@
 
 namespace soarbox::viewer {
 
-/// Triangles as the surface shader wants them: plain data, built by code, uploaded once (mesh_library.h).
+/// The vertex format of the surface shader: plain data that is computed once and uploaded once (mesh_library.h).
 ///
-/// Counter-clockwise seen from outside. A vertex carries three paint values beside its geometry, so that one material
-/// and one draw call can show a body with a dark, glossy visor.
+/// Counter-clockwise seen from outside. A vertex has three paint values in addition to its geometry, so that one
+/// material and one draw call can show a body with a dark, glossy visor.
 struct MeshVertex {
   world::Vec3 position;
   world::Vec3 normal;
@@ -25,7 +25,7 @@ struct MeshVertex {
 struct MeshData {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::string material = "White";  ///< Used where the drawable names none.
+  std::string material = "White";  ///< Used if the drawable has no material name.
 
   void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { indices.insert(indices.end(), {a, b, c}); }
   void AddQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {

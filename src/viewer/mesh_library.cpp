@@ -19,7 +19,7 @@ std::string Key(const DrawableSnapshot& d, bool agent_body) {
   char text[160];
   std::snprintf(text, sizeof text, "shape/%d/%d/%.4g/%.4g/%.4g/%.3g/%.3g", static_cast<int>(d.shape),
                 agent_body ? 1 : 0, d.size.x, d.size.y, d.size.z, d.texture_repeats.x, d.texture_repeats.y);
-  // What is a thing or a creature by its material is a mesh of its own.
+  // If the material is a thing or a creature, it has its own mesh.
   return IsFigure(d.material.value()) ? std::string(text) + "/" + d.material.value() : text;
 }
 
@@ -80,7 +80,7 @@ const MeshLibrary::Found& MeshLibrary::For(const DrawableSnapshot& drawable, boo
   found.material = made.data.material;
   found.levels.push_back(UploadMesh("Soarbox/" + key, made.data));
   if (agent_body && drawable.shape == ShapeKind::kCapsule && !IsFigure(drawable.material.value())) {
-    // Crowds: further away, coarser bodies.
+    // Coarser bodies at larger distances, for crowds.
     constexpr std::pair<AgentDetail, const char*> kFurther[] = {
         {AgentDetail::kMiddle, "/middle"}, {AgentDetail::kCoarse, "/coarse"}, {AgentDetail::kTiny, "/tiny"}};
     for (const auto& [detail, ending] : kFurther)

@@ -10,19 +10,19 @@
 
 namespace soarbox::viewer {
 
-/// Hands a mesh to the graphics card under this name.
+/// Uploads a mesh to the graphics card under this name.
 Ogre::MeshPtr UploadMesh(const std::string& name, const MeshData& data);
 
-/// Meshes by what a drawable asks for, each built and uploaded once and shared by all that look alike.
+/// Meshes of drawables. Each is built and uploaded once and shared by all equal drawables.
 class MeshLibrary {
  public:
   struct Found {
-    std::vector<Ogre::MeshPtr> levels;  ///< The finest first; agents have four, other things one.
-    std::string material;               ///< Its own, for drawables that name none.
-    bool is_stand_in = false;           ///< The resource name is unknown; this is a box that says so.
+    std::vector<Ogre::MeshPtr> levels;  ///< Finest first; agents have four, other things one.
+    std::string material;               ///< The mesh's own material, for drawables without a material name.
+    bool is_stand_in = false;           ///< The resource name is unknown; this is a box that shows this.
   };
 
-  /// The mesh of a drawable; `agent_body` gives a capsule the look of an agent.
+  /// Returns the mesh of a drawable; `agent_body`: a capsule gets the shape of an agent.
   const Found& For(const world::DrawableSnapshot& drawable, bool agent_body);
 
  private:

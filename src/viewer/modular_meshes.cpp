@@ -32,8 +32,8 @@ struct Opening {
   float left, right, bottom, top;
 };
 
-/// A wall with openings beside each other, left to right: sills, lintels and posts around them, glass or nothing
-/// within.
+/// A wall with openings next to each other, from left to right, with sills, lintels and posts around them and optional
+/// glass in them.
 MeshData WallWith(Vec3 min, Vec3 max, const std::vector<Opening>& openings, bool glass) {
   const Vec3 size = max - min;
   const auto at = [&](float x, float y, float z) {
@@ -68,7 +68,7 @@ MeshData Ribbed(Vec3 min, Vec3 max, int ribs) {
   return mesh;
 }
 
-/// A shaft between a wider foot and head.
+/// A shaft between a wider base and head.
 MeshData Pillar(Vec3 min, Vec3 max) {
   const Vec3 size = max - min;
   const float inset = 0.08f * size.x, cap = std::min(0.16f, 0.12f * size.y);
@@ -78,7 +78,7 @@ MeshData Pillar(Vec3 min, Vec3 max) {
   return mesh;
 }
 
-/// A crate: a box that is set back a little behind a frame along its edges.
+/// A crate: a box set back slightly behind a frame along its edges.
 MeshData Crate(Vec3 min, Vec3 max) {
   const Vec3 size = max - min;
   const float beam = 0.13f * std::min({size.x, size.y, size.z}), depth = 0.045f * size.x;

@@ -8,10 +8,11 @@
 
 namespace soarbox::viewer {
 
-/// The building kit that the sandbox's scripts name: 34 blocks, walls, doors, windows, pillars and roofs under
-/// "models/nobiax_modular/" (world::kModularMeshes), rebuilt from chamfered boxes within the world's bounds.
+/// The building kit that the sandbox's scripts name: 34 blocks, walls, doors, windows, pillars and roofs in
+/// "models/nobiax_modular/" (world::kModularMeshes), built from chamfered boxes with the bounds that the world uses.
 
-/// The mesh of a resource such as "models/nobiax_modular/modular_block.mesh"; empty if we have no such piece.
+/// Returns the mesh of a resource such as "models/nobiax_modular/modular_block.mesh"; nothing if there is no such
+/// piece.
 std::optional<MeshData> ModularMesh(std::string_view resource_name);
 
 }  // namespace soarbox::viewer

@@ -6,7 +6,7 @@
 
 namespace soarbox::viewer {
 
-/// Seeded lattice noise for the pictures that we make in code. The same on every machine and in every run.
+/// Seeded lattice noise for computed textures. The same on every machine and in every run.
 
 /// A hash of a lattice point, 0..1.
 inline float LatticeValue(int x, int y, int z, std::uint32_t seed) {
@@ -25,7 +25,7 @@ inline int FloorToInt(float x) {
   return x < static_cast<float>(whole) ? whole - 1 : whole;
 }
 
-/// Smooth noise in the plane, 0..1; repeats every `period` lattice cells if that is positive.
+/// Smooth noise in the plane, 0..1. Repeats every `period` lattice cells if `period` is positive.
 inline float Noise2(float x, float y, std::uint32_t seed, int period = 0) {
   const int x0 = FloorToInt(x), y0 = FloorToInt(y);
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
@@ -37,7 +37,7 @@ inline float Noise2(float x, float y, std::uint32_t seed, int period = 0) {
   return a + (b - a) * sx + (c - a) * sy + (a - b - c + d) * sx * sy;
 }
 
-/// Octaves of Noise2, each twice as fine and half as strong, scaled to 0..1.
+/// Sum of octaves of Noise2, each twice as fine and half as strong as the one before, scaled to 0..1.
 inline float Fractal2(float x, float y, int octaves, std::uint32_t seed, int period = 0) {
   float sum = 0, weight = 0.5f, total = 0;
   for (int i = 0; i < octaves; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-/// All that we use of Ogre, for the few files that draw. CMakeLists.txt precompiles the large ones.
+/// The parts of Ogre that we use, for the few files that draw. CMakeLists.txt precompiles the large headers.
 #include <Ogre.h>
 #include <OgreGpuProgramManager.h>
 #include <OgreHardwareBufferManager.h>
@@ -31,12 +31,12 @@ inline world::Vec3 FromOgre(const Ogre::Vector3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// The order of drawing: solid things (Ogre's main group), the ground below and the sky behind them, of which only what
-/// shows is painted then, and what is see-through; fills and lines come after (groups 7 and 8).
+/// Order of drawing: solid things (Ogre's main group), then the ground and the sky, so that only their visible pixels
+/// are shaded, then transparent things. Fills and lines come last (groups 7 and 8).
 inline constexpr std::uint8_t kSolidQueue = 50, kGroundQueue = 52, kSkyQueue = 55, kClearQueue = 60;
 static_assert(kSolidQueue == Ogre::RENDER_QUEUE_MAIN);
 
-/// The one resource group that everything of ours lives in.
+/// The resource group of all our resources.
 inline const char* const kGroup = "General";
 
 }  // namespace soarbox::viewer

@@ -21,7 +21,7 @@ using world::Vec3;
 
 constexpr float kTrailStep_m = 0.3f;
 constexpr std::size_t kMostTrailPoints = 160;
-constexpr int kMostPushesShown = 12;  ///< Of one body; all of them count in the sum.
+constexpr int kMostPushesShown = 12;  ///< Maximum number of pushes shown per body; all of them count in the sum.
 constexpr double kTracer_s = 0.7, kHitMark_s = 1.8;
 constexpr Color kSight{1.0f, 0.93f, 0.55f, 1}, kHearing{0.55f, 0.85f, 1.0f, 1}, kVelocity{0.35f, 0.90f, 1.0f, 1},
     kForce{1.0f, 0.45f, 0.85f, 1}, kTracer{1.0f, 0.85f, 0.35f, 1}, kHit{1.0f, 0.22f, 0.12f, 1},
@@ -32,7 +32,7 @@ Color Faded(Color color, float alpha) {
   return color;
 }
 
-/// Lines want brighter colours than cloth.
+/// Lines need brighter colours than cloth.
 Color Bright(Color color) {
   for (float* channel : {&color.r, &color.g, &color.b}) *channel = 0.30f + 0.70f * *channel;
   return color;
@@ -84,7 +84,7 @@ class Pen {
                            Vec3{0.6f, 0.6f, -0.5f}, Vec3{-0.6f, 0.6f, -0.5f}})
       Line(at - arm * size, at + arm * size, color);
   }
-  /// A part of a disc about a heading, filled if `fill` shows at all.
+  /// A sector of a disc around a heading, filled if `fill` is visible.
   void Sector(Vec3 centre, float radius, float heading, float half_angle, Color edge, Color fill) {
     const int pieces = std::max(6, static_cast<int>(48 * half_angle / kPi));
     const bool is_whole = half_angle > 0.999f * kPi;
@@ -122,7 +122,7 @@ void PaintSenses(const AgentSnapshot& agent, const AgentOverlay& overlay, bool i
   if (!agent.alive) return;
   const Vec3 ground = FeetOf(agent) + Vec3{0, 0.09f, 0};
   if (overlay.measured) {
-    // It knows how far away this is, not where: anywhere on the circle.
+    // The agent knows the distance but not the direction: anywhere on the circle.
     const Vec3 place{overlay.measured->x, ground.y, overlay.measured->z};
     const float away = world::Distance(ground, place);
     if (away < 500) pen.Circle(ground, away, Faded(kSight, is_filled ? 0.8f : 0.4f), true);
@@ -148,7 +148,7 @@ void PaintPath(const AgentSnapshot& agent, const AgentOverlay& overlay, Pen& pen
   for (const Vec3 corner : overlay.path) {
     const Vec3 next = lifted(corner);
     if (is_first && overlay.path_is_whole) {
-      before = next;  // Where it is on a way that it walks again and again, its body says.
+      before = next;  // For a closed path, the body shows the position on it.
     } else if (&corner == &overlay.path.back()) {
       pen.Arrow(before, next, color);
     } else {
@@ -175,7 +175,7 @@ void PaintTargets(const OverlayScene& scene, const AgentSnapshot& agent, const A
     if (overlay.path.empty()) pen.Dashes(FeetOf(agent) + Vec3{0, 0.12f, 0}, goal, Faded(color, 0.7f));
     pen.Circle(goal, 0.35f, color);
     pen.Line(goal, goal + Vec3{0, 1.6f, 0}, color);
-    // A little flag, so that it is seen from far away.
+    // A small flag that is visible from far away.
     pen.Line(goal + Vec3{0, 1.6f, 0}, goal + Vec3{0.5f, 1.4f, 0}, color);
     pen.Line(goal + Vec3{0.5f, 1.4f, 0}, goal + Vec3{0, 1.2f, 0}, color);
   }
@@ -187,7 +187,7 @@ void PaintShots(const OverlayScene& scene, Pen& pen) {
       pen.Line(shot.from, shot.to, Faded(kTracer, 1 - static_cast<float>(shot.age_s / kTracer_s)));
     if (shot.age_s >= kHitMark_s) continue;
     const float left = 1 - static_cast<float>(shot.age_s / kHitMark_s);
-    if (shot.hit_agent_id == scene.inside && scene.inside != 0) continue;  // It would stand in its eyes.
+    if (shot.hit_agent_id == scene.inside && scene.inside != 0) continue;  // It would be in front of the camera.
     if (shot.hit_agent_id != 0)
       pen.Star(shot.to, 0.32f, Faded(kHit, 0.3f + left));
     else
@@ -195,7 +195,7 @@ void PaintShots(const OverlayScene& scene, Pen& pen) {
   }
 }
 
-/// The others as one agent believes them to be, with a thread to where they are.
+/// The other agents as one agent believes them to be, with a thread to their true positions.
 void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
   constexpr float kSame_m = 0.4f;
   const AgentSnapshot* self = scene.selection.empty() ? nullptr : Find(scene, scene.selection.front());
@@ -208,7 +208,7 @@ void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
                                       [&](const world::ContactSnapshot& c) { return c.agent_id == other.id; });
     const Vec3 feet = FeetOf(other) + Vec3{0, 0.07f, 0};
     if (contact == own->contacts.end()) {
-      pen.Circle(feet, 0.6f, kUnknown, true);  // It knows nothing of this one.
+      pen.Circle(feet, 0.6f, kUnknown, true);  // The agent knows nothing about this one.
       continue;
     }
     const auto confidence =
@@ -216,7 +216,7 @@ void PaintBelief(const OverlayScene& scene, OverlayMarks& marks, Pen& pen) {
     const Color color = ColorOf(other);
     if (world::Distance(contact->position, other.position) < kSame_m) {
       pen.Circle(feet, 0.6f, Faded(color, 0.35f + 0.65f * confidence), !contact->visible);
-      continue;  // It is right: no ghost is needed.
+      continue;  // The belief is right: no ghost is needed.
     }
     char name[96];
     const char* how = contact->heard ? "heard " : "";
@@ -256,7 +256,7 @@ void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<Agent
 
 void OverlayPainter::Note(const world::SceneSnapshot& newest) {
   if (newest.tick == tick_ && newest.time_s == time_s_) return;
-  // Back in time, or another run: the trails were of something else.
+  // An earlier tick or another run: the trails are not valid.
   if (newest.tick < tick_ || newest.tick > tick_ + 300) courses_.clear();
   const auto seconds = static_cast<float>(newest.time_s - time_s_);
   tick_ = newest.tick;
@@ -285,7 +285,7 @@ void OverlayPainter::PaintTrails(const OverlayScene& scene, OverlayMarks& marks)
     const Color color = ColorOf(agent);
     for (std::size_t i = 1; i <= points.size(); ++i) {
       const Vec3 from = points[i - 1], to = i < points.size() ? points[i] : FeetOf(agent);
-      if (world::Distance(from, to) > kJump_m) continue;  // It was put there.
+      if (world::Distance(from, to) > kJump_m) continue;  // The agent was placed there.
       const float age = static_cast<float>(points.size() - i) / static_cast<float>(kMostTrailPoints);
       pen.Line(from + lift, to + lift, Faded(color, 0.95f * (1 - age)));
     }
@@ -294,7 +294,7 @@ void OverlayPainter::PaintTrails(const OverlayScene& scene, OverlayMarks& marks)
 
 namespace {
 
-/// An arrow round the axis about which a body was set turning; a turn per second goes round once.
+/// An arrow around the axis of an angular push; a turn per second is a full circle.
 void PaintSpin(Vec3 centre, Vec3 spin_rad_s, Color color, Pen& pen) {
   const float strength = world::Length(spin_rad_s);
   if (!(strength > 0.05f) || !world::IsFinite(centre)) return;
@@ -319,7 +319,8 @@ void PaintSpin(Vec3 centre, Vec3 spin_rad_s, Color color, Pen& pen) {
 
 void OverlayPainter::PaintForces(const OverlayScene& scene, OverlayMarks& marks) const {
   Pen pen(marks);
-  // 10 m/s² are two metres long; collisions and impulses do not fill the picture.
+  // An acceleration of 10 m/s² is two metres long. The length is limited, because collisions and impulses would fill
+  // the picture.
   const auto arrow = [&pen](Vec3 from, Vec3 acceleration, Color color) {
     Vec3 push = acceleration * 0.2f;
     if (const float length = world::Length(push); length > 4) push = push * (4 / length);
@@ -333,11 +334,11 @@ void OverlayPainter::PaintForces(const OverlayScene& scene, OverlayMarks& marks)
     const Vec3 velocity{agent.velocity.x, 0, agent.velocity.z};
     if (world::Length(velocity) > 0.05f) pen.Arrow(from, from + velocity * 0.6f, kVelocity);
     if (scene.overlays.has_pushes) continue;
-    // Without word of what was applied: what became of it.
+    // If the applied forces are not known, shows the resulting acceleration.
     const Vec3 acceleration = found->second.acceleration;
     arrow(from + lift, {acceleration.x, 0, acceleration.z}, kForce);
   }
-  // Each push that a script or a command gave a body; of several, their sum is the bright one.
+  // Each push that a script or a command gave a body. If there are several, the bright arrow is their sum.
   struct Sum {
     Vec3 from, acceleration;
     int count = 0;
@@ -363,7 +364,7 @@ void OverlayPainter::Paint(const OverlayScene& scene, OverlayMarks& marks) const
   Pen pen(marks);
   if (is_on(ViewerCommand::kTrails)) PaintTrails(scene, marks);
   if (is_on(ViewerCommand::kForces)) PaintForces(scene, marks);
-  // A broken ring around whom another simulation moves.
+  // A dashed ring around agents that another simulation moves.
   for (const AgentSnapshot& agent : scene.agents) {
     if (!is_on(ViewerCommand::kLabels) || agent.kind != sim::kForeignKind || !agent.alive ||
         !world::IsFinite(agent.position))
@@ -382,7 +383,7 @@ void OverlayPainter::Paint(const OverlayScene& scene, OverlayMarks& marks) const
   }
   if (is_on(ViewerCommand::kShots)) PaintShots(scene, pen);
   if (is_on(ViewerCommand::kBelief)) PaintBelief(scene, marks, pen);
-  // These come only while they are wanted.
+  // These data are only there if they were requested.
   const auto& more = scene.overlays;
   marks.lines.insert(marks.lines.end(), more.lines.begin(), more.lines.end());
   marks.triangles.insert(marks.triangles.end(), more.triangles.begin(), more.triangles.end());

@@ -11,37 +11,37 @@
 
 namespace soarbox::viewer {
 
-/// The part of a frame that overlays are drawn from.
+/// Input of the overlays of a frame.
 struct OverlayScene {
-  const std::vector<world::AgentSnapshot>& agents;  ///< Where they are drawn.
+  const std::vector<world::AgentSnapshot>& agents;  ///< At the positions where they are drawn.
   const world::OverlaySnapshot& overlays;
   const std::vector<std::uint32_t>& selection;
   const std::bitset<kViewerCommands>& on;
-  std::uint32_t inside = 0;  ///< The agent whose eyes the camera looks out of; 0: none.
+  std::uint32_t inside = 0;  ///< The agent through whose eyes the camera looks; 0: none.
 };
 
-/// What the overlays add to a frame.
+/// The shapes that the overlays add to a frame.
 struct OverlayMarks {
   std::vector<world::LineSnapshot> lines;
   std::vector<world::TriangleSnapshot> triangles;
   std::vector<Ghost> ghosts;
 };
 
-/// A ring under each ghost, and a dashed line from there to where its agent is.
+/// Adds a ring under each ghost, and a dashed line from the ring to its agent.
 void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<world::AgentSnapshot>& agents,
                        OverlayMarks& marks);
 
-/// Turns what is known of the agents into lines, fills and figures over the scene. Plain arithmetic, no drawing.
+/// Converts the data of overlays to lines, fills and ghosts over the scene. It only computes and draws nothing.
 class OverlayPainter {
  public:
-  /// Notes where everybody is; call it with each new snapshot, whether overlays are on or off.
+  /// Notes the positions of all agents. Call it with each new snapshot, whether overlays are on or off.
   void Note(const world::SceneSnapshot& newest);
 
   void Paint(const OverlayScene& scene, OverlayMarks& marks) const;
 
  private:
   struct Course {
-    std::deque<world::Vec3> points;  ///< Of its feet, the newest last.
+    std::deque<world::Vec3> points;  ///< Positions of its feet, newest last.
     world::Vec3 velocity;
     world::Vec3 acceleration;  ///< m/s²
     std::uint64_t seen = 0;

@@ -17,7 +17,7 @@ struct NamedLook {
 constexpr Color kWhite{0.88f, 0.88f, 0.87f, 1}, kRed{0.80f, 0.16f, 0.13f, 1}, kGreen{0.22f, 0.62f, 0.24f, 1},
     kBlue{0.16f, 0.36f, 0.78f, 1}, kYellow{0.92f, 0.78f, 0.20f, 1}, kDark{0.05f, 0.06f, 0.08f, 1};
 
-/// The second colour of ground is what grows on it; clear: nothing does.
+/// The second colour of ground is that of its grass; transparent: no grass.
 constexpr Color kGrass{0.36f, 0.44f, 0.22f, 1}, kBare{0, 0, 0, 0};
 
 Color Clear(Color color) {
@@ -124,7 +124,7 @@ world::Color AgentColor(std::string_view kind) {
 world::Color TeamColor(std::string_view team) {
   if (team.empty()) return {0.33f, 0.33f, 0.27f, 1};
   const auto has = [team](std::string_view part) { return team.find(part) != std::string_view::npos; };
-  // Far apart in lightness and on the axis of blue and yellow too, for those who do not tell red from green.
+  // Different in lightness and on the blue-yellow axis too, for people who cannot distinguish red from green.
   if (team == "team1" || has("blue")) return {0.05f, 0.36f, 0.88f, 1};
   if (team == "team2" || has("red")) return {0.90f, 0.24f, 0.06f, 1};
   if (has("green")) return {0.00f, 0.66f, 0.50f, 1};

@@ -52,7 +52,7 @@ void PanelHost::SetTextScale(float scale) {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
-  // The overlay made its texture once; the letters go into the same one.
+  // The overlay created its texture once; the letters go into that texture.
   const Ogre::MaterialPtr material =
       Ogre::MaterialManager::getSingleton().getByName("ImGui/material", Ogre::RGN_INTERNAL);
   const Ogre::TexturePtr texture = material->getTechnique(0)->getPass(0)->getTextureUnitState(0)->_getTexturePtr();

@@ -10,7 +10,7 @@
 
 namespace soarbox::viewer {
 
-/// Owns ImGui's overlay, its fonts and its input. Only one exists at a time, as ImGui has one context.
+/// Owns ImGui's overlay, its fonts and its input. Only one may exist at a time, because ImGui has one context.
 class PanelHost {
  public:
   explicit PanelHost(Materials& materials);
@@ -18,15 +18,15 @@ class PanelHost {
   PanelHost(const PanelHost&) = delete;
   PanelHost& operator=(const PanelHost&) = delete;
 
-  /// Begins the panels of one frame: draw them with ImGui's own calls after this.
+  /// Begins the panels of a frame. Draw them with ImGui's own calls after this.
   void BeginFrame(int width, int height, float seconds);
-  /// Ends them; the next drawing of the scene shows them on top.
+  /// Ends them. The next drawing of the scene shows them on top.
   void EndFrame();
 
-  /// Draws the texts of panels anew for this size; 1 is 100 %. Not between BeginFrame and EndFrame.
+  /// Renders the fonts of panels again in this size; 1 is 100 %. Not between BeginFrame and EndFrame.
   void SetTextScale(float scale);
 
-  /// Dark letters on a light ground, or the other way.
+  /// Selects dark text on a light background, or light text on a dark one.
   void SetLight(bool light);
 
   ImFont* FontFor(world::UiFont font) const { return script_fonts_[static_cast<std::size_t>(font)]; }
@@ -43,7 +43,7 @@ class PanelHost {
   ImFont* bold_font_ = nullptr;
   ImFont* mono_font_ = nullptr;
   float scale_ = 1;
-  std::set<std::string> told_cut_;  ///< Windows that held too much to be drawn whole.
+  std::set<std::string> told_cut_;  ///< Windows with too many vertices, already reported.
   bool light_ = false;
 };
 

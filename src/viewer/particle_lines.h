@@ -9,11 +9,11 @@
 
 namespace soarbox::viewer {
 
-/// The sandbox's two particle effects (lua_api.md section 11), drawn as glowing lines: "Bullet", a short streak, and
-/// "BulletImpact", a burst of sparks that fall. What sparks there are depends on the emitter's id alone.
+/// Draws the sandbox's two particle effects (lua_api.md section 11) as glowing lines: "Bullet", a short streak, and
+/// "BulletImpact", a burst of falling sparks. The sparks depend only on the emitter's id.
 class ParticleLines {
  public:
-  /// Appends what the scene's particles look like at its time.
+  /// Appends the lines of the scene's particles at the scene's time.
   void AddLines(const world::SceneSnapshot& scene, std::vector<world::LineSnapshot>& lines);
 
  private:

@@ -29,7 +29,7 @@ Vec3 Projection::RayThrough(ScreenPoint pixel) const {
 std::optional<ScreenPoint> Projection::Project(Vec3 point) const {
   const Vec3 away = point - eye_;
   const float depth = Dot(away, forward_);
-  if (!(depth >= 0.1f)) return std::nullopt;  // Also what is not a number.
+  if (!(depth >= 0.1f)) return std::nullopt;  // Also excludes NaN.
   return ScreenPoint{width_ / 2 + Dot(away, right_) / depth * pixels_per_slope_,
                      height_ / 2 - Dot(away, up_) / depth * pixels_per_slope_};
 }
@@ -40,7 +40,7 @@ std::uint32_t Projection::AgentAt(ScreenPoint pixel, const std::vector<world::Ag
   std::uint32_t best = 0;
   float best_depth = std::numeric_limits<float>::max();
   for (const world::AgentSnapshot& agent : agents) {
-    // The capsule's axis is a segment; compare it with the ray at the segment's point nearest to the ray.
+    // The capsule's axis is a segment. Compare the ray with the point of the segment that is nearest to it.
     const float half = std::max(0.0f, agent.height_m / 2 - agent.radius_m);
     const Vec3 axis{0, 1, 0}, between = agent.position - eye_;
     const float slant = Dot(ray, axis), spread = 1 - slant * slant;

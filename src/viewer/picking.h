@@ -13,8 +13,8 @@ struct ScreenPoint {
   float x = 0, y = 0;  ///< px from the top left.
 };
 
-/// How the camera sees the world: which ray a pixel shows, where a point appears, and which
-/// agent a click means. Pure arithmetic, no drawing.
+/// The camera's projection: the ray through a pixel, the position of a point in the picture, and the agent under the
+/// cursor. It only computes and draws nothing.
 class Projection {
  public:
   Projection(const world::CameraSnapshot& camera, int width_px, int height_px);
@@ -22,12 +22,12 @@ class Projection {
   /// Unit direction from the camera through a pixel.
   world::Vec3 RayThrough(ScreenPoint pixel) const;
 
-  /// Where a point appears; nothing for points behind the camera.
+  /// Returns the position of a point in the picture; nothing for points behind the camera.
   std::optional<ScreenPoint> Project(world::Vec3 point) const;
 
-  /// The nearest agent under a pixel, with a little tolerance for small, distant ones; 0 if there is none.
+  /// Returns the nearest agent under a pixel, with some tolerance for small, distant ones; 0 if there is none.
   std::uint32_t AgentAt(ScreenPoint pixel, const std::vector<world::AgentSnapshot>& agents) const;
-  /// The agents whose middle is in the box between two corners, in the order given.
+  /// Returns the agents whose centre is in the box between two corners, in the order of `agents`.
   std::vector<std::uint32_t> AgentsIn(ScreenPoint from, ScreenPoint to,
                                       const std::vector<world::AgentSnapshot>& agents) const;
 

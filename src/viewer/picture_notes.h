@@ -9,14 +9,14 @@
 
 namespace soarbox::viewer {
 
-/// A note about the agent under the cursor.
+/// Draws a tooltip about the agent under the cursor.
 void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
                  ScreenPoint cursor);
 
-/// The box that the user draws to select what is in it.
+/// Draws the box of a selection in progress.
 void DrawSelectionBox(ScreenPoint from, ScreenPoint to);
 
-/// A remark in the lower middle of the picture; opacity 0..1.
+/// Draws a remark in the lower middle of the picture; opacity 0..1.
 void DrawNotice(const PanelHost& host, const std::string& text, float opacity);
 
 }  // namespace soarbox::viewer

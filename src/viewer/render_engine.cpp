@@ -26,8 +26,8 @@ Diagnostic Failure(std::string message, std::string hint) {
 constexpr const char* kNoDisplayHint =
     "start it from a desktop session, run it without a window (--headless), or put 'xvfb-run -a' before the command";
 
-/// Whether OpenGL is done by the processor here. Asked before the real window exists, because the number of samples per
-/// pixel is settled when it is made.
+/// Whether OpenGL runs on the processor. Determined before the window exists, because the number of samples per pixel
+/// is fixed when it is created.
 bool DrawsInSoftware() {
   bool software = false;
   SDL_Window* window = SDL_CreateWindow("", 0, 0, 16, 16, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
@@ -137,7 +137,7 @@ void Engine::StartOgre(const ViewerOptions& options) {
     throw std::runtime_error("the display offers less than OpenGL 3.3 (" +
                              root_->getRenderSystem()->getCapabilities()->getDeviceName() + ")");
   }
-  // Ogre asks for these programs before it draws any kind of shadow, although only stencil shadows use them.
+  // Ogre requires these programs before it draws any shadow, although only stencil shadows use them.
   Ogre::ResourceGroupManager::getSingleton().addResourceLocation(SOARBOX_OGRE_MEDIA_DIR "/ShadowVolume", "FileSystem",
                                                                  Ogre::RGN_INTERNAL);
   Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
@@ -177,7 +177,7 @@ void Engine::PlaceViewport(Ogre::RenderTarget& target) {
   Ogre::Viewport* picture = target.getViewportByZOrder(0);
   picture->setDimensions(static_cast<float>(x_) / width, static_cast<float>(y_) / height,
                          static_cast<float>(width_) / width, static_cast<float>(height_) / height);
-  // The picture's own, not that of the scaled one, whose sides are whole pixels.
+  // The aspect of the picture, not of the scaled texture, whose sides are integers.
   camera_->setAspectRatio(static_cast<float>(width_) / static_cast<float>(height_));
   const bool is_scaled = scaled_ && scale_ < 1;
   picture->setCamera(is_scaled ? &scaled_->camera() : camera_);

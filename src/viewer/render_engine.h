@@ -27,10 +27,10 @@ class Materials;
 class ScaledScene;
 struct ViewerOptions;
 
-/// Brings up SDL (window and input) and Ogre (drawing), and takes them down in the right order.
+/// Starts SDL (window and input) and Ogre (drawing), and ends them in the right order.
 ///
-/// The render system is chosen here, in code: Ogre's own configuration would open a dialog. A hidden window draws into
-/// a texture of its size, because a window that is not on the screen has no pixels of its own.
+/// The render system is selected here in code, because Ogre's own configuration would open a dialog. A hidden window
+/// draws into a texture of its size, because it has no pixels of its own.
 class Engine {
  public:
   static Result<std::unique_ptr<Engine>> Start(const ViewerOptions& options);
@@ -38,30 +38,30 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Follows the window's size. Does nothing if that did not change.
+  /// Adapts to the window's size. Does nothing if the size is unchanged.
   void Resize(int width, int height);
 
-  /// The scene fills this part of the window, in px from its top left; from the start it fills all of it. Panels may
-  /// be drawn anywhere.
+  /// The part of the window that shows the scene, in px from the top left; initially the entire window. Panels may be
+  /// drawn anywhere.
   void SetPicture(int x, int y, int width, int height);
 
-  /// The scene may from now on be drawn smaller than it is shown.
+  /// Allows SetScale() to draw the scene smaller than it is shown.
   void PrepareScaling(Materials& materials);
-  /// The scene is drawn in this share of the picture's width and height, 0 to 1, and brought up to it; panels are not.
-  /// Does nothing if that did not change.
+  /// Draws the scene with this fraction of the picture's width and height, 0 to 1, and enlarges it to the picture.
+  /// Panels keep their full resolution. Does nothing if the scale is unchanged.
   void SetScale(double scale);
   double scale() const { return scale_; }
 
-  /// Draws once, onto the screen. Of a hidden window nobody would see it: only panels are laid out, WritePicture draws.
-  /// A scene that has not changed is drawn again only where that is needed to draw panels.
+  /// Draws a frame to the screen. A hidden window only lays out panels; WritePicture draws. An unchanged scene is drawn
+  /// again only if this is needed to draw panels.
   void Draw(bool scene_has_changed = true);
-  /// What the last drawing handed to the renderer, shadow maps included.
+  /// Counts the draw calls and triangles of the last frame, including shadow maps.
   void CountLast(std::size_t& draw_calls, std::size_t& triangles) const;
-  /// Whether the user has done something that has not been read yet; waits for it up to `milliseconds`.
+  /// Whether there is user input that has not been read yet. Waits up to `milliseconds` for it.
   bool HasInput(int milliseconds) const;
 
-  /// Draws once into a texture, in the present scale, and writes it as a PNG. Throws Ogre::Exception, or
-  /// std::runtime_error naming the path.
+  /// Draws a frame into a texture, in the current scale, and writes it as a PNG file. Throws Ogre::Exception, or
+  /// std::runtime_error with the path.
   void WritePicture(const std::filesystem::path& path);
 
   SDL_Window* window() const { return sdl_window_; }
@@ -69,9 +69,9 @@ class Engine {
   Ogre::Camera& camera() const { return *camera_; }
   Ogre::SceneNode& camera_node() const { return *camera_node_; }
   bool low_detail() const { return low_detail_; }
-  /// Whether the processor draws; known only of a window that was opened with Detail::kAuto.
+  /// Whether the renderer runs on the processor; known only if the window was opened with Detail::kAuto.
   bool in_software() const { return in_software_; }
-  /// Of the part that the scene fills.
+  /// Of the part of the window that shows the scene.
   int width() const { return width_; }
   int height() const { return height_; }
   int window_width() const { return window_width_; }
@@ -81,10 +81,10 @@ class Engine {
   Engine() = default;
   Result<void> OpenWindow(const ViewerOptions& options);
   void StartOgre(const ViewerOptions& options);
-  /// One viewport for the scene, and one over it for panels alone.
+  /// Adds a viewport for the scene, and one over it for panels.
   void AddViewports(Ogre::RenderTarget& target);
   void PlaceViewport(Ogre::RenderTarget& target);
-  /// Draws the scene first if it is drawn smaller.
+  /// Draws the scene to its own texture first if the scale is below 1.
   void Update(Ogre::RenderTarget& target, bool scene_has_changed);
   Ogre::RenderTarget* PictureTarget() const;
   void MakePictureTarget();
@@ -100,7 +100,7 @@ class Engine {
   Ogre::SceneManager* scene_ = nullptr;
   Ogre::Camera* camera_ = nullptr;
   Ogre::SceneNode* camera_node_ = nullptr;
-  Ogre::SceneManager* panel_scene_ = nullptr;  ///< Empty: panels are drawn without going through the scene twice.
+  Ogre::SceneManager* panel_scene_ = nullptr;  ///< Empty, so that drawing panels does not process the scene again.
   Ogre::Camera* panel_camera_ = nullptr;
   bool hidden_ = false;
   bool low_detail_ = false, in_software_ = false;

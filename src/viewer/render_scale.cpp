@@ -6,20 +6,20 @@
 namespace soarbox::viewer {
 namespace {
 
-/// From large to small. Bringing the scene up takes a fifth of what drawing it in full takes, so that little less than
-/// 1 would gain nothing.
+/// From large to small. Enlarging the scene takes a fifth of the time of drawing it in full size, so a scale slightly
+/// below 1 would gain nothing.
 constexpr double kScales[] = {1, 0.75, 0.65, 0.57, 0.5};
 constexpr std::size_t kFirst = 1, kLast = std::size(kScales) - 1;
 
 constexpr double kTooSlow_s = 1 / 30.0, kRoomy_s = 0.85 * kTooSlow_s;
-/// Frames are judged in groups of so much time, by their medians: one that was held up by something else says nothing.
+/// Frames are judged in groups of this duration by their medians, because a single delayed frame means nothing.
 constexpr double kGroup_s = 0.7;
 constexpr std::size_t kGroup = 8;
-/// How much of the drawing there is more of when there are more pixels.
+/// Fraction of the drawing time that depends on the number of pixels.
 constexpr double kOfPixels = 0.6;
-/// How often in a row there must be room before it goes up: at first, and at most.
+/// Number of consecutive judgements with enough time before the scale goes up: at first, and at most.
 constexpr int kFewRoomy = 4, kManyRoomy = 256;
-/// Going down so soon after having gone up means that going up was a mistake.
+/// Going down this soon after going up means that going up was a mistake.
 constexpr int kSoon = 30;
 
 double Median(std::vector<double>& values) {
@@ -50,7 +50,7 @@ void AutoScale::Note(double drawing_s, double whole_s) {
 void AutoScale::Judge() {
   const double drawing_s = Median(drawing_s_), whole_s = Median(whole_s_);
   since_up_ = std::min(since_up_ + 1, 1000);
-  // Where ticks take the time, a smaller scene gives none back.
+  // If ticks take most of the time, a smaller scene does not help.
   if (whole_s > kTooSlow_s && drawing_s > 0.4 * whole_s) {
     roomy_ = 0;
     if (step_ == kLast) return;

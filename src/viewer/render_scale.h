@@ -6,16 +6,18 @@
 
 namespace soarbox::viewer {
 
-/// Finds the largest share of the picture's size that the scene can be drawn in with thirty frames per second.
+/// Finds the largest scale at which the scene can be drawn with thirty frames per second.
 ///
-/// It goes down as soon as frames have been too slow for about a second, and up only when the larger size would leave
-/// room for some seconds; a size that turned out to be too large is tried again later and later, so that the picture
-/// does not go to and fro. Its only clock is what Note is told: the same times give the same sizes.
+/// The scale goes down when frames have been too slow for about a second. It goes up only if the larger scale would
+/// have been fast enough for some seconds. A scale that was too large is tried again after increasing intervals, so
+/// that the picture does not alternate between two scales. The only clock is the argument of Note: the same times give
+/// the same scales.
 class AutoScale {
  public:
   AutoScale();
 
-  /// A frame took `drawing_s`, and from its beginning to that of the next one `whole_s`, without what was slept.
+  /// Notes a frame that was drawn in `drawing_s`. `whole_s` is the time from its beginning to that of the next frame,
+  /// without sleep.
   void Note(double drawing_s, double whole_s);
 
   /// 0.5 to 1.
@@ -26,10 +28,10 @@ class AutoScale {
 
   std::size_t step_;
   std::vector<double> drawing_s_, whole_s_;  ///< Of the frames that are judged together next.
-  double noted_s_ = 0;                       ///< Their sum.
-  int roomy_ = 0;                            ///< Times in a row that the next larger size would have had room.
-  int wanted_roomy_;                         ///< How many it takes.
-  int since_up_ = 1000;                      ///< Judgements since it went up.
+  double noted_s_ = 0;                       ///< Sum of `whole_s_`.
+  int roomy_ = 0;        ///< Consecutive judgements at which the next larger scale would have been fast enough.
+  int wanted_roomy_;     ///< Number of such judgements needed to go up.
+  int since_up_ = 1000;  ///< Judgements since the scale last went up.
 };
 
 }  // namespace soarbox::viewer

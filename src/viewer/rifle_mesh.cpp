@@ -50,7 +50,7 @@ class RifleBuilder {
     Use(Cloth::kMetal, world::kRifleBody);
     b_.Round({0.055f, 0.062f, 0}, {0.135f, 0.036f, 0.021f}, 0.28f, 14);
     b_.Round({0.055f, 0.098f, 0}, {0.125f, 0.014f, 0.016f}, 0.28f, 12);
-    // The grip leans back.
+    // The grip leans backwards.
     Use(Cloth::kRubber, world::kRifleBody);
     b_.Round({-0.002f, -0.006f, 0}, {0.021f, 0.056f, 0.016f}, 0.4f, 12, -1, 1, [](Vec3 p) {
       p.x += 0.28f * p.y;

@@ -10,19 +10,19 @@
 
 namespace soarbox::viewer {
 
-/// A texture that the scene is drawn into when it is drawn smaller than it is shown, and what brings it up: `camera()`
-/// sees the texture fill its viewport, softened as little as can be.
+/// A texture into which the scene is drawn at a smaller scale, and a square that shows it. `camera()` sees the texture
+/// fill its viewport, with as little blur as possible.
 class ScaledScene {
  public:
-  /// scene: the camera that looks at the scene. samples: per pixel of the texture.
+  /// `scene` is the camera that looks at the scene. `samples` is the number of samples per pixel of the texture.
   ScaledScene(Ogre::Root& root, Ogre::Camera& scene, Materials& materials, unsigned samples);
   ~ScaledScene();
   ScaledScene(const ScaledScene&) = delete;
   ScaledScene& operator=(const ScaledScene&) = delete;
 
-  /// Makes the texture anew unless it has this size.
+  /// Creates the texture again if its size differs.
   void SetSize(int width, int height);
-  /// Draws the scene into it, unless it is the one that is there already.
+  /// Draws the scene into the texture, unless it is already there and has not changed.
   void Draw(bool has_changed);
 
   Ogre::Camera& camera() { return *camera_; }
@@ -35,7 +35,7 @@ class ScaledScene {
   Ogre::Camera& scene_;
   Materials& materials_;
   unsigned samples_;
-  Ogre::SceneManager* shown_;  ///< Holds nothing but a square with the texture.
+  Ogre::SceneManager* shown_;  ///< Contains only a square with the texture.
   Ogre::Camera* camera_;
   std::unique_ptr<Ogre::Rectangle2D> square_;
   Ogre::MaterialPtr material_;

@@ -15,16 +15,16 @@ namespace {
 using world::DrawableSnapshot;
 using world::ShapeKind;
 
-/// How high in the picture bodies are that are drawn in full, in middle and in little detail, in px; those that are
-/// smaller have the coarsest mesh. Rifles go by the height of a soldier. And the same for agents of other shapes.
+/// Minimum heights in the picture, in px, for the fine, the middle and the coarse mesh of bodies; smaller ones have the
+/// tiny mesh. Rifles use the height of a soldier. Likewise for agents of other shapes.
 using Heights = std::array<float, 3>;
 constexpr Heights kBodyHeights_px{100, 40, 34}, kAgentHeights_px{95, 38, 20};
 constexpr float kSoldier_m = 1.75f;
-/// How many bodies and rifles at most.
+/// Maximum numbers of bodies and rifles with the fine and the middle mesh.
 constexpr std::size_t kMostFine = 24, kMostMiddle = 64, kMostFineSlow = 6, kMostMiddleSlow = 16;
 
-/// The level of something so high in the picture, of as many levels as there are. `before`: the last one. A little
-/// further back than forth, so that nothing flickers at the border.
+/// The level for a height in the picture. `levels` is their number and `before` the last level. Hysteresis prevents
+/// flickering at the border.
 std::size_t LevelFor(const Heights& heights_px, float px, std::size_t before, std::size_t levels) {
   std::size_t level = 0;
   for (const float least : heights_px) {
@@ -40,7 +40,7 @@ SceneView::SceneView(Ogre::SceneManager& scene, Materials& materials, float reac
     : scene_(scene), materials_(materials), reach_(reach), on_warning_(std::move(on_warning)) {}
 
 SceneView::~SceneView() {
-  // Ogre's scene must not hold what we own when the engine takes it down.
+  // Ogre's scene must not refer to our objects when the engine ends it.
   for (const auto& [key, batch] : batches_) batch->detachFromParent();
   for (const auto& [key, batch] : body_batches_) batch->detachFromParent();
 }
@@ -71,7 +71,7 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
     break;
   }
   for (const world::AgentSnapshot& agent : newest.agents) agents_[agent.id] = &agent;
-  // Ids ascend in both.
+  // Ids ascend in both lists.
   static const world::SharedList<DrawableSnapshot> kNothing;
   const world::SharedList<DrawableSnapshot>& earlier =
       previous != nullptr && blend < 1 ? previous->drawables : kNothing;
@@ -201,7 +201,7 @@ void SceneView::HoldFeet(Thing& thing, const DrawableSnapshot& drawable, const D
   if (!thing.feet) thing.feet = std::make_unique<Feet>();
   Feet& feet = *thing.feet;
   if (!feet.now.empty() && feet.tick == tick_) return;
-  // Of a few ticks that nobody saw, the last one is known.
+  // If a few ticks were not shown, the last one is still valid.
   constexpr std::uint64_t kFew = 5;
   const bool goes_on = !feet.now.empty() && tick_ > feet.tick && tick_ - feet.tick <= kFew && tick_s_ > 0;
   auto missed = static_cast<float>(goes_on ? tick_ - feet.tick : 1);
@@ -272,7 +272,7 @@ void SceneView::AddThing(Thing& thing, const Sight& sight) const {
                                  {turn[1][0] * s.x, turn[1][1] * s.y, turn[1][2] * s.z, p.y},
                                  {turn[2][0] * s.x, turn[2][1] * s.y, turn[2][2] * s.z, p.z}};
   const float radius_m = thing.radius_m * std::max({std::abs(s.x), std::abs(s.y), std::abs(s.z)});
-  // What throws a shadow need not be as fine as what is seen.
+  // A shadow can be coarser than the thing itself.
   const std::size_t shadow = std::min(thing.detail + 1, thing.levels.size() - 1);
   using Shown = InstanceBatch::Shown;
   thing.levels[thing.detail]->Add(p, radius_m, shadow == thing.detail ? Shown::kEverywhere : Shown::kInPicture, rows);
@@ -281,7 +281,7 @@ void SceneView::AddThing(Thing& thing, const Sight& sight) const {
 
 bool SceneView::MattersTo(const Sight& sight, const Thing& thing) const {
   const world::Vec3 at = thing.body->place.at.position;
-  // From its place along the light to where the light has gone down as far as the body is high, and some more.
+  // From its place along the light to the point where the light has descended by the body's height, and some more.
   constexpr float kDown_m = 4;
   const float along = std::min(kDown_m * sight.light_per_m, 25.0f);
   const world::Vec3 middle = at + world::Normalized(sunlight_) * (along / 2);
@@ -289,7 +289,7 @@ bool SceneView::MattersTo(const Sight& sight, const Thing& thing) const {
 }
 
 void SceneView::AddBodies(const Sight& sight) {
-  // The nearest first: of many, only some are worth the finer meshes.
+  // The nearest first, because only some get the finer meshes.
   std::vector<std::pair<float, Thing*>> order;
   for (Thing* thing : bodies_shown_) {
     if (!thing->visible || (sight.inside != 0 && thing->agent == sight.inside) || !MattersTo(sight, *thing)) continue;
@@ -309,7 +309,7 @@ void SceneView::AddBodies(const Sight& sight) {
     if (level == 1 && ++middle > most_middle) level = 2;
     thing->detail = level;
     const auto detail = static_cast<BodyDetail>(level);
-    // As with things; and on slow renderers what is far throws none.
+    // As for things; on slow renderers distant bodies cast no shadow.
     const auto shadow = static_cast<BodyDetail>(std::min(level + 1, kLevels - 1));
     const bool casts = !is_slow || level < 2;
     const float first_row = bones_.Add(*thing->body, thing->look);

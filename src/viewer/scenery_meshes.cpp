@@ -13,12 +13,12 @@ namespace {
 
 using world::Vec3;
 
-/// A number of the seed's own, 0..1.
+/// A random number of the seed, 0..1.
 float Chance(std::uint32_t seed, int index) {
   return LatticeValue(index, 17, 3, seed * 7919u);
 }
 
-/// Rows of rings joined to a skin with smooth normals; each row closes around.
+/// Joins rows of rings to a surface with smooth normals; each row is closed.
 void AddRings(MeshData& mesh, const std::vector<std::vector<Vec3>>& rows, float tint, float light_below,
               float light_above, float uv_per_m) {
   const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -72,7 +72,7 @@ void AddTrunk(MeshData& mesh, float height, float radius, std::uint32_t seed) {
   AddRings(mesh, rows, 0, 0.7f, 1.0f, 0.8f);
 }
 
-/// Skirts of twigs, one above the other, each with a ragged hem that hangs.
+/// Cones of twigs, one above the other, each with a ragged lower edge.
 MeshData Pine(float size, std::uint32_t seed) {
   MeshData mesh;
   mesh.material = "Soarbox/Leaves";
@@ -126,7 +126,7 @@ MeshData Oak(float size, std::uint32_t seed) {
   MeshData mesh;
   mesh.material = "Soarbox/Leaves";
   AddTrunk(mesh, 0.62f * size, 0.040f * size, seed);
-  // Boughs, each with its crown, around a middle one.
+  // Branches, each with its crown, around a central crown.
   AddCrown(mesh, {0, 0.72f * size, 0}, {0.25f * size, 0.20f * size, 0.25f * size}, seed + 1, 18);
   for (int i = 0; i < 7; ++i) {
     const float angle = 2 * kPi * (static_cast<float>(i) + 0.6f * Chance(seed, i)) / 7;
@@ -139,7 +139,7 @@ MeshData Oak(float size, std::uint32_t seed) {
   return mesh;
 }
 
-/// A ball cut by planes, so that it has faces and edges, and roughened.
+/// A ball cut by planes, so that it has faces and edges, with added roughness.
 MeshData Rock(const world::SceneryMesh& piece) {
   MeshData mesh;
   mesh.material = "Soarbox/Stone";
@@ -175,7 +175,8 @@ MeshData Rock(const world::SceneryMesh& piece) {
       }
       const float rough = Fractal2(out.x * 3 + 9, out.y * 3 + out.z * 2 + 9, 3, piece.seed) - 0.5f;
       const Vec3 p = out * (reach * (1 + 0.05f * rough));
-      // Light falls as on the plane that cut here, roughened; the mesh is squeezed, so its normals are stretched.
+      // The normal is that of the cutting plane, with added roughness. The mesh is scaled, so its normals are scaled
+      // inversely.
       normal = normal + Vec3{rough, 0.4f * rough, -rough} * 0.5f;
       normal = {normal.x / size.x, normal.y / (1.16f * size.y), normal.z / size.z};
       row.push_back(
@@ -184,7 +185,7 @@ MeshData Rock(const world::SceneryMesh& piece) {
     }
     rows.push_back(std::move(row));
   }
-  // Each triangle has corners of its own, as the picture of stone is laid on it from one side.
+  // Each triangle has its own corners, because the stone texture is projected from one side.
   const auto add = [&mesh](const Corner& a, const Corner& b, const Corner& c) {
     const Vec3 face = Cross(b.position - a.position, c.position - a.position);
     if (world::LengthSquared(face) < 1e-12f) return;

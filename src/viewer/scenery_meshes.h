@@ -8,7 +8,7 @@
 
 namespace soarbox::viewer {
 
-/// A tree or a rock of world::kSceneryMeshes, grown from its seed; empty if there is none of that name.
+/// Returns the mesh of a tree or a rock of world::kSceneryMeshes, computed from its seed; nothing for other names.
 std::optional<MeshData> SceneryMeshFor(std::string_view resource_name);
 
 }  // namespace soarbox::viewer

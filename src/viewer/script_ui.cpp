@@ -20,7 +20,7 @@ Color Middle(Color a, Color b) {
   return {(a.r + b.r) / 2, (a.g + b.g) / 2, (a.b + b.b) / 2, (a.a + b.a) / 2};
 }
 
-/// The part of a box that text may use.
+/// The part of a box for text.
 struct TextArea {
   float left, top, right, bottom;
 };
@@ -94,7 +94,7 @@ float WidthOf(const TextRun& run, const PanelHost& host) {
   return host.FontFor(run.font)->CalcTextSizeA(LineHeight(run.font), FLT_MAX, 0, begin, begin + run.text.size()).x;
 }
 
-/// A line as lines that are no wider than this, broken before words. A word that is wider stands in a line of its own.
+/// Splits a line into lines of at most this width, broken before words. A wider word gets a line of its own.
 void AppendWrapped(const TextLine& line, const PanelHost& host, float width, std::vector<TextLine>& wrapped) {
   wrapped.emplace_back();
   float x = 0;
@@ -124,12 +124,12 @@ void DrawLines(ImDrawList& out, const std::vector<TextLine>& lines, const PanelH
   for (const TextLine& line : wrapped) {
     float height = line.empty() ? LineHeight(world::UiFont::kSmall) : 0;
     for (const TextRun& run : line) height = std::max(height, LineHeight(run.font));
-    // A line that begins inside is drawn; what is below the panel's edge is clipped.
+    // A line that begins inside is drawn; the part below the panel's edge is clipped.
     if (y + 0.5f >= area.bottom) return;
     float x = area.left;
     for (const TextRun& run : line) {
       if (static_cast<std::size_t>(out.VtxBuffer.Size) + 4 * run.text.size() > kMostCorners) return;
-      // Runs of smaller fonts stand on the same ground as the tallest.
+      // Runs of smaller fonts have the same baseline as the tallest.
       const float lowered = y + (height - LineHeight(run.font)) * 0.8f;
       x = DrawRun(out, run, host.FontFor(run.font), color_of(run), x, lowered, area);
     }
@@ -159,7 +159,7 @@ void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world
   DrawBackground(out, ui, corner, images, buttons);
   // A panel in the world is moved there when it has been drawn.
   if (!is_in_world) out.PushClipRect(corner, {corner.x + ui.width, corner.y + ui.height}, true);
-  // The margin keeps texts off the edge where they begin; a line that needs it may use the one at its end.
+  // The margin applies to the start of texts; a line that needs the space may use the margin at its end.
   const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width,
                       corner.y + ui.height - ui.margin_top};
   const ImU32 plain = Packed(ui.text_color);
@@ -176,8 +176,8 @@ void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world
   if (!is_in_world) out.PopClipRect();
 }
 
-/// Moves what was drawn since `first` from the panel's pixels to where the panel stands in the world. Drops it if a
-/// part of it is behind the camera.
+/// Moves everything drawn since `first` from the panel's pixels to the panel's place in the world. Removes it if a part
+/// of it is behind the camera.
 void MoveIntoWorld(ImDrawList& out, int first, const UiSnapshot& ui, const Projection& projection) {
   const world::Vec3 right = Rotate(ui.world_orientation, {kPanelMetresPerPixel, 0, 0});
   const world::Vec3 down = Rotate(ui.world_orientation, {0, -kPanelMetresPerPixel, 0});

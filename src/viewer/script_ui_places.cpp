@@ -9,11 +9,11 @@ namespace {
 
 using world::UiSnapshot;
 
-/// How far a panel that was placed for the window must go to be in the picture.
+/// How far a panel that was placed for the window must move to be in the picture.
 float ShiftInto(float begin, float size, float room, float window) {
   constexpr float kMargin_px = 12;
   const float end = begin + size;
-  if (begin < 0 || end <= room || end > window) return 0;  // In it already, or where its script wants it: outside.
+  if (begin < 0 || end <= room || end > window) return 0;  // Already in the picture, or intentionally outside.
   return std::max(-begin, std::min(0.0f, room - kMargin_px - end));
 }
 
@@ -25,7 +25,7 @@ ScriptUiPlaces::ScriptUiPlaces(const world::SceneSnapshot& snapshot, const Scree
 
 ScriptUiPlaces::Stand ScriptUiPlaces::Of(const UiSnapshot& ui) const {
   Stand stand{{ui.x, ui.y}, &ui};
-  // A family is never deeper than there are panels.
+  // Limits the depth to the number of panels, in case of a cycle.
   for (std::size_t depth = 0; stand.top->parent_id != 0 && depth < by_id_.size(); ++depth) {
     const auto parent = by_id_.find(stand.top->parent_id);
     if (parent == by_id_.end()) break;

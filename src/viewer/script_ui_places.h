@@ -11,21 +11,21 @@
 
 namespace soarbox::viewer {
 
-/// What a script knows of the screen, and what it has: panels around the picture leave it less than the window, which
-/// is what it was told when it began.
+/// The screen size that a script received at the start, and the size that is available now. Panels around the picture
+/// make it smaller than the window.
 struct ScreenRoom {
   float width = 0, height = 0;                ///< Of the picture.
   float window_width = 0, window_height = 0;  ///< Of the window.
   float top = 0;                              ///< What a status bar hides of the picture's upper edge.
 };
 
-/// Where the panels that scripts make stand in the picture. One that was placed for the whole window and would lie
-/// beside the picture is moved into it. Valid as long as the snapshot.
+/// Positions of the panels of scripts in the picture. A panel that was placed for the entire window and would be
+/// outside of the picture is moved into it. Valid while the snapshot exists.
 class ScriptUiPlaces {
  public:
   ScriptUiPlaces(const world::SceneSnapshot& snapshot, const ScreenRoom& room);
 
-  /// Where a panel begins, and the one that its family hangs on.
+  /// The corner of a panel, and the root of its tree of panels.
   struct Stand {
     ScreenPoint corner;
     const world::UiSnapshot* top = nullptr;

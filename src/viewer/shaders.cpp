@@ -20,7 +20,7 @@ struct BoundValue {
   std::size_t extra;
 };
 
-/// What Ogre fills in by itself, wherever a program declares it.
+/// The values that Ogre sets in each program that declares them.
 constexpr BoundValue kBoundValues[] = {
     {"world", Params::ACT_WORLD_MATRIX, 0},
     {"view_projection", Params::ACT_VIEWPROJ_MATRIX, 0},
@@ -31,7 +31,7 @@ constexpr BoundValue kBoundValues[] = {
     {"viewport", Params::ACT_VIEWPORT_SIZE, 0},
 };
 
-/// The text of a shader with its includes in place; empty if a file cannot be read, which is named in `missing`.
+/// Returns the text of a shader with its includes. Empty if a file cannot be read; `missing` is then its path.
 std::string ReadShader(const fs::path& file, fs::path& missing) {
   std::ifstream in(file);
   if (!in) {
@@ -51,7 +51,7 @@ std::string ReadShader(const fs::path& file, fs::path& missing) {
   return text.str();
 }
 
-/// The text with a name defined at its top.
+/// The text with a definition of this name at its top.
 std::string WithDefinition(std::string source, const std::string& name) {
   source.insert(source.find('\n', source.find("#version")) + 1, "#define " + name + " 1\n");
   return source;

@@ -26,7 +26,7 @@ struct ShapeRing {
   float tint = 1, light = 1, gloss = 0;
 };
 
-/// Turns a profile, from bottom to top, about the y axis. Normals follow the profile's slope.
+/// Rotates a profile, given from bottom to top, around the y axis. Normals follow the profile's slope.
 MeshData Revolve(const std::vector<ShapeRing>& profile, int fine_segments = kSegments) {
   MeshData mesh;
   const int segments = PiecesOf(fine_segments);
@@ -65,7 +65,7 @@ MeshData Revolve(const std::vector<ShapeRing>& profile, int fine_segments = kSeg
   return mesh;
 }
 
-/// Rings of an arc of an ellipse, angles from the horizontal, both ends included.
+/// Adds the rings of an arc of an ellipse; angles from the horizontal, both ends included.
 void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float centre_y, float from, float to,
             int fine_steps) {
   const int steps = is_coarse ? std::max(2, (2 * fine_steps + 2) / 5) : fine_steps;
@@ -75,7 +75,7 @@ void AddArc(std::vector<ShapeRing>& profile, float radius, float height, float c
   }
 }
 
-/// Radius of a profile at a height, between its rings.
+/// Radius of a profile at a height, interpolated between its rings.
 float RadiusAt(const std::vector<ShapeRing>& profile, float y) {
   for (std::size_t i = 1; i < profile.size(); ++i) {
     if (y > profile[i].y) continue;
@@ -86,7 +86,7 @@ float RadiusAt(const std::vector<ShapeRing>& profile, float y) {
   return 0;
 }
 
-/// A raised patch on the front (+z) of the profile, with the outline of a superellipse; its border sinks into the body.
+/// A raised patch on the front (+z) of the profile with the outline of a superellipse; its border is inside the body.
 MeshData Visor(const std::vector<ShapeRing>& profile, float low_y, float high_y, float half_angle, float radius,
                int fine_columns, int fine_rows) {
   const int columns = PiecesOf(fine_columns), rows = PiecesOf(fine_rows);
@@ -155,7 +155,7 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
           MeshVertex vertex;
           vertex.position = {p[0], p[1], p[2]};
           vertex.normal = {normal[0], normal[1], normal[2]};
-          // Upright faces keep the texture's v along the world's y.
+          // The texture's v follows the world's y on upright faces.
           const std::size_t across = n == 0 ? 2 : 0, upward = n == 1 ? 2 : 1;
           if (style.metric_uv) {
             vertex.u = p[across];
@@ -182,7 +182,7 @@ MeshData BoxMesh(Vec3 min, Vec3 max, const BoxStyle& style) {
     const int u = (n + 1) % 3;
     for (const bool high_n : {false, true}) {
       for (const bool high_u : {false, true}) {
-        // Face n sees u as its first coordinate and v as its second; face u sees v first and n second.
+        // For face n, u is the first coordinate and v the second; for face u, v is the first and n the second.
         const auto a = index(n, high_n, high_u, false), b = index(n, high_n, high_u, true);
         const auto c = index(u, high_u, true, high_n), d = index(u, high_u, false, high_n);
         if (high_n == high_u)

@@ -5,10 +5,11 @@
 
 namespace soarbox::viewer {
 
-/// The shapes that scripts create by size. All sizes in m; sizes that are negative or not finite count as 0.
+/// The shapes that scripts create with a size. All sizes are in m; negative sizes and sizes that are not finite count
+/// as 0.
 
-/// An axis-aligned box from min to max with chamfered edges; the chamfer shrinks on thin boxes. Each face runs from
-/// uv (0, 0) to (repeats_u, repeats_v); with `metric_uv` a texture repeats every metre instead.
+/// An axis-aligned box from min to max with chamfered edges; the chamfer is smaller on thin boxes. Each face has the
+/// texture coordinates (0, 0) to (repeats_u, repeats_v). With `metric_uv`, a texture repeats every metre instead.
 struct BoxStyle {
   float chamfer_m = 0.03f;
   float repeats_u = 1, repeats_v = 1;
@@ -19,8 +20,8 @@ MeshData BoxMesh(world::Vec3 min, world::Vec3 max, const BoxStyle& style = {});
 /// Upright, centred on the origin; `height_m` includes both caps.
 MeshData CapsuleMesh(float radius_m, float height_m);
 
-/// The body of an agent within the same capsule: a rounded torso, a groove for a neck, a domed head, and a dark visor
-/// that faces +z. Coarse ones are for agents that are small in the picture.
+/// The body of an agent in the same capsule: a rounded torso, a groove as the neck, a domed head, and a dark visor that
+/// faces +z. Coarse ones are for agents that are small in the picture.
 enum class AgentDetail : std::uint8_t { kFine, kMiddle, kCoarse, kTiny };
 MeshData AgentMesh(float radius_m, float height_m, AgentDetail detail = AgentDetail::kFine);
 
@@ -29,7 +30,7 @@ MeshData CylinderMesh(float radius_m, float height_m);
 
 MeshData SphereMesh(float radius_m);
 
-/// While one lives, what this thread makes of round shapes has fewer faces: for pictures that the processor draws.
+/// While such an object exists, round shapes that this thread builds have fewer faces; used for software pictures.
 class CoarseShapes {
  public:
   CoarseShapes();
@@ -40,7 +41,7 @@ class CoarseShapes {
  private:
   bool before_;
 };
-/// Of how many pieces something round is made that usually has `fine` of them.
+/// Returns the number of segments of a round shape that normally has `fine` segments.
 int PiecesOf(int fine);
 
 /// Horizontal, facing up, centred on the origin.

@@ -12,9 +12,9 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kFar = 0.31f;  ///< Below this fineness nobody looks closely.
+constexpr float kFar = 0.31f;  ///< Below this fineness the mesh is only seen from a distance.
 
-/// A power that keeps the sign.
+/// A power with the sign of `value`.
 float Power(float value, float exponent) {
   return std::copysign(std::pow(std::abs(value), exponent), value);
 }
@@ -50,7 +50,7 @@ void SkinBuilder::AddGrid(const std::vector<std::vector<Vec3>>& rows, const std:
       const std::size_t above = std::min(r + 1, count - 1), below = r > 0 ? r - 1 : 0;
       const Vec3 up = rows[above][here] - rows[below][here];
       if (world::LengthSquared(across) < 1e-10f) {
-        // A pole: its neighbours' ring says which way is round.
+        // A pole: the neighbouring ring defines the orientation.
         const std::size_t near = r == 0 ? 1 : r - 1;
         across = rows[near][next] - rows[near][last];
       }
@@ -63,7 +63,7 @@ void SkinBuilder::AddGrid(const std::vector<std::vector<Vec3>>& rows, const std:
         const auto& ring = rows[first_pole ? 1 : r - 1];
         for (const Vec3 p : ring) middle += p / static_cast<float>(around);
         const Vec3 away = rows[r][0] - middle;
-        // A flat end has no way out of its own: take it from the rings behind.
+        // A flat end has no direction of its own: use that of the rings behind it.
         normal = world::LengthSquared(away) > 1e-8f
                      ? world::Normalized(away)
                      : world::Normalized(rows[r][0] - rows[first_pole ? count - 1 : 0][0]);
@@ -82,7 +82,7 @@ void SkinBuilder::AddGrid(const std::vector<std::vector<Vec3>>& rows, const std:
 
 void SkinBuilder::Loft(const std::vector<Ring>& given, int segments, Vec3 ahead, bool closed_ends) {
   const int around = Count(segments);
-  // From afar every other ring will do; the ends stay.
+  // For distant bodies every other ring is enough; the ends are kept.
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == given.size();
@@ -162,7 +162,7 @@ std::vector<world::BonePose> ToBind(const world::Skeleton& skeleton) {
 
 void BoneRows(const std::vector<world::BonePose>& to_bind, const std::vector<world::BonePose>& bones,
               const SkinPlace& place, float* out) {
-  // The body's own turn and stretch, as three columns.
+  // The rotation and scale of the body as three columns.
   const auto stretched = [&place](Vec3 v) {
     return Rotate(place.at.orientation, Vec3{v.x * place.scale.x, v.y * place.scale.y, v.z * place.scale.z});
   };

@@ -11,7 +11,7 @@
 
 namespace soarbox::viewer {
 
-/// Which bones move a vertex: two at most, the first by `share`.
+/// The bones that move a vertex: at most two; `share` is the weight of the first.
 struct SkinVertex {
   std::uint8_t bone = 0, other = 0;
   float share = 1;
@@ -23,7 +23,7 @@ struct SkinMesh {
   std::vector<SkinVertex> skin;  ///< One per vertex.
 };
 
-/// What a piece is made of: a cell of the picture of cloths (cloth_image.h), or the colour of the team.
+/// The material of a piece: a cell of the texture of cloths (cloth_image.h), or the colour of the team.
 enum class Cloth : std::uint8_t {
   kCamouflage,
   kWebbing,
@@ -40,18 +40,19 @@ enum class Cloth : std::uint8_t {
   kDarkHelmet
 };
 
-/// Builds bodies from rounded pieces: lofts through rings, and boxes and balls in one (superquadrics).
+/// Builds bodies from rounded pieces: lofts through rings, and superquadrics (boxes and ellipsoids).
 class SkinBuilder {
  public:
-  /// fineness: 1 fine, 0.5 and less for what is seen from afar.
+  /// `fineness`: 1 is fine; 0.5 and less for distant bodies.
   explicit SkinBuilder(float fineness) : fineness_(fineness) {}
 
-  SkinVertex bone;  ///< What moves the pieces that follow, where they do not say it themselves.
+  SkinVertex bone;  ///< The bone of the pieces that follow, unless they set their own.
   Cloth cloth = Cloth::kCamouflage;
   float light = 1;
-  world::BonePose place;  ///< The pieces that follow are put here.
+  world::BonePose place;  ///< The place of the pieces that follow.
 
-  /// A ring of a loft: around `centre`, `right` and `ahead` wide; square 0: an ellipse, 1: nearly a rectangle.
+  /// A ring of a loft: its centre and its radii in the directions `right` and `ahead`. `square`: 0 is an ellipse, 1
+  /// nearly a rectangle.
   struct Ring {
     world::Vec3 centre;
     float right = 0.1f, ahead = 0.1f;
@@ -59,21 +60,21 @@ class SkinBuilder {
     float square = 0;
     float light = 1;
   };
-  /// Joins rings whose planes stand across `along`, with `ahead` as their second direction. Ends are closed.
+  /// Joins rings whose planes are perpendicular to `along`, with `ahead` as their second direction. Ends are closed.
   void Loft(const std::vector<Ring>& rings, int segments, world::Vec3 ahead, bool closed_ends = true);
 
-  /// A body around `centre` with half sizes `half`; round 1: an ellipsoid, 0.2: a box with round edges.
+  /// A superquadric around `centre` with half sizes `half`. `round`: 1 is an ellipsoid, 0.2 a box with round edges.
   void Round(world::Vec3 centre, world::Vec3 half, float round, int segments = 14, float from = -1, float to = 1);
-  /// The same, with the points moved by a function of their place.
+  /// The same, with each point moved by `bend`.
   void Round(world::Vec3 centre, world::Vec3 half, float round, int segments, float from, float to,
              const std::function<world::Vec3(world::Vec3)>& bend);
-  /// A tube of one thickness through points.
+  /// A tube of constant radius through points.
   void Tube(const std::vector<world::Vec3>& points, float radius, int segments = 8);
 
   SkinMesh Take() { return std::move(made_); }
 
  private:
-  /// Rows of points that close around; adds them as a grid with smooth normals.
+  /// Adds closed rows of points as a grid with smooth normals.
   void AddGrid(const std::vector<std::vector<world::Vec3>>& rows, const std::vector<SkinVertex>& skins,
                const std::vector<float>& lights);
   void AddVertex(world::Vec3 at, world::Vec3 normal, const SkinVertex& skin, float light_here);
@@ -83,18 +84,18 @@ class SkinBuilder {
   SkinMesh made_;
 };
 
-/// Where a body stands, and how large it is.
+/// The place and the size of a body.
 struct SkinPlace {
   world::BonePose at;
   world::Vec3 scale{1, 1, 1};
   friend bool operator==(const SkinPlace&, const SkinPlace&) = default;
 };
 
-/// For each bone of a skeleton, what takes a point of the model in the bind pose into the bone's own space.
+/// For each bone of a skeleton, the transform of a point from the model in the bind pose to the bone's own space.
 std::vector<world::BonePose> ToBind(const world::Skeleton& skeleton);
 
-/// For each bone, three rows of four numbers: the matrix that takes a vertex from the bind pose to where the bone has
-/// it in the world. `out` holds twelve for each of `bones`; those beyond the skeleton's do not count.
+/// For each bone, three rows of four numbers: the matrix that transforms a vertex from the bind pose to world space.
+/// `out` has twelve numbers for each of `bones`. Bones beyond those of the skeleton are ignored.
 void BoneRows(const std::vector<world::BonePose>& to_bind, const std::vector<world::BonePose>& bones,
               const SkinPlace& place, float* out);
 

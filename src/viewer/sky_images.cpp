@@ -22,7 +22,7 @@ float Smooth(float low, float high, float value) {
   return t * t * (3 - 2 * t);
 }
 
-/// The direction that a pixel of a cube map's face shows. Cube maps are left-handed; shaders mirror z.
+/// The direction of a pixel of a cube map's face. Cube maps are left-handed; shaders mirror z.
 Vec3 FaceDirection(int face, float s, float t) {
   switch (face) {
     case 0:
@@ -49,7 +49,7 @@ Tone Above(const SkyStyle& style, Vec3 d) {
   }
   if (style.cloud_cover <= 0) return air;
 
-  // A flat layer of clouds, seen in perspective; finer noise bends the coarser.
+  // A flat layer of clouds in perspective; finer noise displaces the coarser noise.
   const float far = 1.0f / (height + 0.14f);
   const float x = d.x * far * 1.55f, y = d.z * far * 1.55f;
   const float bend = Fractal2(x * 1.7f + 5, y * 1.7f, 3, 201) - 0.5f;
@@ -61,7 +61,7 @@ Tone Above(const SkyStyle& style, Vec3 d) {
   const float towards_light = density(x + 0.16f, y - 0.12f);
   const float shade = std::clamp(0.5f + 3.2f * (here - towards_light) + 0.9f * (edge + 0.16f - here), 0.0f, 1.0f);
   const Tone cloud = Mix(style.cloud_dark, style.cloud_light, shade);
-  // Towards the horizon clouds melt into the haze.
+  // Clouds fade into the haze towards the horizon.
   return Mix(air, Mix(style.horizon, cloud, Smooth(-0.02f, 0.22f, height)), cover * Smooth(0.0f, 0.07f, height));
 }
 
@@ -93,7 +93,7 @@ std::array<Image, 6> SkyImages(const SkyStyle& style, int size) {
       }
     }
   };
-  // Each thread owns whole faces, so the result does not depend on their number.
+  // Each thread computes entire faces, so the result does not depend on the number of threads.
   std::vector<std::thread> painters;
   for (int face = 0; face < 6; ++face) painters.emplace_back(draw, face);
   for (std::thread& painter : painters) painter.join();

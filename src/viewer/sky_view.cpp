@@ -78,7 +78,7 @@ SkyView::SkyView(Ogre::SceneManager& scene, Materials& materials) : materials_(m
   box->quad(0, 4, 6, 2);
   box->quad(1, 3, 7, 5);
   box->end();
-  // Behind all that is solid, before all that is see-through.
+  // Behind opaque things, before transparent ones.
   box->setRenderQueueGroup(kSkyQueue);
   box->setCastShadows(false);
   box->setBoundingBox(Ogre::AxisAlignedBox::BOX_INFINITE);

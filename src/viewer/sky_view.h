@@ -8,12 +8,13 @@
 
 namespace soarbox::viewer {
 
-/// The sky box around the camera. Pictures are painted when a sky is first asked for.
+/// The sky box around the camera. The pictures of a sky are computed at its first use.
 class SkyView {
  public:
   SkyView(Ogre::SceneManager& scene, Materials& materials);
 
-  /// Shows the sky of that name, or a plain one for an empty name; false if the name is unknown (a default is shown).
+  /// Shows the sky with this name, or a plain one for an empty name. Returns false if the name is unknown (a default is
+  /// shown).
   bool Show(const std::string& name);
 
   void Follow(const Ogre::Vector3& camera_position) { node_->setPosition(camera_position); }

@@ -39,7 +39,7 @@ world::Color Mean(world::Color a, world::Color b, float share_of_b) {
 Look LookNamed(std::string_view name) {
   Look look;
   if (!FindLook(name, look)) FindLook("White", look);
-  // Grass covers about half of a ground that has some.
+  // Grass covers about half of a ground that has grass.
   if (look.paint == Look::Paint::kGround && look.trim.a > 0) look.base = Mean(look.base, look.trim, 0.55f);
   return look;
 }
@@ -61,7 +61,7 @@ world::Color ColorOnCloth(const Image& cloths, float u, float v) {
   return {channel(0), channel(1), channel(2), 1};
 }
 
-/// Clouds are left out: from blue above to pale at the horizon, and haze below it.
+/// The sky without clouds: blue above, pale at the horizon, and haze below it.
 Ink SkyAt(Vec3 ray) {
   constexpr world::Color kHorizon{0.80f, 0.87f, 0.92f, 1}, kZenith{0.30f, 0.52f, 0.80f, 1},
       kHaze{0.45f, 0.50f, 0.46f, 1};
@@ -113,7 +113,7 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
   if (has_bones) {
     std::vector<world::BonePose> bones =
         drawable.bones.empty() ? std::vector<world::BonePose>() : drawable.bones.value();
-    // The bind pose, if nobody says how the body stands.
+    // Bones without a given pose have the bind pose.
     for (std::size_t i = bones.size(); i < shape.to_bind.size(); ++i) bones.push_back(world::Inverse(shape.to_bind[i]));
     rows.resize(12 * shape.to_bind.size());
     BoneRows(shape.to_bind, bones, {{drawable.position, drawable.orientation}, drawable.scale}, rows.data());
@@ -130,7 +130,7 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
       return skin.share * by_bone(skin.bone, v, w) + (1 - skin.share) * by_bone(skin.other, v, w);
     }
     const Vec3 s = drawable.scale;
-    // A normal of a stretched mesh leans the other way.
+    // Normals are scaled inversely to the mesh.
     const auto part = [&](float value, float scale) {
       return w > 0 ? value * scale : scale != 0 ? value / scale : value;
     };
@@ -196,9 +196,9 @@ void SoftwarePictures::DrawPlaced(const Placed& placed) {
     raster_.Triangle(corner(indices[i]), corner(indices[i + 1]), corner(indices[i + 2]));
 }
 
-/// Draws the world from the sun, around what the camera sees: what is hidden there has no light.
+/// Draws the world as seen from the sun, around the camera's view: a hidden point is in shadow.
 void SoftwarePictures::SeeFromSun(const std::vector<Placed>& all, const SoftwareCamera& camera) {
-  // What the middle of the picture shows, and how far the picture reaches there.
+  // The point in the middle of the picture, and the extent of the picture there.
   const float down = std::max(0.05f, -camera.ahead.y), away = std::clamp(camera.eye.y / down, 5.0f, 150.0f);
   const Vec3 middle = camera.eye + away * camera.ahead;
   from_sun_.high_m = std::clamp(camera.high_m > 0 ? 2 * camera.high_m : 1.8f * away, 20.0f, 220.0f);
@@ -224,7 +224,7 @@ bool SoftwarePictures::IsShadowed(Vec3 point) const {
   return seen->depth > depth + bias;
 }
 
-/// Draws the sky, darkens what is in shadow, and gives the ground a pattern of squares of 2 m, which shows distances.
+/// Draws the sky, darkens shadows, and adds squares of 2 m to the ground, which show distances.
 void SoftwarePictures::Shade(float ground_m) {
   picture::Image& image = raster_.image();
   for (int y = 0; y < image.height; ++y) {
@@ -259,7 +259,7 @@ void SoftwarePictures::WriteNames(const world::SceneSnapshot& scene, picture::Im
   constexpr float kOver_m = 0.35f, kHigh_px = 9, kPadding_px = 5, kBox_px = kHigh_px + 2 * kPadding_px;
   struct Label {
     const world::AgentSnapshot* agent;
-    float x, y, width;  ///< Of its box; y is its lower edge.
+    float x, y, width;  ///< Of its box; y is the lower edge.
   };
   std::vector<Label> labels;
   for (const world::AgentSnapshot& agent : scene.agents) {
@@ -267,7 +267,7 @@ void SoftwarePictures::WriteNames(const world::SceneSnapshot& scene, picture::Im
     const float width = picture::TextWidth(agent.name, kHigh_px) + 2 * kPadding_px;
     if (head) labels.push_back({&agent, head->x / 2 - width / 2, head->y / 2, width});
   }
-  // From the lowest up: what would cover a label that is there moves above it.
+  // From the lowest up: a label that would cover another one moves above it.
   std::ranges::stable_sort(labels, [](const Label& a, const Label& b) { return a.y > b.y; });
   for (std::size_t i = 0; i < labels.size(); ++i) {
     Label& label = labels[i];
@@ -335,7 +335,7 @@ SoftwareCamera CameraOver(const std::vector<Vec3>& places, float aspect, bool is
   camera.up = {0, 1, 0};
   const Vec3 up = Cross(Vec3{1, 0, 0}, camera.ahead);
   const float half = kUsed * std::tan(camera.vertical_fov_deg / 2 * std::numbers::pi_v<float> / 180);
-  // Each place is within that share of the picture.
+  // Each place is within this fraction of the picture.
   float away = kNearest_m;
   for (const Vec3 place : places) {
     const Vec3 from = place - middle;

@@ -13,8 +13,8 @@
 
 namespace soarbox::viewer {
 
-/// Draws scenes on the processor, without a display and without graphics libraries: the window's shapes and colours,
-/// light from one side with shadows, debug lines, and names over heads. It draws no textures, particles or panels.
+/// Draws scenes on the processor, without a display and without graphics libraries: the window's shapes and colours, a
+/// directional light with shadows, debug lines, and names above heads. It draws no textures, particles or panels.
 class SoftwarePictures {
  public:
   SoftwarePictures(int width_px, int height_px);
@@ -26,7 +26,7 @@ class SoftwarePictures {
     SkinMesh mesh;                         ///< Without `skin` if it has no skeleton.
     std::vector<world::BonePose> to_bind;  ///< Of its skeleton.
   };
-  /// A drawable in the world: what its mesh's triangles are made of.
+  /// A drawable in world space, with the vertices of its mesh.
   struct Placed {
     const MeshData* mesh = nullptr;
     std::vector<world::Vec3> at, normal;
@@ -46,15 +46,15 @@ class SoftwarePictures {
   void DrawLines(const world::SceneSnapshot& scene);
   void WriteNames(const world::SceneSnapshot& scene, picture::Image& image) const;
 
-  SoftwareRaster raster_;  ///< Twice as large as the picture, so that edges are smooth.
-  SoftwareRaster sun_;     ///< What the light reaches.
+  SoftwareRaster raster_;  ///< Twice the size of the picture, for smooth edges.
+  SoftwareRaster sun_;     ///< Depth as seen from the light.
   SoftwareCamera from_sun_;
   Image cloths_;
   std::map<std::string, Shape> shapes_;
 };
 
-/// A camera that sees all of these places, from above and in front of them. `is_plan`: straight down, with parallel
-/// rays; x is to the right and z down, as on the map of a report.
+/// Returns a camera that sees all of these places, from above and from the front. `is_plan`: straight down with
+/// parallel rays; x is to the right and z down, as on the map of a report.
 SoftwareCamera CameraOver(const std::vector<world::Vec3>& places, float aspect, bool is_plan);
 
 }  // namespace soarbox::viewer

@@ -12,7 +12,7 @@ namespace {
 using picture::Image;
 using world::Vec3;
 
-/// A plain with a red box of 2 m at its middle.
+/// A plain with a red box of 2 m in its centre.
 world::SceneSnapshot SomeScene() {
   world::SceneSnapshot scene;
   world::DrawableSnapshot ground;

@@ -80,7 +80,7 @@ float SoftwareRaster::DepthAt(int x, int y) const {
 
 void SoftwareRaster::Triangle(const Corner& a, const Corner& b, const Corner& c) {
   const std::array<Point, 3> corners = {SeenFrom(a), SeenFrom(b), SeenFrom(c)};
-  // What is behind the camera is cut off; up to four corners are left.
+  // Clips at the plane of the camera; up to four corners are left.
   std::array<Point, 4> left;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {

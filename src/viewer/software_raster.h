@@ -11,23 +11,23 @@
 
 namespace soarbox::viewer {
 
-/// Where a software picture is taken from.
+/// The camera of a software picture.
 struct SoftwareCamera {
   world::Vec3 eye{0, 20, -20};
   world::Vec3 ahead{0, -0.7f, 0.7f};  ///< A unit vector.
-  world::Vec3 up{0, 1, 0};            ///< Not along `ahead`.
+  world::Vec3 up{0, 1, 0};            ///< Not parallel to `ahead`.
   float vertical_fov_deg = 45;
-  float high_m = 0;  ///< Greater than 0: parallel rays, for plans; this height of the world fills the picture.
+  float high_m = 0;  ///< Greater than 0: parallel rays, for plans; this height in m fills the picture.
 };
 
-/// Where a point is in the picture.
+/// Position of a point in the picture.
 struct Projected {
   float x = 0, y = 0;  ///< In pixels.
-  float depth = 0;     ///< In m along the view; with parallel rays, too.
-  float size_px = 0;   ///< How large 1 m is there.
+  float depth = 0;     ///< In m along the view direction; also with parallel rays.
+  float size_px = 0;   ///< Size of 1 m at this depth.
 };
 
-/// Draws triangles into an image with a depth buffer, on the processor.
+/// Rasterizes triangles into an image with a depth buffer, on the processor.
 class SoftwareRaster {
  public:
   SoftwareRaster(int width, int height);
@@ -35,20 +35,21 @@ class SoftwareRaster {
   void Begin(const SoftwareCamera& camera);
   /// Nothing if the point is behind the camera.
   std::optional<Projected> Project(world::Vec3 point) const;
-  /// The way that is seen at the middle of a pixel; a unit vector.
+  /// Unit vector of the ray through the centre of a pixel.
   world::Vec3 RayOf(int x, int y) const;
-  /// The nearest opaque point at a pixel; nothing if there is none.
+  /// Returns the nearest opaque point at a pixel; nothing if there is none.
   std::optional<world::Vec3> WorldAt(int x, int y) const;
 
   struct Corner {
     world::Vec3 at;
     picture::Ink ink;
   };
-  /// Its colours are mixed between its corners. Opaque ones hide what is farther away; others do not.
+  /// Interpolates the colours of the corners. An opaque triangle hides what is further away; others do not.
   void Triangle(const Corner& a, const Corner& b, const Corner& c);
 
   picture::Image& image() { return image_; }
-  /// The depth of the nearest opaque surface at a pixel; infinite if there is none, or no such pixel.
+  /// Returns the depth of the nearest opaque surface at a pixel; infinite if there is none, or if the pixel does not
+  /// exist.
   float DepthAt(int x, int y) const;
 
  private:
@@ -64,7 +65,7 @@ class SoftwareRaster {
   std::vector<float> nearness_;  ///< 1 / depth (or its negative with parallel rays) of each pixel.
   SoftwareCamera camera_;
   world::Vec3 right_, up_;
-  float scale_px_ = 1;  ///< Pixels per m at a depth of 1 m; with parallel rays at each depth.
+  float scale_px_ = 1;  ///< Pixels per m at a depth of 1 m; with parallel rays, at any depth.
 };
 
 }  // namespace soarbox::viewer

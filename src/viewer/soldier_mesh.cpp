@@ -90,7 +90,7 @@ class SoldierBuilder {
 
   void Head() {
     Wear(Cloth::kSkin, By(kHead));
-    // The jaw is narrower than the brow, the chin comes forward.
+    // The jaw is narrower than the forehead, and the chin protrudes.
     b_.Round({0, 1.595f, 0.016f}, {0.074f, 0.115f, 0.092f}, 0.88f, 20, -1, 1, [](Vec3 p) {
       const float down = std::max(0.0f, (1.60f - p.y) / 0.115f);
       p.x *= 1 - 0.26f * down * down;
@@ -115,7 +115,7 @@ class SoldierBuilder {
       p.z -= 3.2f * p.x * p.x;
       return p;
     });
-    // Helmet: a shell that reaches lower at the back and the sides, its rim, and what is screwed to it.
+    // Helmet: a shell that is lower at the back and the sides, its rim, and its attachments.
     Wear(Cloth::kHelmet, By(kHead));
     const auto shell = [](Vec3 p) {
       const float low = std::max(0.0f, (1.66f - p.y) / 0.05f);
@@ -125,7 +125,7 @@ class SoldierBuilder {
     b_.Round({0, 1.640f, 0.002f}, {0.116f, 0.126f, 0.138f}, 0.92f, 26, 0.04f, 1, shell);
     Wear(Cloth::kRubber, By(kHead));
     b_.Round({0, 1.640f, 0.002f}, {0.118f, 0.030f, 0.140f}, 0.92f, 26, -0.10f, 0.28f, shell);
-    // The band lies on the shell: it is cut from a slightly larger one.
+    // The band is on the shell, so it is part of a slightly larger ellipsoid.
     Wear(Cloth::kTeam, By(kHead));
     b_.Round({0, 1.640f, 0.002f}, {0.1185f, 0.1285f, 0.1405f}, 0.92f, 26, 0.22f, 0.36f, shell);
     if (coarse_) return;
@@ -176,7 +176,7 @@ class SoldierBuilder {
     b_.Round(at(elbow) + Vec3{0, 0, -0.040f}, {0.034f, 0.046f, 0.022f}, 0.6f, 12);
   }
 
-  /// Puts what is built in the rifle's space onto the hand that holds it there, in the bind pose.
+  /// Moves what was built in the rifle's space to the hand that holds the rifle, in the bind pose.
   void PlaceInHand(int hand, const BonePose& hand_in_rifle) {
     Wear(Cloth::kLeather, By(hand));
     b_.place = SoldierSkeleton().BindInModel(hand) * Inverse(hand_in_rifle);
@@ -213,7 +213,7 @@ class SoldierBuilder {
       b_.place = {};
       return;
     }
-    // Fingers go under the handguard and up its right side; the thumb up its left side.
+    // Fingers go under the handguard and up its right side, the thumb up its left side.
     for (int finger = 0; finger < 4; ++finger) {
       const Vec3 start =
           palm + Vec3{0.012f, 0.0f, 0.0f} + Vec3{0.023f * static_cast<float>(finger) - 0.008f, 0.010f, 0.012f};
@@ -271,7 +271,7 @@ class SoldierBuilder {
              {{x, 0.05f, 0.01f}, 0.046f, 0.072f, By(foot)},
              {{x, 0.022f, 0.014f}, 0.046f, 0.076f, By(foot)}},
             16, {0, 0, 1});
-    // From the instep to the toe's cap.
+    // From the instep to the toecap.
     const float out = side * 0.006f;
     b_.Loft({{{x, 0.058f, 0.02f}, 0.044f, 0.048f, By(foot), 0.2f},
              {{x + out, 0.054f, 0.07f}, 0.048f, 0.042f, By(foot), 0.2f},

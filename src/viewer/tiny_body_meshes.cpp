@@ -3,7 +3,7 @@
 #include "world/animation/rifle_rig.h"
 #include "world/animation/soldier_skeleton.h"
 
-// Soldier and rifle as they look when they are a few pixels high: one loft per limb, in the same colours.
+// Soldier and rifle for heights of a few pixels: one loft per limb, in the same colours.
 namespace soarbox::viewer {
 namespace {
 
@@ -12,7 +12,7 @@ using world::Vec3;
 using Size = world::SoldierSize;
 using namespace world;  // NOLINT: the bones' names.
 
-/// Rounds have three rows at this fineness, and each piece as many sides as the numbers below come to.
+/// At this fineness, superquadrics have three rows, and the numbers of segments below are reduced accordingly.
 constexpr float kTinyFineness = 0.3f;
 constexpr int kFourSides = 13, kFiveSides = 17;
 

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr float kLineWidth_px = 2.2f;
 
-/// Where the media are unless the application says so: beside an installed program, else where the build had them.
+/// The default folder of the media: next to an installed program, else the folder of the build.
 fs::path DefaultMediaDir() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -63,7 +63,7 @@ bool Same(const std::vector<world::TriangleSnapshot>& a, const std::vector<world
   });
 }
 
-/// A ring on the ground around a selected agent; the first one's is bright.
+/// A ring on the ground around a selected agent; brighter for the first one.
 void AddRing(const world::AgentSnapshot& agent, bool is_first, std::vector<world::LineSnapshot>& out) {
   constexpr int kPieces = 40;
   const world::Color color = is_first ? world::Color{1.0f, 0.86f, 0.35f, 1} : world::Color{1.0f, 0.92f, 0.70f, 0.75f};
@@ -151,7 +151,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   triangles = newest.triangles;
   painter.Note(newest);
   if (previous != nullptr && blend < 1) {
-    // Agents keep their order; new ones stand at the end.
+    // Agents keep their order; new ones are appended.
     std::size_t i = 0;
     for (auto& agent : scene.agents) {
       while (i < previous->agents.size() && previous->agents[i].id != agent.id) ++i;
@@ -171,7 +171,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   }
   if (options.frame_agents && !has_framed && !scene.agents.empty()) {
     has_framed = true;
-    // Among many pieces of buildings, agents are seen from above only.
+    // Among many pieces of buildings, agents are visible only from above.
     constexpr std::ptrdiff_t kManyPieces = 40;
     has_walls = kManyPieces < std::count_if(
                                   newest.drawables.begin(), newest.drawables.end(),
@@ -205,7 +205,7 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   notice_s = std::max(0.0f, notice_s - seconds);
 }
 
-/// Whether the last frame still shows all there is to see; then a moment is spent waiting for the user.
+/// Whether the last frame still shows the current state. Then the window waits a moment for the user.
 bool Viewer::Impl::IsIdle(Clock::time_point now) {
   constexpr auto kSettles = std::chrono::milliseconds(500), kAtLeastEvery = std::chrono::milliseconds(500);
   constexpr int kWait_ms = 20;
@@ -258,7 +258,7 @@ bool Viewer::Impl::Frame() {
   PaintImagined(imagined, answer, drawn);
   shown_ghosts.clear();
   for (const Ghost& ghost : ghosts) {
-    // Who stands where its ghost would needs none.
+    // An agent at the place of its ghost needs no ghost.
     constexpr float kSame_m = 0.3f;
     const auto* agent = ghost.agent_id != 0 ? Find(ghost.agent_id) : nullptr;
     if (agent == nullptr || !agent->alive || world::Distance(agent->position, ghost.position) >= kSame_m)
@@ -286,8 +286,7 @@ bool Viewer::Impl::Frame() {
   last_marks = std::move(marks);
   last_fills = std::move(drawn.triangles);
   last_ghosts = shown_ghosts.size();
-  // A script that plays a user reads where panels lay their texts; of the frames that nobody watches one in four is
-  // drawn.
+  // A script that plays a user needs the texts of panels. Of hidden frames only one in four is drawn.
   if (options.ui_script.empty() || ++scripted_frames % 4 == 0)
     engine->Draw(!shows_same);
   else
@@ -296,7 +295,7 @@ bool Viewer::Impl::Frame() {
   ++costs.frames;
   last_drawn = Clock::now();
   drawing_s = std::chrono::duration<double>(last_drawn - now).count();
-  // Where the processor draws, more frames than a screen shows would only keep it from the world.
+  // With software rendering, more frames than the screen shows would slow down the world.
   constexpr auto kFrame = std::chrono::microseconds(16'600);
   if (engine->low_detail() && !options.hidden && options.ui_script.empty()) std::this_thread::sleep_until(now + kFrame);
   slept_s = std::chrono::duration<double>(Clock::now() - last_drawn).count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The camera of the window: whom it frames, follows and keeps in view.
+// The camera of the window: which agents it frames, follows and keeps in view.
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +35,7 @@ std::vector<world::Vec3> Viewer::Impl::Places() const {
 void Viewer::Impl::KeepInView(float seconds) {
   if (!camera.keeps()) return;
   std::vector<FramedBody> living, all;
-  // The camera goes by the user's clock, agents by that of the world: faster than this, their velocity says little.
+  // The camera uses wall time, agents use simulated time. Above this speed, their velocity means little.
   constexpr double kFast = 4;
   const bool is_fast = !status.paused && status.speed > kFast;
   const auto pace = static_cast<float>(status.paused || is_fast ? 0 : status.speed);
@@ -55,7 +55,7 @@ void Viewer::Impl::KeepInView(float seconds) {
     recent_ground.Forget();
   }
   if (!kept.empty()) return camera.Keep(framed, {}, aspect, seconds);
-  // Panels that come and go leave a picture of another shape.
+  // Opening and closing panels changes the aspect of the picture.
   constexpr float kOtherShape = 0.05f;
   if (framed_aspect > 0 && std::abs(aspect / framed_aspect - 1) > kOtherShape) Frame({}, false);
   const std::vector<world::Vec3> places = Places();
@@ -63,21 +63,21 @@ void Viewer::Impl::KeepInView(float seconds) {
 }
 
 void Viewer::Impl::SetCamera(CameraMode mode) {
-  // The key of the mode that follows also ends it.
+  // The key of kFollow also ends that mode.
   if (mode == CameraMode::kFollow && camera.mode() == mode && Selected() != nullptr && camera.agent() == Selected()->id)
     mode = CameraMode::kFree;
   const bool needs_agent = mode == CameraMode::kFollow || mode == CameraMode::kEyes;
   if (needs_agent && Selected() == nullptr) {
-    // Without a wish, somebody who lives.
+    // If nothing is selected, chooses a living agent.
     const auto living = std::find_if(scene.agents.begin(), scene.agents.end(), [](const auto& a) { return a.alive; });
     if (living != scene.agents.end()) selection = {living->id};
   }
   if (!camera.SetMode(mode, Selected())) Notice("There is no agent to go along with");
 }
 
-/// Whether all agents are in the picture and large enough to be made out: then a script has chosen its view well.
+/// Whether all agents are in the picture and large enough, so that the script's view is good.
 bool Viewer::Impl::SeesAgentsWell() {
-  constexpr float kSmallest = 0.07f;  // Of the picture's height.
+  constexpr float kSmallest = 0.07f;  // Fraction of the picture's height.
   const auto width = static_cast<float>(engine->width()), height = static_cast<float>(engine->height());
   camera.Arrive();
   const Projection view = View();

@@ -8,29 +8,29 @@
 
 namespace soarbox::viewer {
 
-/// What the user can ask of the window and of the run, by a key, a menu or a button.
+/// What the user can request of the window and of the run, by a key, a menu or a button.
 ///
-/// Those up to kQuit are the application's, which owns the run: they come out of Viewer::TakeCommands. The others the
-/// window obeys itself; Viewer::Do carries out either kind.
+/// Commands up to kQuit concern the run, which the application owns: Viewer::TakeCommands returns them. The window
+/// executes the others itself. Viewer::Do accepts both kinds.
 enum class ViewerCommand : std::uint8_t {
   // The run.
   kTogglePause,
-  kSingleStep,    ///< Pauses and goes on by one tick.
-  kStepDecision,  ///< Pauses; goes on by a tick in which the selected agent makes one decision.
-  kStepPhase,     ///< Pauses; the selected agent's mind alone goes on by a phase, its world stands still.
-  kStepChange,    ///< Goes on until the selected agent's operator, goal stack or command changes, and pauses.
+  kSingleStep,    ///< Pauses and advances by one tick.
+  kStepDecision,  ///< Pauses; advances by a tick in which the selected agent makes one decision.
+  kStepPhase,     ///< Pauses; advances only the selected agent's mind by a phase, not the world.
+  kStepChange,    ///< Runs until the selected agent's operator, goal stack or command changes, and pauses.
   kFaster,
   kSlower,
   kNormalSpeed,
-  kUnlimited,  ///< As fast as it goes; again: back to the speed before.
-  kReset,      ///< From the beginning with the same seed.
-  kNextSeed,   ///< From the beginning with the next seed.
+  kUnlimited,  ///< As fast as possible; again: the previous speed.
+  kReset,      ///< Starts again with the same seed.
+  kNextSeed,   ///< Starts again with the next seed.
   kQuit,
   // The camera.
   kFrameSelection,  ///< The selected agents fill the picture; all if none is selected.
   kFrameAll,
   kFreeCamera,
-  kOrbitCamera,   ///< Around what is in the middle of the picture, or the selected agent.
+  kOrbitCamera,   ///< Around the point in the middle of the picture, or the selected agent.
   kFollowCamera,  ///< With the selected agent; again: free.
   kEyesCamera,    ///< Through the selected agent's eyes.
   kMapCamera,     ///< From above, north up.
@@ -38,12 +38,12 @@ enum class ViewerCommand : std::uint8_t {
   kSelectNext,
   kSelectPrevious,
   kSelectNone,
-  // How large the scene is drawn before it is brought up to the picture's size; one of them is on.
+  // The scale at which the scene is drawn before it is enlarged; one of these is on.
   kScaleAuto,
   kScaleFull,
   kScaleThreeQuarters,
   kScaleHalf,
-  // What is drawn over the scene; each is on or off.
+  // Overlays over the scene; each is on or off.
   kLabels,
   kTrails,
   kSenses,
@@ -63,11 +63,11 @@ inline constexpr int kViewerCommands = static_cast<int>(ViewerCommand::kHelp) + 
 
 enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kScale, kOverlay, kHelp };
 
-/// A command as menus and the list of keys show it.
+/// The description of a command for menus and the list of keys.
 struct CommandInfo {
   ViewerCommand command;
   CommandGroup group;
-  std::string_view word;     ///< Of cameras and overlays, for command lines: "senses"; else empty.
+  std::string_view word;     ///< Name of a camera mode or an overlay on command lines: "senses"; else empty.
   std::string_view title;    ///< "Sensor cones"
   std::string_view keys;     ///< "V", "Ctrl+R"
   std::string_view meaning;  ///< A sentence without its full stop.
@@ -77,16 +77,16 @@ struct CommandInfo {
 std::span<const CommandInfo> Commands();
 const CommandInfo& InfoOf(ViewerCommand command);
 
-/// Whether the command is the application's, not the window's own.
+/// Whether the command concerns the run, not the window.
 inline bool IsOfRun(ViewerCommand command) {
   return command <= ViewerCommand::kQuit;
 }
-/// Whether it switches an overlay.
+/// Whether the command switches an overlay.
 inline bool IsOverlay(ViewerCommand command) {
   return command >= ViewerCommand::kLabels && command <= ViewerCommand::kPhysics;
 }
 
-/// The command behind a key (SDL's scan code); none for other keys.
+/// Returns the command of a key (SDL's scan code); nothing for other keys.
 std::optional<ViewerCommand> CommandOfKey(int scancode, bool shift, bool control);
 
 }  // namespace soarbox::viewer

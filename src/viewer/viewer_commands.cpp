@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the user does in the picture: selecting, commands, overlays, the scale of the picture.
+// The user's actions in the picture: selection, commands, overlays, the scale of the picture.
 #include <algorithm>
 #include <utility>
 
@@ -39,7 +39,7 @@ void Viewer::Impl::Pick(const Picked& picked) {
     return;
   }
   if (!picked.adds) {
-    // The ground is nobody: panels stay with whom they are about.
+    // A click on the ground does not change the selection, so panels keep their agent.
     if (!found.empty()) selection = std::move(found);
     return;
   }
@@ -86,7 +86,7 @@ void Viewer::Impl::Do(ViewerCommand command) {
   if (IsOverlay(command)) {
     on.flip(static_cast<std::size_t>(command));
     const bool is_on = IsOn(command);
-    // Names, trails and forces come with every scene.
+    // Names, trails and forces are available for every scene.
     const bool needs_more =
         command != ViewerCommand::kLabels && command != ViewerCommand::kTrails && command != ViewerCommand::kForces;
     const std::string title(InfoOf(command).title);
@@ -152,7 +152,7 @@ void Viewer::Impl::ChooseScale(ViewerCommand command) {
   }
   auto_scale.reset();
   if (command == ViewerCommand::kScaleAuto) {
-    // A script that plays a user has its pictures alike everywhere.
+    // A script that plays a user must get the same pictures everywhere.
     if (engine->in_software() && options.ui_script.empty()) auto_scale.emplace();
     UseScale(auto_scale ? auto_scale->scale() : engine->low_detail() && !options.hidden ? kUsualLow : 1);
   } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-/// A developer's tool: shows a hand-made, moving scene in the window, without a world behind it, or measures what
-/// frames of a scenario cost.
+/// A developer's tool: shows a generated, moving scene in the window without a world, or measures the cost of frames of
+/// a scenario.
 ///
 ///   viewer_demo [--screenshot FILE] [--at SECONDS] [--agents N] [--view NUMBER] [--sky NAME] ...
 ///   viewer_demo --scenario FOLDER_OR_FILE [--at SECONDS] [--frames N] [--full] [--render-scale SHARE]
@@ -74,7 +74,7 @@ double ProcessSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Runs a scenario to a moment, then draws frames, four for each tick, and says what a frame costs by part.
+/// Runs a scenario up to a time, then draws frames, four for each tick, and prints the cost of the parts of a frame.
 int Measure(Viewer& viewer, const Arguments& arguments) {
   using namespace soarbox;
   const std::string root = SOARBOX_SOURCE_DIR;
@@ -114,7 +114,7 @@ int Measure(Viewer& viewer, const Arguments& arguments) {
     spent_s += ProcessSeconds() - begin_s;
     wall_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  // A hidden window draws only what it saves.
+  // A hidden window draws only the pictures that it saves.
   if (!arguments.screenshot.empty()) {
     if (auto saved = viewer.SaveScreenshot(arguments.screenshot); !saved) {
       std::fputs(Format(saved.error()).c_str(), stderr);

@@ -31,10 +31,10 @@
 
 namespace soarbox::viewer {
 
-/// What of a snapshot is needed to draw again without its owner, and everything that draws.
+/// The parts of a snapshot that are needed to draw again without its owner, and all objects that draw.
 struct Viewer::Impl {
   ViewerOptions options;
-  // Declared in the order of construction; each uses what stands above it.
+  // Declared in the order of construction; each uses the members above it.
   std::unique_ptr<Engine> engine;
   std::optional<Shaders> shaders;
   std::optional<Materials> materials;
@@ -56,18 +56,18 @@ struct Viewer::Impl {
   CameraRig camera;
   ParticleLines particles;
   std::optional<std::uint32_t> camera_moves;
-  std::vector<std::uint32_t> kept;  ///< Whom the camera keeps in view; empty: all, and the places.
-  RecentGround recent_ground;       ///< Of those, while the world runs fast.
-  world::SceneSnapshot scene;       ///< Without its drawables; agents stand where they are drawn.
+  std::vector<std::uint32_t> kept;  ///< The agents that the camera keeps in view; empty: all, and the places.
+  RecentGround recent_ground;       ///< Of these agents, while the world runs fast.
+  world::SceneSnapshot scene;       ///< Without its drawables; agents are at the positions where they are drawn.
   RunStatus status;
   std::vector<InputEvent> events;
   std::vector<ViewerCommand> commands;
   OverlayPainter painter;
   AgentLabels labels;
-  ScreenBox card;  ///< Where the selected agent's card stood in the last frame.
+  ScreenBox card;  ///< The selected agent's card in the last frame.
   Corner card_corner = Corner::kBottomLeft;
   std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
-  std::vector<Ghost> shown_ghosts;                 ///< Those asked for, and those of overlays.
+  std::vector<Ghost> shown_ghosts;                 ///< Those of SetGhosts, and those of overlays.
   world::OverlaySnapshot overlays;
   bool has_overlays = false;
   std::vector<Ghost> ghosts;
@@ -79,27 +79,28 @@ struct Viewer::Impl {
   std::optional<Picked> box;
   std::bitset<kViewerCommands> on;
   std::string notice;
-  float notice_s = 0;  ///< For how long it is still shown.
+  float notice_s = 0;  ///< Time for which it is still shown.
   bool has_framed = false;
-  std::vector<FramedBody> scenery;  ///< Around the agents; up to date while the camera keeps them in view.
-  float framed_aspect = 0;          ///< Of the picture that all agents were framed in; 0: others were, or a script did.
-  bool has_walls = false;           ///< The scene is full of pieces of buildings.
+  std::vector<FramedBody> scenery;  ///< Around the agents; updated while the camera keeps them in view.
+  float framed_aspect = 0;  ///< Aspect of the picture when all agents were framed; 0: other agents were framed, or a
+                            ///< script moved the camera.
+  bool has_walls = false;   ///< The scene contains many pieces of buildings.
   bool failed = false;
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
   FrameCosts costs;
   int scripted_frames = 0;
-  bool shows_news = true;                       ///< Something else was shown since the last frame.
+  bool shows_news = true;                       ///< Other things were shown since the last frame.
   bool stands = false;                          ///< Neither the world nor the camera has moved since the last frame.
-  std::vector<world::LineSnapshot> last_marks;  ///< What the last frame drew over the scene.
+  std::vector<world::LineSnapshot> last_marks;  ///< The lines that the last frame drew over the scene.
   std::vector<world::TriangleSnapshot> last_fills;
   std::size_t last_ghosts = 0;
   std::size_t shown_drawables = 0;
   world::CameraSnapshot rested_pose;
   float frames_per_second = 0;
-  std::optional<AutoScale> auto_scale;  ///< Looks for the largest scale that is fast enough.
+  std::optional<AutoScale> auto_scale;  ///< Finds the largest scale that is fast enough.
   double slept_s = 0;                   ///< Since the last frame began.
-  double drawing_s = 0;                 ///< What the last frame took.
+  double drawing_s = 0;                 ///< Duration of the last frame.
 
   Result<void> Build();
   void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous, float blend);
@@ -109,7 +110,7 @@ struct Viewer::Impl {
   void PlaceCamera();
   void DrawPanels(float seconds);
   void DrawWorkspace();
-  /// Moves the selected agent's card to where it hides nobody.
+  /// Moves the selected agent's card to a corner where it covers no agent.
   void PlaceCard(const Projection& view, const std::vector<ScreenBox>& blocked);
   void ChooseScale(ViewerCommand command);
   void UseScale(double scale);
@@ -118,10 +119,10 @@ struct Viewer::Impl {
   void Do(ViewerCommand command);
   void SelectBeside(int step);
   bool SeesAgentsWell();
-  /// Lets the camera follow what happens, while it is not the user's.
+  /// Moves the camera to keep agents in view, unless the user has moved it.
   void KeepInView(float seconds);
   std::vector<world::Vec3> Places() const;
-  /// The agent whose body or label is there; 0: none.
+  /// The agent whose body or label is at a pixel; 0: none.
   std::uint32_t AgentUnder(ScreenPoint pixel) const;
   void Pick(const Picked& picked);
   /// Takes the clicks on buttons of scripts out of what the user did, and reports them as presses.
@@ -134,7 +135,7 @@ struct Viewer::Impl {
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);
   bool IsOn(ViewerCommand command) const;
-  /// The agent whose eyes the camera looks out of; 0: none.
+  /// The agent through whose eyes the camera looks; 0: none.
   std::uint32_t Inside() const { return camera.mode() == CameraMode::kEyes ? camera.agent() : 0; }
   void Notice(std::string text) {
     notice = std::move(text);
@@ -145,7 +146,7 @@ struct Viewer::Impl {
   Projection View() const { return {camera.pose(), engine->width(), engine->height()}; }
 
   ~Impl() {
-    // Ogre's scene must not hold what we own when the engine takes it down.
+    // Ogre's scene must not refer to our objects when the engine ends it.
     if (lines) lines->detachFromParent();
     if (skeleton_lines) skeleton_lines->detachFromParent();
     if (fills) fills->detachFromParent();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Keys, and the ways in which a window does not open; no display is needed.
+// Keys, and the reasons for which a window cannot be opened; needs no display.
 #include <SDL.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

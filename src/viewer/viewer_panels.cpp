@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The panels of the window: drawn over and around the picture, and what the application asks of them.
+// The panels of the window, over and around the picture, and the application's calls that concern them.
 #include <algorithm>
 
 #include "viewer/picture_notes.h"
@@ -80,7 +80,7 @@ void Viewer::Impl::DrawWorkspace() {
 
 namespace {
 
-/// Of a window without panels.
+/// For a window without panels.
 template <typename T>
 T& Nothing() {
   static T nothing;

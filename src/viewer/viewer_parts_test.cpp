@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the window is made of and needs no display: meshes, pictures, camera, picking, markup.
+// The parts of the window that need no display: meshes, pictures, camera, picking, markup.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ namespace {
 
 using world::Vec3;
 
-/// Each triangle must be seen from the side that its vertices' normals point to; degenerate ones are left out.
+/// Checks that each triangle faces the direction of its vertices' normals; skips degenerate ones.
 void ExpectOutwardTriangles(const MeshData& mesh) {
   ASSERT_FALSE(mesh.indices.empty());
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -168,7 +168,7 @@ TEST(Palette, KindsOfAgentsDifferInColour) {
   }
 }
 
-/// Draws for so many seconds with an AutoScale; a frame takes `full_s` at scale 1, and some of it at any scale.
+/// Draws for `seconds` with an AutoScale. A frame takes `full_s` at scale 1; a part of it does not depend on the scale.
 double ScaleAfter(AutoScale& scale, double seconds, double full_s, double ticks_s = 0, int* changes = nullptr) {
   double last = scale.scale();
   for (double time_s = 0; time_s < seconds;) {
@@ -364,7 +364,7 @@ TEST(CameraRig, FollowsAnAgentUntilTheUserMovesIt) {
   camera.Update({.left = 1}, 1.0f / 60, &agent, 720);
   EXPECT_EQ(camera.mode(), CameraMode::kFree);
   EXPECT_LT(world::Distance(before, camera.pose().position), 1.0f);
-  // An agent that goes takes its view along.
+  // The eyes camera turns with the agent.
   camera.SetMode(CameraMode::kEyes, &agent);
   camera.Update({}, 1.0f / 60, nullptr, 720);
   EXPECT_EQ(camera.mode(), CameraMode::kFree);
@@ -451,7 +451,7 @@ TEST(CameraRig, TheWheelKeepsWhatIsUnderTheCursorWhereItIs) {
     EXPECT_LT(world::Distance(rig.pose().position, under), 0.9f * before);
     const auto at = Projection(rig.pose(), 1280, 720).Project(under);
     ASSERT_TRUE(at.has_value());
-    // Orbits turn round a point a little above the ground.
+    // kOrbit circles around a point slightly above the ground.
     EXPECT_NEAR(at->x, cursor.x, 14) << static_cast<int>(mode);
     EXPECT_NEAR(at->y, cursor.y, 14) << static_cast<int>(mode);
   }

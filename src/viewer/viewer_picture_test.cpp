@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Draws real pictures and looks at them. Without a display the program starts a virtual one of its own.
+// Draws real pictures and checks them. Starts a virtual display if there is none.
 #include <OgreColourValue.h>
 #include <OgreDataStream.h>
 #include <OgreImage.h>
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 using world::Vec3;
 
 constexpr int kWidth = 1280, kHeight = 720;
-/// What most pictures are judged by: a quarter of the work.
+/// Size of most pictures: a quarter of the pixels.
 constexpr int kSmallWidth = 640, kSmallHeight = 360;
 
 struct Pixel {
@@ -35,11 +35,11 @@ struct Pixel {
   int light() const { return r + g + b; }
 };
 
-/// A PNG, read back.
+/// A PNG file, read back.
 class Picture {
  public:
   explicit Picture(const std::filesystem::path& path) {
-    auto* file = new std::ifstream(path, std::ios::binary);  // The stream below owns it.
+    auto* file = new std::ifstream(path, std::ios::binary);  // Owned by the stream below.
     Ogre::DataStreamPtr stream(new Ogre::FileStreamDataStream(file, true));
     image_.load(stream, "png");
   }
@@ -144,7 +144,7 @@ TEST_F(PictureTest, ASceneThatIsDrawnSmallerLooksTheSameAndTextsStaySharp) {
     EXPECT_EQ((*viewer)->render_scale(), scale);
     pictures.push_back(Draw(**viewer, scene));
   }
-  // The same things at the same places: only edges differ.
+  // The same things at the same places: only edges may differ.
   double difference = 0;
   int edges = 0, count = 0;
   for (int y = 40; y < 480; y += 3) {
@@ -158,7 +158,7 @@ TEST_F(PictureTest, ASceneThatIsDrawnSmallerLooksTheSameAndTextsStaySharp) {
   EXPECT_LT(difference / count, 12);
   EXPECT_LT(edges, count / 50);
   EXPECT_GT(difference, 0);
-  // The help text lies in its box over the scene; its letters are those of the large picture.
+  // The help text is in its box over the scene; its letters are those of the large picture.
   int different_letters = 0;
   for (int y = 505; y < 685; ++y) {
     for (int x = 960; x < 1260; ++x) {
@@ -216,7 +216,7 @@ TEST_F(PictureTest, ThingsCastShadowsAndWhatIsMissingIsMagentaAndReportedOnce) {
   const Picture picture = Draw(*viewer, scene);
   viewer->Show(scene);
 
-  // The sun shines along (1, -1, 1): the box's shadow lies to its right, towards the camera.
+  // The sun shines along (1, -1, 1): the box's shadow is to its right, towards the camera.
   const Projection view(scene.camera, kSmallWidth, kSmallHeight);
   const auto light_at = [&](Vec3 place) {
     const auto at = view.Project(place);
@@ -297,8 +297,8 @@ TEST_F(PictureTest, TheCameraObeysScriptsOnlyWhenTheyMoveIt) {
   EXPECT_EQ(viewer->Camera().position, scene.camera.position);
 }
 
-/// What overlays would show of the agents of a scene: the first one sees far and wide, goes somewhere, and remembers
-/// the second one at another place than it is; the second one was hit.
+/// Overlays for the agents of a scene. The first agent sees far, has a goal, and remembers the second at a wrong place;
+/// the second one was hit.
 world::OverlaySnapshot OverlaysOf(const world::SceneSnapshot& scene) {
   world::OverlaySnapshot overlays;
   overlays.tick = scene.tick;
@@ -339,12 +339,12 @@ TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
   }
   viewer->ShowOverlays(OverlaysOf(scene));
   viewer->SelectAgent(scene.agents[0].id);
-  // Those that are on from the start go first.
+  // First those that are on at the start.
   for (const ViewerCommand command : {ViewerCommand::kLabels, ViewerCommand::kShots, ViewerCommand::kMessages}) {
     EXPECT_TRUE(viewer->IsOn(command));
     viewer->Do(command);
   }
-  ASSERT_TRUE(viewer->RenderFrame());  // Panels find their size in their first frame.
+  ASSERT_TRUE(viewer->RenderFrame());  // Panels determine their size in their first frame.
   const Picture plain = Draw(*viewer, scene);
   const auto differing = [&](const Picture& picture) {
     int count = 0;
@@ -369,7 +369,7 @@ TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
   EXPECT_FALSE(viewer->overlay_wants().physics);
 }
 
-/// Agents in rows on the ground of the demo, each with one drawable that `dress` completes.
+/// Agents in rows on the ground of the demo, each with one drawable, which `dress` completes.
 template <typename Dress>
 world::SceneSnapshot CrowdOf(std::uint32_t count, Dress&& dress) {
   world::SceneSnapshot scene = DemoScene(0, 0, kSmallWidth, kSmallHeight).At(0);
@@ -410,7 +410,7 @@ TEST_F(PictureTest, ThingsThatAreAlikeAreFewDrawCallsHoweverManyTheyAre) {
     drawable.position.y = 0;
     drawable.bones = standing;
   };
-  // The same calls for ten times as many, in the picture and both shadow maps.
+  // The number of draw calls is the same for ten times as many, in the picture and both shadow maps.
   Draw(*viewer, CrowdOf(100, capsule));
   const std::size_t calls = viewer->costs().draw_calls;
   EXPECT_LT(calls, 40u);
@@ -549,7 +549,7 @@ TEST_F(PictureTest, MistakesComeBackAsDiagnostics) {
 
 namespace {
 
-/// A display of the tests' own where there is none, from here to the end of the program.
+/// A virtual display for the tests, if there is none, until the end of the program.
 class VirtualDisplay {
  public:
   VirtualDisplay() {
@@ -559,13 +559,13 @@ class VirtualDisplay {
     if (server_ == 0) {
       const std::string number = std::to_string(said[1]);
       close(said[0]);
-      // Without -noreset the server restarts whenever a test has closed its window, and refuses the next one meanwhile.
+      // Without -noreset the server restarts after a test has closed its window, and refuses the next one meanwhile.
       execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x720x24", "-nolisten", "tcp",
              "-noreset", static_cast<char*>(nullptr));
-      _exit(127);  // It is not installed; then the tests are skipped.
+      _exit(127);  // It is not installed; the tests are skipped.
     }
     close(said[1]);
-    // It says the number that it picked once it can be used.
+    // The server prints its number when it is ready.
     std::string number;
     for (char digit = 0; read(said[0], &digit, 1) == 1 && digit != '\n';) number += digit;
     close(said[0]);

@@ -13,7 +13,7 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Moves all that has been drawn into a list, and where it may be seen.
+/// Moves a draw list with its clipping rectangles.
 void Shift(ImDrawList& list, float x, float y) {
   for (ImDrawVert& corner : list.VtxBuffer) corner.pos = {corner.pos.x + x, corner.pos.y + y};
   for (ImDrawCmd& command : list.CmdBuffer) {
@@ -59,7 +59,7 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
   }
   switch (event.key.keysym.scancode) {
     case SDL_SCANCODE_ESCAPE:
-      // It closes what lies over the picture before it closes the window.
+      // Esc first closes what is over the picture, then the window.
       if (workspace_.StayOpen() || workspace_.CloseFinder()) return true;
       if (!workspace_.IsModal() && input_.has_keys()) {
         input_.LeaveField();
@@ -84,7 +84,7 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
       if (control) workspace_.FocusField();
       return control;
     case SDL_SCANCODE_C:
-      if (!control || input_.has_keys()) return false;  // A field copies what is marked in it.
+      if (!control || input_.has_keys()) return false;  // A field copies its selected text.
       workspace_.CopyPanel();
       return true;
     case SDL_SCANCODE_EQUALS:
@@ -121,7 +121,7 @@ InputClaims WorkspaceHost::Claims() {
 }
 
 void WorkspaceHost::BeginPicture() {
-  // Whoever draws over the scene sees the picture alone.
+  // Code that draws over the scene sees only the picture.
   const ImVec2 size{static_cast<float>(picture_.width), static_cast<float>(picture_.height)};
   ImGui::GetIO().DisplaySize = size;
   ImGui::GetBackgroundDrawList()->PushClipRect({0, 0}, size);
@@ -174,7 +174,7 @@ std::optional<ImVec2> WorkspaceHost::PlaceOf(const Drawn& drawn, const std::stri
     if (!is_free || drawn.agent_at(at) != agent->id) return std::nullopt;
     return place;
   };
-  // Its middle, if that can be seen; else whatever of it looks out from behind others.
+  // Its centre if that is visible; else a part that is not hidden.
   const world::Vec3 beside = Rotate(drawn.camera.orientation, {agent->radius_m, 0, 0});
   for (const float across : {0.0f, -0.5f, 0.5f, -0.9f, 0.9f}) {
     for (const float up : {0.0f, 0.25f, 0.45f, -0.25f, -0.45f}) {

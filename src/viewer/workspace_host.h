@@ -19,23 +19,23 @@
 
 namespace soarbox::viewer {
 
-/// Brings the workspace into the window: gives it its share of the input, sets the scene beside the panels, and moves
-/// what is drawn over the scene to where the scene stands.
+/// Connects the workspace to the window: passes it its share of the input, places the scene next to the panels, and
+/// moves overlays to the scene's place.
 ///
-/// The scene's own drawing knows nothing of this: for it the picture begins at 0, 0.
+/// The drawing of the scene does not depend on this: its picture begins at 0, 0.
 class WorkspaceHost {
  public:
   WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout);
 
-  /// A script that plays a user, from this step on.
+  /// Loads a script that plays a user and starts at step `from`.
   Result<void> LoadScript(const std::filesystem::path& file, std::size_t from);
-  /// Sets text size and picture as the layout wants them; before the input of a frame is read.
+  /// Applies the layout's text size and picture. Call it before the input of a frame is read.
   void PlacePicture();
   InputClaims Claims();
-  /// Hands the panels their input; after it was read.
+  /// Passes the input to the panels. Call it after the input was read.
   void ApplyInput() { input_.Apply(); }
 
-  /// What is drawn between these two over the scene is placed and cut as the scene is.
+  /// Drawing over the scene between these two calls is moved and clipped to the scene's place.
   void BeginPicture();
   void EndPicture();
 
@@ -45,17 +45,17 @@ class WorkspaceHost {
   };
   Asked Draw(const world::SceneSnapshot& scene, const RunStatus& status, std::uint32_t selected,
              float frames_per_second, const std::function<bool(ViewerCommand)>& is_on);
-  /// What a frame showed, for the script that plays a user.
+  /// The contents of a frame, for the script that plays a user.
   struct Drawn {
     const world::SceneSnapshot& scene;
     world::CameraSnapshot camera;
     Projection view;
     std::span<const ShownLabel> labels;
     std::uint32_t selected = 0;
-    std::function<std::uint32_t(ScreenPoint)> agent_at;  ///< Whom a click there would select; 0: nobody.
+    std::function<std::uint32_t(ScreenPoint)> agent_at;  ///< The agent that a click there would select; 0: none.
     std::function<Result<void>(const std::filesystem::path&)> save_picture;
   };
-  /// Lets the script go on.
+  /// Advances the script.
   void AfterDrawing(const Drawn& drawn);
 
   workbench::Contents contents;
@@ -63,7 +63,7 @@ class WorkspaceHost {
   Layout& layout() { return workspace_.layout; }
   const Layout& layout() const { return workspace_.layout; }
   bool& show_help() { return workspace_.show_help; }
-  /// The user has asked to close the list of keys; once.
+  /// Whether the user has asked to close the list of keys; reset by the call.
   bool TakeClosesHelp() { return std::exchange(closes_help_, false); }
   /// Whether the window may close now; else the user is asked first.
   bool MayClose() { return workspace_.MayClose(contents); }
@@ -71,9 +71,10 @@ class WorkspaceHost {
 
  private:
   bool TakeShortcut(const SDL_Event& event);
-  /// Where in the window a click selects this agent and nobody else; none if nothing of it can be clicked.
+  /// Returns a point of the window where a click selects exactly this agent; nothing if there is none.
   std::optional<ImVec2> PlaceOf(const Drawn& drawn, const std::string& agent) const;
-  /// Esc closes the window when it is pressed twice: who presses it once may have meant a field or a menu.
+  /// Esc closes the window only when it is pressed twice, because the first press may have been meant for a field or a
+  /// menu.
   bool IsSecondEscape();
 
   Engine& engine_;

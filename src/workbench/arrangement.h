@@ -8,14 +8,14 @@
 
 namespace soarbox::workbench {
 
-/// Which panels are around the picture to begin with, in their order; the first of each side is in front.
+/// The initial positions of panels around the picture, in order. The first panel of each side is in front.
 struct Arrangement {
   std::string_view word;
   std::initializer_list<PanelId> left, right, bottom;
 };
 
-/// The window and pages use kWorld. Pages use kLesson for a lesson and kReport for a recorded run in a report. The
-/// panel Exercise is added at the left if the run takes part in one.
+/// The window and pages of live runs use kWorldArrangement, pages of lessons kLessonArrangement, and recorded runs in
+/// reports kReportArrangement. The panel Exercise is added on the left if the run takes part in an exercise.
 inline constexpr Arrangement kWorldArrangement{
     "world",
     {PanelId::kAgents, PanelId::kMission, PanelId::kProblems},

@@ -8,8 +8,8 @@
 
 namespace soarbox::workbench {
 
-/// Notes what an event says of a check of the run's mission: that there is one, or that it was decided. False: it says
-/// nothing of a check.
+/// Updates `checks` from an event about a check of the run's mission: the check exists, or it has a result. Returns
+/// false if the event is not about a check.
 bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks);
 
 }  // namespace soarbox::workbench

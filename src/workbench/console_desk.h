@@ -14,13 +14,13 @@
 
 namespace soarbox::workbench {
 
-/// The command lines of agents: what was typed and printed, and lines that are begun.
+/// The consoles of the agents: lines that were typed and printed, and unsent lines.
 class ConsoleDesk {
  public:
-  /// `world` is the file that the run was made from, for the drafts of lines.
+  /// `world` is the file that the run was made from. Drafts of lines are stored under its name.
   ConsoleDesk(const DeskCommon& common, std::filesystem::path world) : common_(common), world_(std::move(world)) {}
 
-  /// What outlives a run.
+  /// The state that is passed on to the next run.
   struct Belongings {
     std::map<std::string, debugger::Console> consoles;
     std::uint64_t lines = 0;
@@ -32,23 +32,23 @@ class ConsoleDesk {
   void Complete(const CompleteRequest& request);
   void Keep(const KeepLineRequest& request) { unsent_[request.agent] = {request.line, true}; }
   void Clear(const std::string& agent) { ConsoleOf(agent).Clear(); }
-  /// Adds what others made the agents do in a tick.
+  /// Adds the output that other sources caused in a tick.
   void Add(const sim::EventList& events);
-  /// Keeps lines that are begun on the disk.
+  /// Saves unsent lines to the disk.
   void KeepDrafts();
   void Fill(Contents& contents);
 
  private:
-  /// A line that was typed and not sent.
+  /// A line that the user has typed but not sent.
   struct UnsentLine {
     std::string text;
-    bool has_draft = false;  ///< The draft on the disk is another one.
+    bool has_draft = false;  ///< The draft on the disk differs from it.
   };
 
   debugger::Console& ConsoleOf(const std::string& agent) { return consoles_.try_emplace(agent, agent).first->second; }
-  /// The line that was begun for this agent, here or in an earlier session.
+  /// The unsent line of this agent, from this process or from a draft on the disk.
   const std::string& BegunLine(const std::string& agent);
-  /// The name under which drafts keep the agent's line: no such file exists.
+  /// The name under which the agent's line is stored as a draft. No file of this name exists.
   std::filesystem::path PlaceOfLine(const std::string& agent) const {
     return std::filesystem::path(world_).concat(" console of " + agent);
   }
@@ -57,8 +57,8 @@ class ConsoleDesk {
   std::filesystem::path world_;
   Drafts drafts_{Drafts::Folder()};
   std::map<std::string, debugger::Console> consoles_;
-  std::uint64_t lines_ = 0;                   ///< Grows with each new line.
-  std::map<std::string, UnsentLine> unsent_;  ///< By agent, of those that were looked at.
+  std::uint64_t lines_ = 0;                   ///< Incremented for each new line.
+  std::map<std::string, UnsentLine> unsent_;  ///< By agent; only agents that were selected so far.
   std::string completed_line_;
   debugger::Completion completion_;
 };

@@ -14,11 +14,11 @@
 namespace soarbox::workbench {
 namespace {
 
-/// Of what grows with a run, the newest so many; and so many ticks of the timeline.
+/// Maximum number of the newest items in lists that grow with a run, and of ticks in the timeline.
 constexpr std::size_t kMostLines = 500;
 constexpr std::uint64_t kTimelineTicks = 900;
 
-/// Elements of a list, one by one.
+/// Converts the elements of a list with a function.
 template <typename List, typename Each>
 Json ListOf(const List& list, Each each) {
   Json json = Json::array();
@@ -26,7 +26,7 @@ Json ListOf(const List& list, Each each) {
   return json;
 }
 
-/// Elements that have a form of their own.
+/// Converts elements that have a JSON form.
 template <typename List>
 Json ListOf(const List& list) {
   return ListOf(list, [](const auto& one) -> Json { return debugger::ToJson(one); });
@@ -70,7 +70,7 @@ Json ProblemJson(const ProblemRow& row) {
   return json;
 }
 
-/// With one digit behind the point.
+/// Rounds to one decimal.
 double Tenths(double value) {
   return std::round(value * 10) / 10;
 }
@@ -442,7 +442,7 @@ std::vector<std::string_view> ContentNames() {
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents) {
   std::vector<std::string_view> names = ContentNames();
   std::erase_if(names, [&](std::string_view name) {
-    // Who was told of ghosts hears of it when they have gone.
+    // A page that has ghosts must be told when they are gone.
     if (name == "moment" || name == "ghosts") return false;
     if (name == "offers") return contents.scenarios.empty() && contents.places.empty();
     return !panels.Has(*FindPanel(name));

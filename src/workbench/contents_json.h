@@ -14,33 +14,33 @@ namespace soarbox::workbench {
 
 using debugger::Json;
 
-/// The form of contents as JSON: for each panel an object, named by the panel's word, and "moment", "offers" and
-/// "ghosts", which belong to no panel. All fields stand in one table, which docs/workbench.md is made from; what
-/// `soarbox inspect --json` prints of a view is the value of one of them.
+/// Contents as JSON: an object for each panel, named by the panel's word, and the objects "moment", "offers" and
+/// "ghosts", which belong to no panel. One table lists all fields; docs/workbench.md is generated from it. `soarbox
+/// inspect --json` prints the value of one field.
 
 struct ContentField {
   std::string_view content;  ///< "mind"
   std::string_view name;     ///< "stack"
-  std::string_view view;     ///< Of `soarbox inspect`, which prints the same; empty: none does.
+  std::string_view view;     ///< The view of `soarbox inspect` that prints the same value; empty if there is none.
   std::string_view about;
   Json (*value)(const Contents& contents);
 };
 std::span<const ContentField> ContentFields();
 
-/// "moment", "offers", "ghosts" and the words of panels, in the order of the table.
+/// "moment", "offers", "ghosts" and the words of the panels, in the order of the table.
 std::vector<std::string_view> ContentNames();
-/// What belongs to these panels, with "moment"; and "offers" and "ghosts" if there are any.
+/// The names of the contents that these panels need, and "moment"; also "offers" and "ghosts" if they are not empty.
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents);
 
-/// The contents of this name; null if there is none by it.
+/// The contents of this name; null if there are none.
 Json ToJson(const Contents& contents, std::string_view name);
 
-/// The same as a page shows it: of a panel with a document {"document": ...} alone.
+/// The same as a page shows it. For a panel that has a document, only {"document": ...}.
 Json PageJson(const Contents& contents, std::string_view name);
 
-/// docs/workbench.md.
+/// Generates docs/workbench.md.
 std::string WorkbenchReference();
-/// web/src/panels/panel_table.ts.
+/// Generates web/src/panels/panel_table.ts.
 std::string PanelTable();
 
 }  // namespace soarbox::workbench

@@ -30,7 +30,7 @@ std::filesystem::path FileOf(const sim::Scenario& scenario) {
   return scenario.Original(scenario.definition.empty() ? scenario.script : scenario.definition);
 }
 
-/// What a kernel in another process does is told in words; others come with a diagnostic.
+/// Events of a kernel in another process have only text; other events have a diagnostic.
 Diagnostic DiagnosticOf(const sim::RunEvent& event) {
   Diagnostic diagnostic = event.diagnostic;
   const bool is_lost = event.kind == sim::EventKind::kMindLost;
@@ -106,8 +106,8 @@ void Desk::Prepare() {
   if (run_ == nullptr) return;
   sim::Simulation& simulation = run_->simulation();
   breakpoints_.Prepare(simulation);
-  if (noted_agent_ == agent_ || past_.parting() != nullptr) return;  // Minds of another future note all.
-  // Breakpoints may need the one before; they ask again in each frame.
+  if (noted_agent_ == agent_ || past_.parting() != nullptr) return;  // Minds of another future record everything.
+  // Breakpoints may still need the previous agent; they request details again in each frame.
   const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, run_->LeastDetail());
   if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, least);
   if (!agent_.empty()) simulation.NoteMind(agent_, sim::MindDetail::kAll);
@@ -156,7 +156,7 @@ void Desk::ReadOn() {
   constexpr auto kSlice = std::chrono::milliseconds(12);
   const Clock::time_point begin = Clock::now();
   const auto is_out_of_time = [&] { return Clock::now() - begin > kSlice; };
-  // Damaged ticks are left out; what is drawn of them is told elsewhere.
+  // Damaged ticks are skipped; they are reported where the scene is drawn.
   const std::uint64_t shown = past_.shown_tick();
   if (!recorded_.empty() && recorded_.last_tick() > shown) recorded_.Clear();
   while (!is_out_of_time()) {
@@ -204,7 +204,7 @@ bool Desk::HasMind(const std::string& agent) {
   if (agent.empty()) return false;
   if (const sim::Simulation* live = common_.Live()) return live->HasMind(agent);
   if (const sim::Simulation* past = past_.rebuilt().world()) return past->HasMind(agent);
-  // Until it is known, nobody is told that there is none.
+  // Before the recording is read that far, the agent is assumed to have a mind.
   const bool is_known = HasReadOn() && recording_->header().level != record::Level::kWorld;
   return !is_known || recorded_.Find(agent) != nullptr;
 }
@@ -239,7 +239,7 @@ const world::SceneSnapshot* Desk::PastScene() {
     if (const record::TickRecord* record = past_.Shown()) {
       past_scene_ = record->scene;
     } else if (recording_ != nullptr && !std::exchange(has_told_damage_, true)) {
-      // The last scene that could be read stays.
+      // If the tick cannot be read, the last scene is kept.
       if (const auto damaged = recording_->At(past_scene_tick_); !damaged) NoteProblem(damaged.error(), {});
     }
   }

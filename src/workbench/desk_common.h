@@ -11,16 +11,16 @@
 
 namespace soarbox::workbench {
 
-/// What all parts of a desk use.
+/// Data that all parts of a desk use.
 struct DeskCommon {
-  LiveRun* run = nullptr;  ///< Null: a recording.
+  LiveRun* run = nullptr;  ///< Null for a recording.
   TimeMachine& past;
   Surroundings& surroundings;
   std::function<void(Diagnostic, std::string agent)> note_problem;
 
-  /// The run that is under way; null for a recording.
+  /// The simulation of the live run; null for a recording.
   sim::Simulation* Live() const { return run == nullptr ? nullptr : &run->simulation(); }
-  /// The world that is looked into: the live one, or the rebuilt past; null while that is not there.
+  /// The simulation of the tick that is shown: the live one or the rebuilt past; null while the past is not rebuilt.
   sim::Simulation* Looked() const { return past.is_live() ? Live() : past.rebuilt().world(); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What panels show of several minds, and of what minds do not say themselves: files, bodies.
+// Contents that compare several minds, and contents that do not come from minds: files, bodies.
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -11,7 +11,8 @@
 namespace soarbox::workbench {
 namespace {
 
-/// Behind the brace that closes the one at `open`; npos if none does. Comments and quoted texts hold no braces.
+/// Position after the brace that closes the one at `open`; npos if none does. Braces in comments and quoted texts do
+/// not count.
 std::size_t EndOfRule(const std::string& text, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
@@ -30,8 +31,7 @@ std::size_t EndOfRule(const std::string& text, std::size_t open) {
   return std::string::npos;
 }
 
-/// From the command that a rule begins with to its closing brace, as it stands there; empty if the text has no such
-/// rule.
+/// The text of a rule from its command to its closing brace; empty if the text has no such rule.
 std::string RuleIn(const std::string& text, std::string_view rule, int& line) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
   for (std::size_t at = 0; (at = text.find(rule, at)) != std::string::npos; at += rule.size()) {
@@ -83,7 +83,7 @@ void Desk::FillBeside(Contents& contents, bool watches, bool minds) {
       }
       WatchRow::Cell& before = watched_[{row.what, agent}];
       if (before.text == cell.text && !before.agent.empty()) {
-        // It stays marked as new until the next tick.
+        // A cell stays marked as new until the next tick.
         cell.is_new = before.is_new && before.tick == cell.tick;
         cell.tick = before.tick;
       } else {
@@ -115,7 +115,7 @@ void Desk::FillRuleText(Contents& contents) {
     if (!file.is_rules) continue;
     int line = 0;
     std::string text = RuleIn(ReadText(file.file).value_or(""), rule.name, line);
-    // An edit that runs and is not saved stands in the open file.
+    // The text of an unsaved edit that runs is in the open file.
     if (const debugger::Edit* const open = files_.FindRunning(file.file.string()))
       text = RuleIn(open->text(), rule.name, line);
     if (text.empty()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the panels show.
+// Fills in the contents of the panels.
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
@@ -15,10 +15,10 @@
 namespace soarbox::workbench {
 namespace {
 
-/// While the world runs, panels that look into minds follow it this often: fast enough for eyes.
+/// Refresh interval of panels about minds while the world runs.
 constexpr auto kRefreshEvery = std::chrono::milliseconds(120);
 constexpr auto kExerciseEvery = std::chrono::milliseconds(500);
-/// Minds of the past are rebuilt once the scrubber rests.
+/// Time without movement of the scrubber after which minds of the past are rebuilt.
 constexpr auto kRest = std::chrono::milliseconds(250);
 constexpr double kRebuildSlice_s = 0.012;
 
@@ -62,7 +62,7 @@ void Desk::LookAtAgent(Contents& contents) {
   why_ = {};
   imagined_ = {};
   contents.coverage.clear();
-  // Notes are taken of it from now on.
+  // Details of the agent are recorded from now on.
   if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
   is_stale_ = true;
 }
@@ -79,7 +79,7 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   if (Lessons* const lessons = surroundings_.lessons()) is_stale_ |= lessons->Poll();
   ReadOn();
   FillPlots();
-  // What somebody has just typed is on the disk before the answer says that it is there.
+  // Saves drafts now, so that a text is on the disk before the answer to its request.
   KeepDrafts(!requests.empty());
   is_stale_ |= files_.TakeNews();
   LookAtAgent(contents);
@@ -89,7 +89,7 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   is_stale_ |= visible_ != refreshed_panels_ || note != refreshed_note_;
   const bool moved = past_.shown_tick() != refreshed_tick_;
   const bool is_due = Clock::now() - refreshed_at_ > kRefreshEvery;
-  // Others go on while the world stands still.
+  // Other simulations continue while the world is paused.
   is_stale_ |= visible_.Has(PanelId::kExercise) && contents.exercise && Clock::now() - refreshed_at_ > kExerciseEvery;
   FillMoment(contents);
   if (!is_stale_ && !(moved && (is_due || surroundings_.IsPaused()))) return false;
@@ -173,7 +173,7 @@ void Desk::Refresh(Contents& contents) {
   consoles_.Fill(contents);
   if (visible_.Has(PanelId::kEdit) && common_.Live() != nullptr) {
     contents.files = debugger::FilesOf(*common_.Live(), agent_);
-    // Who edits wants the agent's rules first, then its scripts, and what comes with the program last.
+    // The agent's rules come first, then its scripts; files that come with the program come last.
     const auto rank = [&](const sim::WatchedFile& file) {
       return (file.agent == agent_ && !agent_.empty() ? 0 : 2) + (file.is_rules ? 0 : 1);
     };
@@ -189,7 +189,7 @@ void Desk::Refresh(Contents& contents) {
   contents.not_available.clear();
   contents.past_note.clear();
   if (world == nullptr && recording_ != nullptr) {
-    // What was recorded stands in for the mind until it is simulated again.
+    // The recorded mind is shown until it is simulated again.
     if (HasReadOn()) mind = recorded_.Inspect(agent_);
     contents.past_note = past_.rebuilt().Note();
     if (mind == nullptr) contents.not_available = NotRecorded();
@@ -229,7 +229,7 @@ void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
     contents.stack = debugger::LookAtStack(mind);
     contents.operators = debugger::LookAtOperators(mind, state_);
     if (contents.operators.rows.empty() && !state_.empty()) {
-      // That state has gone: back to the lowest.
+      // The selected state does not exist any more: selects the lowest.
       const auto& levels = contents.stack.levels;
       const bool is_there =
           std::any_of(levels.begin(), levels.end(), [&](const auto& level) { return level.state == state_; });
@@ -241,7 +241,7 @@ void Desk::FillMind(Contents& contents, explain::Inspector& mind) {
   }
   if (visible_.Has(PanelId::kMemory)) {
     if (!visible_.Has(PanelId::kMind)) contents.stack = debugger::LookAtStack(mind);
-    // The top state is unfolded to begin with.
+    // The top state is initially unfolded.
     if (unfolds_top_ && !contents.stack.levels.empty()) {
       open_objects_.insert(contents.stack.levels.front().state);
       unfolds_top_ = false;
@@ -333,7 +333,7 @@ void Desk::FillLearning(Contents& contents, explain::Inspector* mind) {
 void Desk::FillImagery(Contents& contents, explain::Inspector* mind) {
   contents.imagery = mind == nullptr ? debugger::ImageryView() : debugger::LookAtImagery(*mind);
   const auto& scenes = contents.imagery.scenes;
-  // That state has gone: back to what the agent made up.
+  // The selected state does not exist any more: shows what the agent created in any scene.
   if (std::ranges::find(scenes, imagined_.state, &debugger::SceneView::state) == scenes.end()) imagined_.state.clear();
   contents.imagined_state = imagined_.state;
   contents.imagined_record = imagined_.record;
@@ -347,7 +347,7 @@ void Desk::FillFutures(Contents& contents) {
   const std::uint64_t now = past_.shown_tick();
   const record::TickRecord* old = now >= parting->tick ? parting->futures.Old(now) : nullptr;
   contents.futures = FuturesContents{parting->tick, now, old != nullptr, parting->futures.comparison()};
-  // Where everybody was at this time in the old future.
+  // The positions of all agents at this time in the old future.
   if (old == nullptr) return;
   for (const world::AgentSnapshot& agent : old->scene.agents) {
     if (agent.alive) contents.ghosts.push_back(GhostOf(agent, agent.name + " before"));
@@ -363,7 +363,7 @@ void Desk::AddRemembered(const world::SceneSnapshot& scene, Contents& contents) 
     if (agent != scene.agents.end()) {
       ghost = GhostOf(*agent, title);
     } else {
-      // A thing: as a low column.
+      // A thing is drawn as a low column.
       ghost.name = title;
       ghost.position.y = ghost.height_m / 2;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What can be opened, and where a text stands that is searched everywhere.
+// Lists what can be opened, and searches everywhere for a text.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -25,7 +25,7 @@ bool HasPart(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-/// What lies in the folder of a path that is being typed, or in the one where the program was started.
+/// Adds the contents of the folder of a path that is being typed, or of the working directory.
 void AddFolder(const std::string& typed, std::vector<ScenarioOffer>& offers) {
   constexpr std::size_t kMost = 200;
   const std::size_t slash = typed.rfind('/');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the user asks for in panels.
+// Carries out the requests of users.
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -61,7 +61,7 @@ struct Desk::Visitor {
   void operator()(const EpisodeRequest& request) const { desk.episode_ = request.number; }
   void operator()(const LearnedRuleRequest& request) const { desk.learned_rule_ = request.rule; }
   void operator()(const CurveRequest& request) const {
-    // As many as colors: the oldest one makes room.
+    // There are as many colors as curves; a new curve replaces the oldest.
     std::erase(desk.curves_, request.rule);
     if (request.is_on && desk.curves_.size() >= kMostCurves) desk.curves_.erase(desk.curves_.begin());
     if (request.is_on) desk.curves_.push_back(request.rule);
@@ -87,7 +87,7 @@ struct Desk::Visitor {
     Put(desk.watches_, request.what, request.is_on);
   }
   void operator()(const BesideRequest& request) const {
-    // Who adds another mind wants to see it beside the one that is looked at.
+    // The selected mind is shown together with the first added mind.
     if (request.is_on && desk.beside_.empty() && !desk.agent_.empty()) Put(desk.beside_, desk.agent_, true);
     Put(desk.beside_, request.agent, request.is_on);
   }
@@ -103,7 +103,7 @@ struct Desk::Visitor {
     if (opened) return;
     desk.NoteProblem(opened.error(), {});
     const std::string& message = opened.error().message;
-    surroundings.Tell(message.substr(0, message.find(": ")));  // Problems has the rest.
+    surroundings.Tell(message.substr(0, message.find(": ")));  // The panel Problems shows the rest.
   }
   void operator()(const LessonRequest& request) const {
     using What = LessonRequest::What;
@@ -143,7 +143,7 @@ void Desk::Obey(const Request& request) {
 }
 
 void Desk::Resume() {
-  // What is still being rebuilt goes on as soon as it is there.
+  // If the tick is still being rebuilt, the run continues when it is ready.
   resume_at_.reset();
   if (past_.rebuilt().world() == nullptr && !past_.is_live() && past_.rebuilt().IsPossible()) {
     resume_at_ = past_.shown_tick();
@@ -154,7 +154,7 @@ void Desk::Resume() {
   run_->GoOnWith(std::move(simulation), past_.parting()->record, past_.parting()->inputs);
   noted_agent_.clear();
   hits_.clear();
-  // Who goes back wants to see it happen.
+  // The run continues at once, so that the user sees the result.
   surroundings_.GoOn();
 }
 

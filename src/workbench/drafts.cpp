@@ -12,7 +12,7 @@ namespace soarbox::workbench {
 namespace fs = std::filesystem;
 namespace {
 
-/// One name for a file, however it was called.
+/// One name for a file, regardless of how its path was written.
 std::string NameOf(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
@@ -46,7 +46,7 @@ Result<void> Drafts::Keep(const fs::path& file, const std::string& text) const {
   std::error_code error;
   fs::create_directories(folder_, error);
   {
-    // The first line says whose draft it is.
+    // The first line is the path of the file.
     std::ofstream out(half, std::ios::binary | std::ios::trunc);
     out << NameOf(file) << '\n' << text;
     if (!out.flush()) error = std::make_error_code(std::errc::io_error);
@@ -74,7 +74,7 @@ std::optional<std::string> Drafts::Find(const fs::path& file) const {
   std::string owner;
   if (!in || !std::getline(in, owner) || owner != NameOf(file)) return std::nullopt;
   std::ostringstream text;
-  // A draft may be empty: somebody has deleted everything.
+  // A draft can be empty, if the user has deleted everything.
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
   return text.str();
 }

@@ -9,17 +9,17 @@
 
 namespace soarbox::workbench {
 
-/// What was typed into files and not saved, kept on the disk beside the files of other programs' state, so that neither
-/// a closed window nor a crash loses it. A draft stays until its file is saved or reverted.
+/// Copies of unsaved text, stored in the user's folder for application state so that neither closing the window nor a
+/// crash loses it. A draft is removed when its file is saved or reverted.
 class Drafts {
  public:
-  /// An empty folder: nothing is kept.
+  /// With an empty folder, nothing is stored.
   explicit Drafts(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// $XDG_STATE_HOME/soarbox/drafts, or below ~/.local/state; empty if there is no home.
+  /// $XDG_STATE_HOME/soarbox/drafts, or ~/.local/state/soarbox/drafts; empty if there is no home directory.
   static std::filesystem::path Folder();
 
-  /// Writes the draft of a file, whole or not at all.
+  /// Writes the draft of a file. The write is atomic.
   Result<void> Keep(const std::filesystem::path& file, const std::string& text) const;
   void Drop(const std::filesystem::path& file) const;
   /// The draft of a file; nothing if there is none.

@@ -16,32 +16,33 @@
 
 namespace soarbox::workbench {
 
-/// Files that are edited. What was typed into one stays while another is looked at, and as a draft on the disk until it
-/// is saved.
+/// The files that the user edits. Unsaved text stays in memory while the user looks at another file, and is stored as a
+/// draft on the disk until the file is saved.
 class FileDesk {
  public:
   explicit FileDesk(const DeskCommon& common) : common_(common) {}
 
-  /// What outlives a run.
+  /// The state that is passed on to the next run.
   struct Belongings;
   Belongings Take();
   void Bring(Belongings belongings);
 
-  /// A file that the run was made from; others only where the user may browse.
+  /// Opens a file of the run. Opens other files only if the user may browse.
   void Edit(const EditRequest& request, const std::string& agent);
   void Change(const EditTextRequest& request);
   void SaveAll();
   bool HasUnsaved() const;
-  /// Before requests: shows a draft, once the file itself was shown, so that it can be undone.
+  /// Call it before requests. Shows a draft after the file itself has been shown, so that the user can undo to the
+  /// file.
   void ShowDraft();
-  /// After requests: reloads what waits for its moment, and takes over what other programs have written.
+  /// Call it after requests. Reloads files that waited for a rebuilt world, and takes over changes by other programs.
   void GoOn();
-  /// Keeps what was typed and not saved on the disk.
+  /// Stores unsaved text on the disk.
   void KeepDrafts();
-  /// True once after each change that no request made.
+  /// Returns true once after each change that no request made.
   bool TakeNews() { return std::exchange(has_news_, false); }
   void Fill(Contents& contents) const;
-  /// The text of an open file that runs as it was typed; null if there is none.
+  /// An open file whose present text is what runs; null if there is none.
   const debugger::Edit* FindRunning(const std::string& file) const;
 
  private:
@@ -49,10 +50,10 @@ class FileDesk {
   struct Open {
     debugger::Edit edit;
     EditContents contents;
-    bool has_draft = false;                      ///< The draft on the disk is not what was typed.
+    bool has_draft = false;                      ///< The draft on the disk differs from the text.
     std::string failure = {};                    ///< Why it could not be saved.
-    std::optional<std::uint64_t> apply_at = {};  ///< To be applied to the minds of this tick, once they are rebuilt.
-    std::optional<std::string> draft = {};       ///< To be shown once the file itself was.
+    std::optional<std::uint64_t> apply_at = {};  ///< Apply the text to the minds of this tick once they are rebuilt.
+    std::optional<std::string> draft = {};       ///< A draft to show after the file itself has been shown.
   };
   using Files = std::map<std::string, Open>;
 
@@ -60,7 +61,7 @@ class FileDesk {
     const auto found = files_.find(looked_);
     return found == files_.end() ? nullptr : &found->second;
   }
-  /// Reloads the file's rules into the world that is looked into, as soon as that is there.
+  /// Applies the file's rules to the world that is shown, as soon as that is available.
   void Apply(Open& file);
   void Save(Open& file);
   void LookAtDisk();
@@ -68,7 +69,7 @@ class FileDesk {
   const DeskCommon& common_;
   Drafts drafts_{Drafts::Folder()};
   Files files_;
-  std::string looked_;  ///< The one of them that is looked at; empty: none.
+  std::string looked_;  ///< The file that the panel shows; empty: none.
   std::uint64_t version_ = 0;
   Clock::time_point looked_at_disk_;
   bool has_news_ = false;

@@ -5,21 +5,21 @@
 
 namespace soarbox::workbench {
 
-/// What a user can do to the flow of time.
+/// Commands of the user that control the run.
 enum class Flow : std::uint8_t {
   kTogglePause,
-  kStepTick,      ///< Pauses and goes on by one tick.
-  kStepDecision,  ///< Pauses; goes on by a tick in which the selected agent makes one decision.
-  kStepPhase,     ///< Pauses; the selected agent's mind alone goes on by a phase, its world stands still.
-  kStepChange,    ///< Goes on until the selected agent's operator, goal stack or command changes, and pauses.
+  kStepTick,      ///< Pauses after one more tick.
+  kStepDecision,  ///< Pauses after a tick in which the selected agent makes one decision.
+  kStepPhase,     ///< Pauses the world; only the selected agent's mind advances, by one phase.
+  kStepChange,    ///< Runs until the selected agent's operator, goal stack or command changes, then pauses.
   kFaster,
   kSlower,
   kNormalSpeed,
-  kUnlimited,  ///< As fast as it goes; again: back to the speed before.
-  kReset,      ///< From the beginning with the same seed.
-  kNextSeed,   ///< From the beginning with the next seed.
+  kUnlimited,  ///< Runs as fast as possible; a second time: returns to the previous speed.
+  kReset,      ///< Restarts with the same seed.
+  kNextSeed,   ///< Restarts with the next seed.
   kQuit,
-  kStepTurn,  ///< Pauses and goes on to the end of a turn of the game; by one tick where there are no turns.
+  kStepTurn,  ///< Pauses at the end of the game's turn; after one tick in a world without turns.
 };
 
 }  // namespace soarbox::workbench

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An example of each field's type.
+/// An example value for the type of a field.
 Json ExampleOf(const RequestField& field) {
   if (field.type == "text") return "some text";
   if (field.type == "number") return 7;

@@ -13,23 +13,24 @@
 
 namespace soarbox::workbench {
 
-/// A run under way, as far as a desk needs it. The program that drives the run implements it.
+/// The interface of a live run that a desk needs. The program that runs the simulation implements it.
 class LiveRun {
  public:
   virtual ~LiveRun() = default;
   virtual sim::Simulation& simulation() = 0;
-  /// What minds must note even if nobody looks at them.
+  /// The minimum detail that minds must record even if no panel needs it.
   virtual sim::MindDetail LeastDetail() const { return sim::MindDetail::kNone; }
-  /// Calls the function with what is there now, and then with each tick; an empty function ends that.
+  /// Calls the function with the present tick, and then after each tick. An empty function ends the subscription.
   using OnTick = std::function<void(const record::TickRecord&)>;
   virtual void Watch(OnTick on_tick) = 0;
-  /// The exercise of other simulations that the run takes part in; nothing: none.
+  /// The exercise of other simulations that the run takes part in; nothing if there is none.
   virtual std::optional<ExerciseContents> Exercise() { return std::nullopt; }
-  /// Gets what live edits report: what was reloaded (notes), and what is wrong with a file. It changes no run.
+  /// Sets the receiver of reports of live edits: notes on what was reloaded, and problems of a file. Does not change
+  /// the run.
   using OnEdit = std::function<void(const Diagnostic& told)>;
   virtual void SetOnEdit(OnEdit on_edit) = 0;
-  /// Goes on with another simulation of the same run, as it was at an earlier tick, which is recorded as `at`; `inputs`
-  /// are what had come in by then.
+  /// Continues with another simulation of the same run, which is at an earlier tick. `at` is the record of that tick,
+  /// and `inputs` are all inputs up to it.
   virtual void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
                         const std::vector<record::TickInputs>& inputs) = 0;
 };

@@ -27,7 +27,7 @@ MindChange::Mind MindChange::Now(sim::Simulation* live, const std::string& agent
       now.operators +=
           state.operator_name.empty() ? state.operator_id : state.operator_name + " (" + state.operator_id + ")";
     }
-    // An operator whose command takes its time changes nothing.
+    // An operator no-change is ignored: it is normal while a command takes time.
     if (state.level > 1 && !(state.attribute == "operator" && state.impasse == "no-change"))
       now.impasse += (now.impasse.empty() ? "" : ", ") + state.attribute + " " + state.impasse;
   }

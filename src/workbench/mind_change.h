@@ -9,32 +9,33 @@
 
 namespace soarbox::workbench {
 
-/// The last command that a mind gave in a tick, or its outcome; empty if it gave none.
+/// The last command that a mind gave in a tick, or its result; empty if there is none.
 std::string LastCommand(const mind::EventLog& events);
 
-/// Waits until an agent's operators, its goal stack or its command change.
+/// Waits until an agent's operators, goal stack or command change.
 class MindChange {
  public:
-  /// Begins to wait. Returns why it cannot; empty if it can.
+  /// Starts to wait. Returns an error message, or an empty string.
   std::string Await(sim::Simulation* live, const std::string& agent, std::uint64_t tick);
   void AwaitNothing() {
     before_ = {};
     change_.clear();
   }
-  /// After each tick.
+  /// Call it after each tick.
   void Look(sim::Simulation& live, const record::TickRecord& tick);
-  /// One sentence, told once: what changed in the last tick, or that nothing has changed for a long time.
+  /// Returns one sentence: what changed in the last tick, or that nothing has changed for a long time. Each sentence is
+  /// returned once.
   std::string Take();
 
  private:
-  /// The mind as it was.
+  /// The state of the mind at a tick.
   struct Mind {
     std::string agent, operators, impasse;
     std::uint64_t tick = 0;
   };
   static Mind Now(sim::Simulation* live, const std::string& agent, std::uint64_t tick);
 
-  Mind before_;  ///< No agent: none is awaited.
+  Mind before_;  ///< Its agent is empty if no change is awaited.
   std::string change_;
 };
 

@@ -10,11 +10,11 @@ namespace soarbox::workbench {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// What a slow frame lets the world catch up with, and how long the ticks between two frames may take. A slow machine
-/// slows the world down rather than falling ever further behind.
+/// Maximum time that one frame adds to the time to simulate, and maximum duration of the ticks between two frames. A
+/// slow machine therefore slows the world down instead of falling behind further and further.
 constexpr auto kLongestFrame = std::chrono::milliseconds(250);
 constexpr auto kLongestTicks = std::chrono::milliseconds(100);
-/// Without a limit of speed the window still draws as often as films do.
+/// Without a speed limit, the window still draws 25 frames per second.
 constexpr auto kUnlimitedTicks = std::chrono::milliseconds(40);
 
 double NextFaster(double speed) {
@@ -46,7 +46,7 @@ void Pace::Obey(Flow flow) {
       if (!unlimited_) speed_ = NextFaster(speed_);
       break;
     case Flow::kSlower:
-      // From no limit down to the fastest of the limits.
+      // From unlimited to the highest limited speed.
       speed_ = unlimited_ ? *(std::end(kSpeeds) - 1) : NextSlower(speed_);
       unlimited_ = false;
       break;

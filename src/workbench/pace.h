@@ -8,10 +8,11 @@
 
 namespace soarbox::workbench {
 
-/// How fast the user lets time flow in a window, and how much simulated time is due by the wall clock.
+/// Converts real time to ticks that are due, at a speed that the user controls.
 ///
-/// The world does not wait for frames: after a slow one it catches up with up to a quarter of a second, as fast as it
-/// can for a tenth of a second; the rest is forgotten, so that the window keeps answering.
+/// The world does not wait for frames. Of the real time since the last frame, at most a quarter of a second counts. The
+/// due ticks run for at most a tenth of a second (OutOfTime). The remaining ticks are dropped, so that the window stays
+/// responsive.
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
@@ -19,23 +20,23 @@ class Pace {
   void Obey(Flow flow);
   void Pause() { paused_ = true; }
   void Resume() { paused_ = false; }
-  /// Simulated seconds per second.
+  /// In simulated seconds per second.
   void SetSpeed(double speed);
 
-  /// How many ticks of `step_s` are due now, if OutOfTime does not come before. Turns of `turn_ticks` end at multiples
-  /// of it; the world is at `tick`.
+  /// Number of ticks of `step_s` seconds that are due now; OutOfTime may end them earlier. The world is at `tick`;
+  /// turns end at multiples of `turn_ticks`.
   int TicksDue(double step_s, std::uint64_t tick = 0, int turn_ticks = 1);
-  /// The ticks since TicksDue have taken so long that the next frame is due.
+  /// Whether the ticks since TicksDue have taken so long that the next frame is due.
   bool OutOfTime() const;
-  /// So many of the ticks that were due remain: a turn is stepped to its end, however slow the world is.
+  /// Tells how many of the due ticks were not run. The rest of a turn that is being stepped is run in later frames.
   void Owe(int ticks);
-  /// Real time since TicksDue was called last does not count: something else took it (a reset, a dialog).
+  /// Ignores the real time since the last call of TicksDue, because something else used it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }
-  /// How far the wall clock has come from the last tick to the next one, 0 to 1.
+  /// The fraction of a tick by which real time is ahead of the last tick, 0 to 1.
   double Blend(double step_s) const;
 
   bool paused() const { return paused_; }
-  /// Simulated seconds per second; infinite: as many as can be.
+  /// In simulated seconds per second; infinite: as fast as possible.
   double speed() const;
   bool quit() const { return quit_; }
 
@@ -47,7 +48,7 @@ class Pace {
   bool paused_ = false;
   bool quit_ = false;
   int steps_ = 0, turns_ = 0;
-  bool is_turn_ = false;  ///< What is stepped.
+  bool is_turn_ = false;  ///< Whole turns are stepped.
   double earned_s_ = 0;
   Clock::time_point last_ = Clock::now();
 };

@@ -34,13 +34,13 @@ enum class PanelId : std::uint8_t {
   kImagery,
 };
 
-/// What is said about a panel wherever it is offered.
+/// Names, description and key of a panel.
 struct PanelInfo {
   PanelId id;
-  std::string_view word;   ///< In the layout's file and on the command line.
+  std::string_view word;   ///< In the file of the layout and on the command line.
   std::string_view title;  ///< On its tab and in the menu.
-  std::string_view about;  ///< Its tooltip: what one sees there.
-  char key;                ///< With Alt: brings it to the front.
+  std::string_view about;  ///< Tooltip: what the panel shows.
+  char key;                ///< With Alt: brings the panel to the front.
 };
 
 /// One line for each panel, in the order of PanelId.
@@ -88,7 +88,7 @@ inline constexpr const PanelInfo& InfoOf(PanelId id) {
   return kPanelInfos[static_cast<std::size_t>(id)];
 }
 
-/// The panel of this word; nothing if there is none.
+/// The panel with this word; nothing if there is none.
 inline constexpr std::optional<PanelId> FindPanel(std::string_view word) {
   for (const PanelInfo& info : kPanelInfos) {
     if (info.word == word) return info.id;
@@ -109,7 +109,7 @@ class PanelSet {
  public:
   void Add(PanelId id) { bits_ |= Bit(id); }
   bool Has(PanelId id) const { return (bits_ & Bit(id)) != 0; }
-  /// Those that are in either.
+  /// The union of both sets.
   friend PanelSet operator|(PanelSet a, const PanelSet& b) {
     a.bits_ |= b.bits_;
     return a;

@@ -12,32 +12,32 @@
 
 namespace soarbox::workbench {
 
-/// The world and its minds as they were at a past tick, simulated again a slice of time at once.
+/// Rebuilds the world and its minds at a past tick by simulating again, for a limited time per call.
 class RebuiltWorld {
  public:
-  /// Begins the way to a tick.
+  /// Starts a branch that simulates up to a tick.
   using Begin = std::function<Result<std::unique_ptr<record::Branch>>(std::uint64_t tick)>;
   enum class Way : std::uint8_t {
-    kToOneTick,  ///< Another tick needs a way of its own.
-    kOnward,     ///< The same way leads to later ticks; what goes wrong on it stays wrong.
+    kToOneTick,  ///< Another tick needs a new branch.
+    kOnward,     ///< The same branch continues to later ticks. An error on it is final.
   };
   RebuiltWorld(Way way, Begin begin) : way_(way), begin_(std::move(begin)) {}
 
-  /// From now on the world of this tick is wanted.
+  /// Sets the tick to rebuild.
   void Aim(std::uint64_t tick);
-  /// None is wanted.
+  /// Stops rebuilding.
   void GiveUp();
-  /// Goes on towards the tick for about so long.
+  /// Continues to simulate for about `most_s` seconds of real time.
   void Advance(double most_s);
-  /// The world, at the tick that is wanted; null while it is not there.
+  /// The simulation at the requested tick; null while it is not there.
   sim::Simulation* world();
-  /// Why it is not there: how far it is, or what went wrong.
+  /// Why it is not there: the progress, or the error.
   std::string Note() const;
-  /// False if something went wrong: it will not be there.
+  /// False after an error: the world will not be available.
   bool IsPossible() const { return trouble_.empty(); }
-  /// Somebody has changed the world: it is made anew for the next tick that is wanted.
+  /// Marks the world as changed by the user. It is rebuilt for the next requested tick.
   void Spoil() { is_spoilt_ = true; }
-  /// Hands over the way that led to the world.
+  /// Hands over the branch, whose simulation is at the requested tick. Call it only if world() is not null.
   std::unique_ptr<record::Branch> Take() { return std::move(branch_); }
 
  private:

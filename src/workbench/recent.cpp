@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostRecent = 12;
 
-/// Beside the drafts; empty if there is no home.
+/// Next to the drafts; empty if there is no home directory.
 fs::path ListFile() {
   const fs::path drafts = Drafts::Folder();
   return drafts.empty() ? fs::path() : drafts.parent_path() / "recent.txt";
@@ -32,7 +32,7 @@ std::vector<std::string> ReadList() {
 std::vector<std::string> RecentRuns() {
   std::vector<std::string> list = ReadList();
   std::error_code error;
-  // Names of scenarios that come with the program are no paths.
+  // Names of scenarios that come with the program are not paths.
   std::erase_if(list, [&](const std::string& what) { return what.starts_with('/') && !fs::exists(what, error); });
   return list;
 }
@@ -52,7 +52,7 @@ void NoteRecentRun(const std::string& what) {
   {
     std::ofstream out(half, std::ios::trunc);
     for (const std::string& line : list) out << line << '\n';
-    if (!out.flush()) return;  // Nobody loses more than a line of a menu.
+    if (!out.flush()) return;  // The only loss is an entry in a menu.
   }
   fs::rename(half, file, error);
 }

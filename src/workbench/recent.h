@@ -7,9 +7,9 @@
 
 namespace soarbox::workbench {
 
-/// Scenarios and recordings that were opened in a window, the newest first; those that are gone are left out.
+/// Scenarios and recordings that were opened in a window, the newest first. Leaves out those that no longer exist.
 std::vector<std::string> RecentRuns();
-/// Remembers that this was opened: a scenario's name, or a path.
+/// Stores that this was opened: the name of a scenario, or a path.
 void NoteRecentRun(const std::string& what);
 
 }  // namespace soarbox::workbench

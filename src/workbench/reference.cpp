@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// docs/workbench.md, from the tables of contents and requests.
+// Generates docs/workbench.md from the tables of contents and requests.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@
 namespace soarbox::workbench {
 namespace {
 
-/// | in a table stands for itself.
+/// Escapes | for a table.
 std::string Cell(std::string_view text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);

@@ -12,14 +12,14 @@
 
 namespace soarbox::workbench {
 
-/// What a user asks for. A desk carries it out; what comes of it appears in the contents. requests_json.h has their
-/// form as JSON.
+/// Requests of a user. A desk carries them out; the results appear in the contents. requests_json.h defines the JSON
+/// form.
 
-/// Look at an agent of the world, by its name; empty: at none.
+/// Select an agent by its name; empty: none.
 struct SelectRequest {
   std::string agent;
 };
-/// These panels are looked at: the others need no contents.
+/// Set the visible panels. Other panels get no contents.
 struct LookRequest {
   PanelSet panels;
 };
@@ -29,15 +29,15 @@ struct OpenFileRequest {
   std::string file;
   int line = 0;
 };
-/// Carry out a line of the Soar command language for an agent.
+/// Execute a line of the Soar command language for an agent.
 struct ConsoleRequest {
   std::string agent, line;
 };
-/// How the word that the line ends with may go on.
+/// Ask for completions of the last word of a line.
 struct CompleteRequest {
   std::string agent, line;
 };
-/// Keep what was typed and not sent, so that it is there again in the next window; an empty line: nothing.
+/// Store an unsent line, so that the next window shows it again; an empty line removes it.
 struct KeepLineRequest {
   std::string agent, line;
 };
@@ -50,55 +50,55 @@ struct SeekRequest {
 };
 /// Show the newest tick, and follow it.
 struct LiveRequest {};
-/// Go on from the tick that is shown; what came after it becomes the old future.
+/// Continue the run from the tick that is shown. The later ticks become the old future.
 struct ResumeRequest {};
-/// Simulated seconds per second.
+/// In simulated seconds per second.
 struct SpeedRequest {
   double speed = 1;
 };
-/// Tell the user in the picture that something was done.
+/// Show a message to the user in the picture.
 struct TellRequest {
   std::string text;
 };
-/// Write the window as a picture.
+/// Save a screenshot of the window.
 struct SavePictureRequest {};
 
-/// Which lines the panel Trace shows.
+/// Choose the lines that the panel Trace shows.
 struct TraceRequest {
-  debugger::TraceKind level = debugger::TraceKind::kEvent;  ///< Lines of this kind and of those before it.
-  std::string agent;                                        ///< Not empty: only lines about the selected agent.
+  debugger::TraceKind level = debugger::TraceKind::kEvent;  ///< Lines of this kind and of more important ones.
+  std::string agent;                                        ///< If not empty: only lines about the selected agent.
   std::string text;                                         ///< As in TraceFilter.
 };
 
-/// The operators of this state; empty: of the lowest.
+/// Show the operators of this state; empty: of the lowest state with operators.
 struct StateRequest {
   std::string state;
 };
-/// Keep an object of working memory in the contents, or no longer.
+/// Unfold or fold an object of working memory. The contents include unfolded objects.
 struct ObjectRequest {
   std::string id;
   bool is_open = true;
 };
-/// Tell all about an element; 0: nothing any more.
+/// Show details of an element; 0: of none.
 struct ElementRequest {
   std::uint64_t timetag = 0;
 };
 struct SearchMemoryRequest {
   std::string text;
 };
-/// Tell all about a rule; empty: nothing any more.
+/// Show details of a rule; empty: of none.
 struct RuleRequest {
   std::string rule;
 };
-/// Show what the agent knows with this text in it.
+/// Show only the objects of long-term memory that contain this text.
 struct SearchKnownRequest {
   std::string text;
 };
-/// Look at an episode of the selected agent; 0: at none any more.
+/// Show an episode of the selected agent; 0: none.
 struct EpisodeRequest {
   std::size_t number = 0;
 };
-/// Show how a rule was learned, and where it fired; empty: of none any more.
+/// Show how a rule was learned, and when it fired; empty: of no rule.
 struct LearnedRuleRequest {
   std::string rule;
 };
@@ -107,19 +107,19 @@ struct CurveRequest {
   std::string rule;
   bool is_on = true;
 };
-/// Note how far the rules match now, and tell which took part so far.
+/// Record how many conditions of each rule match now, and show which rules have taken part so far.
 struct CoverageRequest {};
 
-/// Why something is, or is not.
+/// Ask why something is the case, or why not.
 struct WhyRequest {
   enum class About : std::uint8_t { kAgent, kOperator, kCommand, kElement, kNot } about = About::kAgent;
-  std::string what;  ///< A name; for elements the time tag. Agent: not needed.
+  std::string what;  ///< A name, or the time tag of an element. Not needed for kAgent.
 };
 
 /// Draw what the selected agent imagines over the world.
 struct ImagineRequest {
-  std::string state;   ///< The scene of this state; empty: what the agent made up in any.
-  std::string record;  ///< With lines that show why this answer is so; empty: none.
+  std::string state;   ///< The scene of this state; empty: what the agent created in any scene.
+  std::string record;  ///< Also draw lines that explain this record; empty: none.
 };
 
 struct PlotRequest {
@@ -127,40 +127,40 @@ struct PlotRequest {
   bool is_on = true;
 };
 
-/// Edit a file, from this line on or at this rule.
+/// Open a file in the editor, at this line or this rule.
 struct EditRequest {
   std::string file;
   int line = 0;
   std::string rule = {};
 };
-/// What to do with the edited text.
+/// An action on the edited text.
 struct EditTextRequest {
   enum class What : std::uint8_t { kType, kCheck, kApply, kSave, kRevert } what = What::kType;
   std::string text;
 };
 
-/// Write all files that have changes.
+/// Save all files that have changes.
 struct SaveAllRequest {};
 
-/// Show another world or recording in this window.
+/// Open another world or recording in this window.
 struct OpenRunRequest {
-  std::string what;  ///< A scenario's name or path, or a file of a recording.
+  std::string what;  ///< The name or path of a scenario, or the file of a recording.
 };
-/// Print this of minds again and again, or no longer.
+/// Add or remove a watch.
 struct WatchRequest {
   std::string what;
   bool is_on = true;
 };
-/// Look at an agent's mind beside those of others, or no longer.
+/// Add an agent to the minds that are shown side by side, or remove it.
 struct BesideRequest {
   std::string agent;
   bool is_on = true;
 };
-/// Find a text in all that can be searched; empty: no longer.
+/// Search everywhere for a text; empty: end the search.
 struct SearchRequest {
   std::string text;
 };
-/// Tell what can be opened and searched: somebody is about to choose.
+/// List what can be opened and searched, because the user is about to choose.
 struct OfferRequest {
   bool is_on = true;
 };
@@ -174,10 +174,11 @@ struct ChangeBreakRequest {
   enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
 };
 
-/// Help with a lesson, its grade, or another one: its files are put into the learner's folder, and the window shows it.
+/// Ask for a hint or a grade of the lesson, or open another lesson. Opening one copies its files to the learner's
+/// folder and shows it.
 struct LessonRequest {
   enum class What : std::uint8_t { kHint, kGrade, kOpen, kCancel } what = What::kHint;
-  std::string lesson = {};  ///< Which one to open.
+  std::string lesson = {};  ///< The lesson to open.
 };
 
 using Request =

@@ -34,7 +34,7 @@ constexpr std::string_view kTraceLevels[] = {"error", "decision", "command", "ev
 
 enum Need : bool { kOptional = false, kNeeded = true };
 
-// The fields of each request, for readers, writers and the reference alike.
+// The fields of each request, for parsing, printing and the reference.
 void Fields(auto& visit, SelectRequest& r) {
   visit("agent", r.agent, "its name; empty: nobody", kNeeded);
 }
@@ -201,7 +201,7 @@ struct Lister {
   }
 };
 
-/// Writes the fields of a request.
+/// Prints the fields of a request.
 struct Writer {
   Json& json;
 
@@ -220,7 +220,7 @@ struct Writer {
   }
 };
 
-/// Reads the fields of a request; the first mistake stays.
+/// Parses the fields of a request. Keeps the first error.
 struct Reader {
   static constexpr std::size_t kLongestText = std::size_t{4} << 20;
 
@@ -234,7 +234,7 @@ struct Reader {
     mistake = std::string(name) + " " + what;
     hint = remedy;
   }
-  /// Null if it is not there.
+  /// Null if the field is absent.
   const Json* Find(std::string_view name, Need need) {
     known.push_back(name);
     const auto found = json.find(name);
@@ -313,7 +313,7 @@ struct Row {
   std::string_view name, about;
   std::vector<RequestField> (*list)();
   Request (*read)(Reader& reader);
-  bool (*write)(const Request& request, Json& json);  ///< False: it is another one.
+  bool (*write)(const Request& request, Json& json);  ///< Returns false if the request is of another kind.
 };
 
 template <typename R>

@@ -12,24 +12,24 @@ namespace soarbox::workbench {
 
 using debugger::Json;
 
-/// The form of requests as JSON: {"request": "seek", "tick": 120}. All that there are stand in one table, which
-/// docs/workbench.md is made from.
+/// Requests as JSON: {"request": "seek", "tick": 120}. One table lists all requests; docs/workbench.md is generated
+/// from it.
 
 struct RequestField {
   std::string_view name;
-  std::string type;  ///< "text", "number", "true or false", or the words that it can be.
+  std::string type;  ///< "text", "number", "true or false", or the allowed words.
   std::string_view about;
-  bool is_needed = false;  ///< Others may be left out.
+  bool is_needed = false;  ///< Other fields may be omitted.
 };
 struct RequestInfo {
   std::string_view name, about;
   std::vector<RequestField> fields;
 };
-/// All, in the order of Request.
+/// All requests, in the order of Request.
 std::vector<RequestInfo> RequestInfos();
 
-/// The error names the request or the field and what it can be. `id` may be there for whoever sent it; nothing else may
-/// that is not in the table.
+/// Parses a request. An error names the request or the field, and the allowed values. Accepts no other fields than
+/// those of the table, except `id`, which is ignored.
 Result<Request> ReadRequest(const Json& json);
 Json ToJson(const Request& request);
 

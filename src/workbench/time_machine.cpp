@@ -7,10 +7,11 @@
 namespace soarbox::workbench {
 namespace {
 
-/// Of the worlds that are made again of a live run.
+/// The settings for simulating a live run again.
 sim::SimulationSettings ForThePast(sim::SimulationSettings settings) {
   settings.soar.port = 0;  // The port belongs to the live run.
-  // Panels look into any mind of the past; and one that is asked to note more later tells its goal stack anew.
+  // Panels can inspect any mind of the past. If the detail of a mind were increased later, its goal stack would be
+  // reported again.
   settings.mind_detail = sim::MindDetail::kAll;
   return settings;
 }
@@ -32,7 +33,7 @@ TimeMachine::TimeMachine(record::TickSource& recording, const sim::DataFolders& 
       last_(last),
       shown_(first),
       rebuilt_(RebuiltWorld::Way::kOnward, [this, data](std::uint64_t) {
-        // It goes on with what is shown, up to the end.
+        // Continues from the shown tick to the end of the recording.
         auto begun = record::Branch::Begin(*recording_, data, recording_->last_tick());
         if (begun && !std::exchange(has_warned_, true)) warnings_ = (*begun)->warnings();
         return begun;
@@ -80,7 +81,7 @@ std::unique_ptr<sim::Simulation> TimeMachine::Resume() {
   record::Futures futures = branch->CompareFutures();
   histories_.push_back(history().UpTo(tick));
   Result<std::vector<record::TickInputs>> inputs = history().Inputs();
-  parting_.reset();  // Futures refer to what they compare: they are never assigned.
+  parting_.reset();  // Futures contain references, so they cannot be assigned.
   parting_.emplace(Parting{number, tick, std::move(record),
                            inputs ? std::move(*inputs) : std::vector<record::TickInputs>(), std::move(futures)});
   GoLive();

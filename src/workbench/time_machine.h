@@ -15,20 +15,20 @@
 
 namespace soarbox::workbench {
 
-/// The past of a live run: shows any of its ticks, with the world and its minds as they were then, and lets the run go
-/// on from there, with the old future kept for comparison. Or a recording, which has nothing but a past: there is
-/// always a tick of it that is shown, and nothing goes on from it.
+/// The past of a live run. It shows any of its ticks, with the world and its minds at that time, and can continue the
+/// run from there; the old future is kept for comparison. For a recording, all ticks are past: one of them is always
+/// shown, and the run cannot continue.
 class TimeMachine {
  public:
-  /// `header` tells which run it is; the same scenario and settings make it again.
+  /// `header` describes the run. The same scenario and settings create it again.
   TimeMachine(const record::Header& header, sim::Scenario scenario, sim::SimulationSettings settings);
 
-  /// The ticks of this range of a recording, which must live longer. Its scenario is looked for again below `data`.
+  /// The ticks of this range of a recording, which must outlive this object. Its scenario is searched for below `data`.
   TimeMachine(record::TickSource& recording, const sim::DataFolders& data, std::uint64_t first, std::uint64_t last);
   TimeMachine(const TimeMachine&) = delete;
   TimeMachine& operator=(const TimeMachine&) = delete;
 
-  /// The next tick of a live run.
+  /// Adds the next tick of a live run.
   void Add(const record::TickRecord& tick);
 
   bool is_recording() const { return recording_ != nullptr; }
@@ -42,48 +42,48 @@ class TimeMachine {
   }
   bool empty() const { return recording_ == nullptr && history().empty(); }
 
-  /// Shows a past tick from now on; of a live run, the last one: that of the run.
+  /// Shows a past tick. For a live run, the last tick means GoLive.
   void Seek(std::uint64_t tick);
   void GoLive();
   bool is_live() const { return !shown_.has_value(); }
   std::uint64_t shown_tick() const { return shown_.value_or(last_tick()); }
-  /// What is recorded of the tick that is shown; null if it cannot be read. Valid until the next call.
+  /// The record of the tick that is shown; null if it cannot be read. Valid until the next call.
   const record::TickRecord* Shown();
 
   /// The record of any tick; null if it cannot be read. Valid until the next call.
   const record::TickRecord* At(std::uint64_t tick);
 
-  /// The world of the tick that is shown; while live, none.
+  /// The rebuilt world of the tick that is shown. Not used while live.
   RebuiltWorld& rebuilt() { return rebuilt_; }
   const RebuiltWorld& rebuilt() const { return rebuilt_; }
 
-  /// Hands over the world of the tick that is shown, for the run to go on with; null if it is not there. What came
-  /// after it becomes the old future.
+  /// Hands over the simulation of the tick that is shown, to continue the run from it; null if it is not available. The
+  /// later ticks become the old future.
   std::unique_ptr<sim::Simulation> Resume();
 
-  /// Where the run went back and on the last time.
+  /// The last time that the run went back and continued.
   struct Parting {
-    std::uint32_t number = 0;                ///< How often it did.
-    std::uint64_t tick = 0;                  ///< The tick that it went back to.
+    std::uint32_t number = 0;                ///< How often the run has done so.
+    std::uint64_t tick = 0;                  ///< The tick from which it continued.
     record::TickRecord record;               ///< What is recorded of that tick.
-    std::vector<record::TickInputs> inputs;  ///< All that had come in by then.
+    std::vector<record::TickInputs> inputs;  ///< All inputs up to that tick.
     record::Futures futures;                 ///< The old future.
   };
   /// Null before the first Resume.
   Parting* parting() { return parting_ ? &*parting_ : nullptr; }
-  /// What may make a rebuilt past differ from the recorded one; each once.
+  /// Possible reasons why the rebuilt past differs from the recorded one. Each is returned once.
   std::vector<Diagnostic> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   record::History& history() const { return *histories_.back(); }
   record::TickSource& timeline() const { return recording_ != nullptr ? *recording_ : history(); }
 
-  record::TickSource* recording_ = nullptr;  ///< Null: a live run.
-  std::uint64_t first_ = 0, last_ = 0;       ///< Of the recording.
+  record::TickSource* recording_ = nullptr;  ///< Null for a live run.
+  std::uint64_t first_ = 0, last_ = 0;       ///< The range of the recording.
   std::vector<Diagnostic> warnings_;
   bool has_warned_ = false;
 
-  /// The last one is that of the run; each before it is the future that was left. They refer to each other.
+  /// The last one is the history of the run; each earlier one is a future that the run left. Comparisons refer to them.
   std::vector<std::unique_ptr<record::History>> histories_;
   std::optional<std::uint64_t> shown_;
   RebuiltWorld rebuilt_;

@@ -10,7 +10,7 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Frames until what was asked for must have shown in the contents.
+/// Frames until the result of a request must appear in the contents.
 constexpr int kPatience = 10;
 
 bool HasUnsaved(const workbench::Contents& contents) {

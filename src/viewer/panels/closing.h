@@ -8,14 +8,14 @@
 
 namespace soarbox::viewer {
 
-/// Asks before the window closes over something that was typed and not saved.
+/// Asks the user before the window closes if typed text would be lost.
 class Closing {
  public:
-  /// The window is about to close. True if it may close at once: nothing would be lost, or the user has agreed.
-  /// False: the user is asked, and a command kQuit follows if the user agrees. `unsent`: what was typed into
-  /// panels and not sent, a sentence each.
+  /// Called when the window is about to close. Returns true if it may close: nothing would be lost, or the user has
+  /// agreed. Returns false if the user is asked; the command kQuit follows if the user agrees. `unsent`: a sentence for
+  /// each text that was typed into a panel and not sent.
   bool MayClose(const workbench::Contents& contents, std::vector<std::string> unsent);
-  /// The question, while there is one.
+  /// Draws the question, if there is one.
   void Draw(PanelFrame& frame, float width, float height);
   bool is_open() const { return is_open_; }
   void Stay() { is_open_ = saves_ = false; }

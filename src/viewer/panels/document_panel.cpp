@@ -68,7 +68,7 @@ void DrawPlot(PanelFrame& frame, const doc::Plot& plot, float height, bool is_la
     if (ImGui::SmallButton(plot.button->label.c_str()) && plot.button->action) Press(frame, *plot.button->action);
     Tooltip(plot.button->hint);
   }
-  // Which curve is which, if there are several.
+  // The names of the curves, if there are several.
   for (std::size_t i = 0; curves.size() > 1 && i < curves.size(); ++i) {
     const std::string name = "\xe2\x80\x94 " + curves[i].name;
     if (i > 0) FlowLine(ImGui::CalcTextSize(name.c_str()).x);
@@ -79,7 +79,7 @@ void DrawPlot(PanelFrame& frame, const doc::Plot& plot, float height, bool is_la
   if (is_last) DrawTimeAxis(frame, first, last);
 }
 
-/// A click or a drag chooses a number; marked numbers have a line, the chosen one a frame.
+/// A click or a drag selects a number. Marked numbers have a line, the selected one a frame.
 void DrawStrip(PanelFrame& frame, const doc::Strip& strip) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(frame.Px(40), ImGui::GetContentRegionAvail().x), height = frame.Px(26);
@@ -104,14 +104,14 @@ void DrawStrip(PanelFrame& frame, const doc::Strip& strip) {
   if (ImGui::IsItemHovered()) Tooltip(strip.label + " " + std::to_string(under) + "; green: " + strip.mark);
 }
 
-/// The height of each of `count` graphs that share what is left of the panel.
+/// Height of each of `count` graphs that share the remaining space of the panel.
 float GraphHeight(const PanelFrame& frame, std::size_t count) {
   const float label = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   const float room = ImGui::GetContentRegionAvail().y - TimeAxisHeight() - ImGui::GetStyle().ItemSpacing.y;
   return std::clamp(room / static_cast<float>(count) - label, frame.Px(44), frame.Px(160));
 }
 
-/// Opens and folds rows; true if those below are to be drawn.
+/// Opens and folds rows; returns true if the rows below must be drawn.
 bool DrawFold(bool folds, bool is_open, bool is_controlled, bool& was_toggled) {
   if (is_controlled) ImGui::SetNextItemOpen(is_open, ImGuiCond_Always);
   const ImGuiTreeNodeFlags flags = (folds ? 0 : ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_Bullet) |
@@ -154,7 +154,7 @@ void DocumentView::Draw(PanelFrame& frame, const doc::Nodes& nodes) {
 }
 
 void DocumentView::DrawNodes(PanelFrame& frame, const doc::Nodes& nodes, bool fills) {
-  // A story stands over the list that it is from; there is not always room for both.
+  // A story is above the list that it belongs to; there is not always space for both.
   const auto story = std::ranges::find_if(nodes, [](const doc::Node& node) {
     const auto* section = As<doc::Section>(node);
     return section != nullptr && section->is_story;
@@ -171,7 +171,7 @@ void DocumentView::DrawRange(PanelFrame& frame, const doc::Nodes& nodes, std::si
                              bool fills) {
   for (std::size_t i = begin; i < end; ++i) {
     const IdScope id(static_cast<int>(i));
-    // A table and its curves are side by side where that gives both more room.
+    // A table and its curves are next to each other if this gives both more space.
     const bool is_pair =
         fills && i + 2 == end && As<doc::Table>(nodes[i]) != nullptr && As<doc::Plot>(nodes[i + 1]) != nullptr;
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -203,7 +203,7 @@ void DocumentView::DrawStory(PanelFrame& frame, const doc::Nodes& nodes, std::si
     DrawSpans(frame, section.title);
     DrawNodes(frame, section.nodes, false);
   };
-  // In a wide panel it is beside the list.
+  // In a wide panel the story is next to the list.
   if (room.x > frame.Px(640)) {
     {
       const Part list("list", {room.x * 0.5f, 0});
@@ -213,7 +213,7 @@ void DocumentView::DrawStory(PanelFrame& frame, const doc::Nodes& nodes, std::si
     const Part part("story");
     return draw();
   }
-  // In a low one it stands alone until it is closed.
+  // In a low panel only the story is shown until it is closed.
   constexpr float kLow_lines = 20, kMostShare = 0.56f;
   if (room.y < kLow_lines * ImGui::GetTextLineHeightWithSpacing()) {
     const Part part("story");
@@ -282,7 +282,7 @@ void DocumentView::DrawLine(PanelFrame& frame, const doc::Line& line) {
 bool DocumentView::DrawField(const doc::Form& form, const doc::Field& field, float right) {
   using Kind = doc::Field::Kind;
   FieldState& state = fields_[form.key + "/" + field.name];
-  // What the document says counts until the user types, and again if it says something else.
+  // The document's value is shown until the user types, and again after it changes.
   if (!state.is_set || (state.told != field.value && !state.is_active)) {
     state.text = state.told = field.value;
     state.is_set = true;
@@ -328,7 +328,8 @@ bool DocumentView::DrawSuggested(const doc::Form& form, const doc::Field& field,
   const char* const hint = field.placeholder.empty() ? field.label.c_str() : field.placeholder.c_str();
   const bool is_live = form.button.empty();
   bool chosen = false;
-  // A live field is typed into, with what it may be behind an arrow; else one chooses, and may type to find.
+  // The user types into a live field and gets suggestions from a menu. In other fields the user chooses, and may type
+  // to search.
   if (is_live) {
     chosen = SearchField(id.c_str(), hint, state.text, ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
     state.is_active = ImGui::IsItemActive();

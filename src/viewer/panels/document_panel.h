@@ -12,11 +12,11 @@
 
 namespace soarbox::viewer {
 
-/// Draws documents (workbench/document/document.h). It keeps what the user sets in them by the keys of their parts:
-/// filters, sorting, chosen pages, typed text. ImGui keeps what is unfolded.
+/// Draws documents (workbench/document/document.h). It stores the user's settings by the keys of the document's parts:
+/// filters, sorting, chosen pages, typed text. ImGui stores which parts are unfolded.
 class DocumentView {
  public:
-  /// The last table or tree takes the height that is left.
+  /// The last table or tree fills the remaining height.
   void Draw(PanelFrame& frame, const workbench::document::Nodes& nodes);
 
  private:
@@ -25,14 +25,14 @@ class DocumentView {
     int group = 0;
     int sorted_by = -1;  ///< A column; -1: the document's order.
     bool is_descending = false;
-    std::vector<std::size_t> rows;  ///< That are shown, in their order.
-    std::vector<float> widths;      ///< That the columns needed at most so far, px.
+    std::vector<std::size_t> rows;  ///< Visible rows, in their order.
+    std::vector<float> widths;      ///< Largest widths that the columns have needed so far, px.
     std::uint64_t revision = ~std::uint64_t{0}, measured = ~std::uint64_t{0};
     std::string arranged_for;
     float scale = 0, room = 0;
   };
   struct FieldState {
-    std::string text, told;  ///< `told`: what the document said last.
+    std::string text, told;  ///< `told`: the document's last text.
     int choice = 0;
     bool is_set = false, is_active = false;
   };
@@ -40,7 +40,7 @@ class DocumentView {
   void DrawNodes(PanelFrame& frame, const workbench::document::Nodes& nodes, bool fills);
   void DrawRange(PanelFrame& frame, const workbench::document::Nodes& nodes, std::size_t begin, std::size_t end,
                  bool fills);
-  /// The story at this place, with what comes after it if there is room.
+  /// Draws the story at this index, with the node after it next to it if there is space.
   void DrawStory(PanelFrame& frame, const workbench::document::Nodes& nodes, std::size_t place);
   void DrawNode(PanelFrame& frame, const workbench::document::Node& node, bool fills);
   void DrawLine(PanelFrame& frame, const workbench::document::Line& line);
@@ -52,7 +52,7 @@ class DocumentView {
   void Send(PanelFrame& frame, const workbench::document::Form& form);
   void DrawTable(PanelFrame& frame, const workbench::document::Table& table, bool fills);
   void Arrange(PanelFrame& frame, const workbench::document::Table& table, TableState& state) const;
-  /// The columns that are shown; notes what their texts need.
+  /// Returns the visible columns, and notes the widths that their texts need.
   static std::vector<std::size_t> MeasureColumns(PanelFrame& frame, const workbench::document::Table& table,
                                                  TableState& state, float room);
   void DrawTableBar(PanelFrame& frame, const workbench::document::Table& table, TableState& state);
@@ -65,11 +65,11 @@ class DocumentView {
 
   std::map<std::string, TableState> tables_;
   std::map<std::string, FieldState> fields_;
-  std::string focused_form_;                    ///< Whose line takes the keyboard next.
-  std::map<std::string, std::string> reasons_;  ///< Of pages, as documents said last.
-  float plot_height_ = 80;                      ///< Of the plots that are drawn now, px.
+  std::string focused_form_;                    ///< The form whose field takes the keyboard next.
+  std::map<std::string, std::string> reasons_;  ///< Last reasons that documents gave for pages.
+  float plot_height_ = 80;                      ///< Of the plots that are currently drawn, px.
   std::map<std::string, int> pages_;
-  std::map<std::string, float> heights_;  ///< Of stories when they were drawn last, px.
+  std::map<std::string, float> heights_;  ///< Of stories when they were last drawn, px.
 };
 
 /// A panel that is described by a document.

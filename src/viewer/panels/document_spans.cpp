@@ -80,7 +80,7 @@ std::string TextOf(const PanelFrame& frame, const Spans& spans) {
 
 namespace {
 
-/// One span at the cursor, in the width that is left.
+/// Draws a span at the cursor, in the remaining width.
 void DrawSpan(PanelFrame& frame, const Span& span, std::string text, bool cuts) {
   const float room = ImGui::GetContentRegionAvail().x;
   const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -127,7 +127,7 @@ void DrawSpans(PanelFrame& frame, const Spans& spans, bool cuts) {
     if (number > 0) {
       const float left = right - ImGui::GetItemRectMax().x;
       const float width = ImGui::CalcTextSize(text.c_str()).x;
-      // A text that is too long for any line begins on this one if much of it is free.
+      // A text that is too long for any line begins on this line if most of the line is free.
       if (cuts ? left > frame.Px(30) : width <= left || (width > whole && left > whole * 0.6f)) {
         ImGui::SameLine(0, 0);
       } else if (cuts) {

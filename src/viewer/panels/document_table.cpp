@@ -17,13 +17,13 @@ namespace doc = workbench::document;
 
 namespace {
 
-/// Wider panels show all columns.
+/// Panels wider than this show all columns.
 constexpr float kNarrow_px = 480;
-/// Rows whose texts are measured for the width of a column.
+/// Maximum number of rows whose texts are measured for the width of a column.
 constexpr std::size_t kMeasured = 200;
-/// A table before other parts shows at most this many rows at once.
+/// Maximum number of rows that are visible at once in a table before other parts.
 constexpr std::size_t kMostUnboxed = 8;
-/// With more rows, a table draws only those in view, each of one line.
+/// With more rows, a table draws only the visible ones, each as one line.
 constexpr std::size_t kMostWrapped = 200;
 
 float WidthOfCell(const PanelFrame& frame, const doc::TableRow& row, std::size_t column) {
@@ -68,7 +68,7 @@ void DocumentView::Arrange(PanelFrame& frame, const doc::Table& table, TableStat
                              std::to_string(state.sorted_by) + (state.is_descending ? "-" : "+");
   const bool is_same_question = wanted == state.arranged_for;
   if (is_same_question && state.revision == frame.contents.revision) return;
-  // Numbers change while the user aims at a row: the order rests under the mouse.
+  // Values change while the user aims at a row, so the order is kept while the mouse is over the table.
   const bool rests = is_same_question && state.sorted_by >= 0 && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   state.revision = frame.contents.revision;
   state.arranged_for = wanted;
@@ -141,7 +141,7 @@ std::vector<std::size_t> DocumentView::MeasureColumns(PanelFrame& frame, const d
 
 namespace {
 
-/// The column that takes the room that is left: the widest with text.
+/// The column that takes the remaining width: the widest with text.
 std::size_t WidestOf(const doc::Table& table, const std::vector<float>& needed, const std::vector<std::size_t>& shown) {
   std::size_t widest = shown.back();
   float most = -1;
@@ -153,7 +153,7 @@ std::size_t WidestOf(const doc::Table& table, const std::vector<float>& needed, 
   return widest;
 }
 
-/// Narrow columns are as wide as their texts; wider ones share what is left.
+/// Narrow columns have the widths of their texts; wider ones share the rest.
 std::vector<float> FittedWidths(const doc::Table& table, const std::vector<float>& needed,
                                 const std::vector<std::size_t>& shown, float room) {
   const float pad = 2 * ImGui::GetStyle().CellPadding.x + 2;
@@ -184,7 +184,7 @@ void DocumentView::DrawTable(PanelFrame& frame, const doc::Table& table, bool fi
     if (!table.none_fits.first.empty()) EmptyNote(table.none_fits.first, table.none_fits.second);
     return;
   }
-  // A table before other parts scrolls in a box if it has many rows; the last part takes the rest.
+  // A table before other parts scrolls in a box if it has many rows; the last part takes the remaining height.
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const bool is_boxed = !fills && state.rows.size() > kMostUnboxed;
   const bool scrolls = is_boxed || (fills && ImGui::GetContentRegionAvail().y > 5 * line);
@@ -200,18 +200,18 @@ void DocumentView::DrawTable(PanelFrame& frame, const doc::Table& table, bool fi
     columns.push_back({column.title.c_str(), is_stretched ? 1 : widths[i],
                        is_stretched ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed});
     if (table.is_sortable && column.is_number) columns.back().flags |= ImGuiTableColumnFlags_PreferSortDescending;
-    // A table with other widths begins anew: it keeps the order.
+    // ImGui treats a table with other widths as a new one; this keeps the sorting.
     if (table.is_sortable && state.sorted_by == static_cast<int>(shown[i])) {
       columns.back().flags &= ~ImGuiTableColumnFlags_PreferSortDescending;
       columns.back().flags |=
           ImGuiTableColumnFlags_DefaultSort | (state.is_descending ? ImGuiTableColumnFlags_PreferSortDescending
                                                                    : ImGuiTableColumnFlags_PreferSortAscending);
     }
-    // Widths that the user has dragged stay until the texts need others.
+    // Widths that the user has dragged are kept until the texts need other widths.
     key.append("/").append(std::to_string(static_cast<int>(widths[i])));
   }
   ImGuiTableFlags flags = ImGuiTableFlags_RowBg | (scrolls ? ImGuiTableFlags_ScrollY : 0);
-  flags |= ImGuiTableFlags_Resizable;  // Others would take their widths from texts that are cut.
+  flags |= ImGuiTableFlags_Resizable;  // Without this flag, ImGui would derive the widths from texts that are cut.
   if (table.has_heads) flags |= ImGuiTableFlags_BordersInnerV;
   if (table.is_sortable) flags |= ImGuiTableFlags_Sortable | ImGuiTableFlags_SortTristate;
   const float height = is_boxed ? std::clamp(ImGui::GetContentRegionAvail().y * 0.6f, 3 * line,
@@ -235,7 +235,7 @@ namespace {
 
 void DrawCell(PanelFrame& frame, const doc::Cell& cell, bool wraps) {
   if (cell.bar) DrawBar(*cell.bar);
-  // Values may have many lines.
+  // Values may have several lines.
   if (wraps && cell.spans.size() == 1 && !cell.spans[0].action && !cell.spans[0].tick) {
     const bool is_code = cell.spans[0].role == doc::Role::kCode;
     const FontScope font(is_code ? frame.fonts.mono : frame.fonts.plain);
@@ -247,7 +247,8 @@ void DrawCell(PanelFrame& frame, const doc::Cell& cell, bool wraps) {
   ImGui::EndGroup();
 }
 
-/// The first cell: what selects the row, its fold, its sign. Returns whether the rows below it are shown.
+/// Draws the first cell, with the selection of the row, its fold and its icon. Returns whether the rows below are
+/// visible.
 bool BeginRow(PanelFrame& frame, const doc::Table& table, const doc::TableRow& row) {
   bool is_open = true;
   if (table.press) {
@@ -266,7 +267,7 @@ bool BeginRow(PanelFrame& frame, const doc::Table& table, const doc::TableRow& r
     const ImGuiTreeNodeFlags flags =
         ImGuiTreeNodeFlags_NoTreePushOnOpen | (row.is_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     is_open = ImGui::TreeNodeEx("fold", flags, "%s", "");
-    // Without a label the item is as wide as its arrow alone.
+    // Without a label the item is only as wide as its arrow.
     ImGui::SameLine(0, 2 * ImGui::GetStyle().FramePadding.x);
   }
   if (row.sign) DrawBodySign(*row.sign);
@@ -281,7 +282,7 @@ void DocumentView::DrawRows(PanelFrame& frame, const doc::Table& table, TableSta
   const bool wraps =
       state.rows.size() <= kMostWrapped &&
       (folds || std::ranges::any_of(table.columns, [](const doc::Column& column) { return column.wraps; }));
-  int hidden_below = -1;  // Deeper rows than this are folded.
+  int hidden_below = -1;  // Rows deeper than this are folded.
   const auto draw = [&](std::size_t place) {
     const doc::TableRow& row = table.rows[state.rows[place]];
     if (hidden_below >= 0 && row.depth > hidden_below) return;

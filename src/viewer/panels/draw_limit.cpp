@@ -9,11 +9,11 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Leaves room for what ImGui adds itself when it renders.
+/// Leaves space for vertices that ImGui adds when it renders.
 constexpr int kMostOfList = (1 << 16) - 512;
 
-/// How many of the indices lead to corners that are kept. Each triangle's corners were made shortly before it, so that
-/// an index that falls far behind has overflowed.
+/// Number of indices that refer to kept vertices. The vertices of a triangle are created shortly before it, so an index
+/// that is far behind has overflowed.
 int KeptIndices(const ImDrawList& list) {
   int highest = 0;
   for (int i = 0; i + 2 < list.IdxBuffer.Size; i += 3) {

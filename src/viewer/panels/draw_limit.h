@@ -6,8 +6,8 @@
 
 namespace soarbox::viewer {
 
-/// ImGui counts the corners of each window with 16 bits and ends the program when there are more. Panels bound what
-/// they draw by what can be seen. If one does not, its picture is cut here, so that the run goes on.
+/// ImGui counts the vertices of each window with 16 bits and ends the program if there are more. Panels draw only what
+/// is visible. If a panel exceeds the limit, its drawing is cut here, so that the run continues.
 ///
 /// Call it between ImGui::EndFrame and ImGui::Render. Returns the names of the windows that were cut.
 std::vector<std::string> CutOverfullWindows();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 60;
 
-/// Whether each word of what was typed stands in the text.
+/// Whether the text contains each typed word.
 bool Fits(const std::string& text, const std::string& typed) {
   std::istringstream words(typed);
   for (std::string word; words >> word;)
@@ -132,7 +132,7 @@ void Finder::AddOffers(PanelFrame& frame, std::vector<Item>& items) const {
     if (is_recording(offer.name) == recordings && Fits(offer.name + " " + offer.about, text_))
       items.push_back({recordings ? "recording" : "scenario", offer.name, offer.about, open(offer.name)});
   }
-  // A path that nobody offers.
+  // A path that is not in the list.
   if (!text_.empty()) items.push_back({"path", text_, "open this path", open(text_)});
 }
 

@@ -11,8 +11,8 @@
 
 namespace soarbox::viewer {
 
-/// A list over the picture: type a part of what you want, and it offers commands, panels, agents, rules, files, texts
-/// anywhere; or, to open something, scenarios and recordings. Enter takes the chosen line, Esc closes.
+/// A list over the picture for searching. It offers commands, panels, agents, rules, files and texts that contain the
+/// typed text; or scenarios and recordings to open. Enter executes the selected line, Esc closes the list.
 class Finder {
  public:
   enum class For : std::uint8_t { kAnything, kScenario, kRecording };
@@ -20,11 +20,12 @@ class Finder {
   void Open(For what);
   void Close() { wants_close_ = is_open_; }
   bool is_open() const { return is_open_; }
-  /// Draws it, if it is open. What other parts of the window can do comes along as `more`.
+  /// An additional entry from another part of the window.
   struct Action {
     std::string title, detail;
     std::function<void()> act;
   };
+  /// Draws the list if it is open.
   void Draw(PanelFrame& frame, float width, float height, const std::vector<Action>& more);
 
  private:
@@ -43,7 +44,7 @@ class Finder {
   For for_ = For::kAnything;
   bool is_open_ = false, wants_focus_ = false, wants_close_ = false;
   std::string text_;
-  std::optional<std::string> asked_;  // The text that was last searched for; none yet after opening.
+  std::optional<std::string> asked_;  // The text of the last search; nothing after opening.
   std::size_t at_ = 0;
 };
 

@@ -54,7 +54,7 @@ bool FirstSteps::IsDone(const Seen& seen) const {
 void FirstSteps::Note(const Seen& seen) {
   if (seen.agents == 0) return;
   if (!first_selected_) first_selected_ = seen.selected;
-  // One at a time: who does two things at once still reads what comes between them.
+  // Advances by one step at a time, so that the user can read each text.
   if (IsDone(seen)) ++at_;
 }
 

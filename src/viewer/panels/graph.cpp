@@ -12,10 +12,10 @@ namespace {
 
 struct Range {
   double low = 0, high = 1;
-  bool is_flat = false;  ///< There is one value only.
+  bool is_flat = false;  ///< There is only one value.
 };
 
-/// As short as it can be read: "68390", "0.25", "1.2e+07".
+/// The shortest readable form: "68390", "0.25", "1.2e+07".
 std::string NumberText(double value) {
   const double size = std::abs(value);
   return Formatted(size >= 1000 && size < 1e6 ? "%.0f" : "%.4g", value);
@@ -40,7 +40,7 @@ Range RangeOf(std::span<const GraphCurve> curves) {
   return range;
 }
 
-/// No more points than some for each pixel: of those that share one, the first, the extremes and the last.
+/// Reduces the points per pixel: keeps the first, the extremes and the last of those that share a pixel.
 template <typename XOf, typename YOf>
 std::vector<ImVec2> LineOf(const GraphCurve& curve, double first, double last, bool is_stepped, const XOf& x_of,
                            const YOf& y_of) {
@@ -102,7 +102,7 @@ void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> cu
   const float now = x_of(static_cast<double>(moment.shown_tick));
   out.AddLine({now, at.y}, {now, end.y}, theme::Packed(moment.is_live ? theme::kQuiet : theme::kWarn), 1);
   const float font = ImGui::GetFontSize();
-  // On a ground of their own, so that a curve behind them leaves them legible.
+  // With a background, so that they are legible over a curve.
   const auto label = [&](float y, double value) {
     const std::string text = NumberText(value);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -140,7 +140,7 @@ void DrawTimeAxis(PanelFrame& frame, double first, double last) {
   const float width = std::max(frame.Px(60), ImGui::GetContentRegionAvail().x);
   ImGui::Dummy({width, TimeAxisHeight()});
   const double step_s = frame.contents.moment.step_s, span = std::max(1.0, last - first);
-  // Round steps, so few that the texts stand apart.
+  // Round steps, large enough that the texts do not overlap.
   const float room = 1.5f * ImGui::CalcTextSize("00:00.00").x;
   const double every_s = RoundStep_s(span * step_s * static_cast<double>(room / width));
   ImDrawList& out = *ImGui::GetWindowDrawList();
@@ -151,7 +151,7 @@ void DrawTimeAxis(PanelFrame& frame, double first, double last) {
     const float x = at.x + width * static_cast<float>((time_s / step_s - first) / span);
     out.AddLine({x, at.y}, {x, at.y + 4}, theme::Packed(theme::kQuiet));
     std::string text = every_s < 1 ? Formatted("%.1f s", time_s) : TimeText(time_s);
-    // Whole seconds need no hundredths.
+    // Integer seconds need no hundredths.
     if (every_s >= 1 && text.size() > 3) text.resize(text.size() - 3);
     const float half = ImGui::CalcTextSize(text.c_str()).x / 2;
     PutText(out, {std::clamp(x - half, at.x, at.x + width - 2 * half), at.y + 4}, theme::Packed(theme::kQuiet), text);

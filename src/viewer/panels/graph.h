@@ -9,21 +9,21 @@
 
 namespace soarbox::viewer {
 
-/// One curve of a graph: ticks in order, and values.
+/// A curve of a graph: ticks in order, with values.
 struct GraphCurve {
   std::string name;
   ImVec4 color;
   std::vector<std::pair<double, double>> points;
 };
 
-/// Draws curves over time into a box of this height, with their range, the present moment, and the values under the
-/// mouse. A click goes to that moment. `is_stepped`: values hold until the next.
+/// Draws curves over time in a box of this height, with their range, the current moment, and the values under the
+/// mouse. A click goes to that moment. `is_stepped`: a value lasts until the next one.
 void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves, float height, double first_tick,
                double last_tick, bool is_stepped = false);
 
-/// The times below such graphs, one box for all that stand above each other.
+/// Draws the times below such graphs, once for all graphs above each other.
 void DrawTimeAxis(PanelFrame& frame, double first_tick, double last_tick);
-/// The room that it takes.
+/// Height of the time axis.
 float TimeAxisHeight();
 
 }  // namespace soarbox::viewer

@@ -10,7 +10,7 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Draws signs in a square of 12 by 12 units around a centre.
+/// Draws icons in a square of 12 by 12 units around a centre.
 class Sign {
  public:
   Sign(ImVec2 centre, float unit, ImU32 color)

@@ -19,7 +19,7 @@ enum class Icon {
   kBranch,
 };
 
-/// A button with a drawn sign, a word behind it if there is one, and a tooltip. True when it is clicked.
+/// A button with an icon, a word after it (may be empty), and a tooltip. Returns true when it is clicked.
 bool IconButton(Icon icon, const char* id, std::string_view word, std::string_view tooltip, bool enabled = true,
                 bool lit = false);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr float kLeastSize = 80, kMostSize = 4000;
 
 Area HomeOf(workbench::PanelId panel) {
-  // Few runs take part in an exercise: it is offered only then.
+  // Few runs take part in an exercise, so the panel is opened only in these.
   if (panel == workbench::PanelId::kExercise) return Area::kLeft;
   static const Layout home = DefaultLayout();
   for (std::size_t i = 0; i < kAreaCount; ++i) {
@@ -90,7 +90,7 @@ Layout LayoutOf(const std::vector<workbench::PanelId>& panels) {
     area.front = 0;
     area.shown = false;
   }
-  // The first of an area is the one in front.
+  // The first panel of an area is its front panel.
   for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
     AreaLayout& area = layout.at(HomeOf(*panel));
     if (std::find(area.panels.begin(), area.panels.end(), *panel) != area.panels.end()) continue;
@@ -275,7 +275,7 @@ Layout LoadLayout(const std::filesystem::path& file) {
   Layout empty = DefaultLayout();
   empty.first_steps = true;
   if (!in) return empty;
-  // Nobody's layout is longer; a file that is something else is not read to its end.
+  // Real layouts are shorter; other files are not read completely.
   std::string text(4096, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));

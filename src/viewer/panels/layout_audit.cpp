@@ -12,7 +12,7 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Rounding of letters and borders, px.
+/// Tolerance for the rounding of letters and borders, px.
 constexpr float kSlack_px = 2.5f;
 
 struct CutPlaces {
@@ -21,7 +21,7 @@ struct CutPlaces {
 };
 CutPlaces cut_places;
 
-/// A text that was drawn by hand, and the part of the window that could be drawn to then.
+/// Texts drawn with PutText(), with the clipping rectangles at that time.
 struct PutTexts {
   int frame = -1;
   struct Text {
@@ -33,7 +33,7 @@ struct PutTexts {
 };
 PutTexts put_texts;
 
-/// What panels say themselves.
+/// Reports of panels (NoteTooSmall).
 struct TooSmall {
   int frame = -1;
   std::vector<std::string> found;
@@ -41,7 +41,7 @@ struct TooSmall {
 TooSmall too_small;
 
 std::string WindowName(const ImGuiWindow& window) {
-  // "Panels at the right/mind_1A2B/tree_3C4D": the numbers say nothing.
+  // From "Panels at the right/mind_1A2B/tree_3C4D", without the numbers.
   std::string name;
   std::string_view rest = window.Name;
   while (!rest.empty()) {
@@ -57,13 +57,13 @@ bool IsShown(const ImGuiWindow& window) {
 }
 
 bool IsFloating(const ImGuiWindow& window) {
-  // These lie over others on purpose.
+  // These windows cover others on purpose.
   for (const std::string_view name : {"Find", "Close the window?", "Keys and mouse"})
     if (window.Name == name) return true;
   return (window.Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_Modal)) != 0;
 }
 
-/// Whether what lies outside of the window can be brought into view, by it or by one that it lies in.
+/// Whether the parts outside of the window can be scrolled into view, by this window or by one that contains it.
 bool Scrolls(const ImGuiWindow* window, int axis) {
   constexpr ImGuiWindowFlags kNeverDown = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   for (; window != nullptr; window = window->ParentWindow) {
@@ -84,14 +84,14 @@ bool MayBeCut(const ImRect& text) {
   });
 }
 
-/// Of texts drawn by hand it is known how far they reach, whatever was left of them.
+/// The extent of texts drawn with PutText() is known, even if they are clipped.
 void AuditPutTexts(const ImGuiWindow& window, std::vector<std::string>& found) {
   if (put_texts.frame != ImGui::GetFrameCount()) return;
   const ImRect inner = window.InnerRect;
   for (const PutTexts::Text& text : put_texts.texts) {
     if (text.list != window.DrawList || MayBeCut(text.box)) continue;
     const ImRect &box = text.box, &clip = text.clip;
-    // Scrolling helps where the window's own edge cuts, not where somebody drew a narrower one.
+    // Scrolling helps only if the window's own edge cuts the text, not a narrower clipping rectangle.
     const bool left = box.Min.x<clip.Min.x - kSlack_px, right = box.Max.x> clip.Max.x + kSlack_px;
     const bool above = box.Min.y<clip.Min.y - kSlack_px, below = box.Max.y> clip.Max.y + kSlack_px;
     const bool is_edge_x = left ? clip.Min.x <= inner.Min.x + kSlack_px : clip.Max.x >= inner.Max.x - kSlack_px;
@@ -103,7 +103,7 @@ void AuditPutTexts(const ImGuiWindow& window, std::vector<std::string>& found) {
   }
 }
 
-/// Letters over letters: nobody can read either.
+/// Letters over letters are illegible.
 void AuditOverlaps(std::vector<std::pair<const ImGuiWindow*, ShownText>>& texts, std::vector<std::string>& found) {
   constexpr float kAcross_px = 4, kDown_px = 4;
   std::stable_sort(texts.begin(), texts.end(),
@@ -133,14 +133,14 @@ std::vector<ShownText> AuditTexts(const ImGuiWindow& window, const ImFontAtlas& 
   std::vector<ShownText> texts = CaptureText(part, fonts);
   for (const ShownText& text : texts) {
     if (!text.is_cut || MayBeCut({text.at.front(), text.top, text.at.back(), text.bottom})) continue;
-    // Which way it is cut shows in whether it can be scrolled that way.
+    // A text is cut in a direction only if it cannot be scrolled in that direction.
     if ((text.is_cut_x && !Scrolls(&window, 0)) || (text.is_cut_y && !Scrolls(&window, 1)))
       found.push_back(WindowName(window) + ": the text '" + text.text + "' is cut");
   }
   return texts;
 }
 
-/// Things that are wholly outside leave no trace in what is drawn; but the window knows how far they reached.
+/// Things that are completely outside leave no trace in the drawing, but the window stores the size of its contents.
 void AuditContent(const ImGuiWindow& window, std::vector<std::string>& found) {
   const ImRect inner = window.InnerRect;
   const bool is_field = cut_places.frame == ImGui::GetFrameCount() &&
@@ -163,7 +163,7 @@ void AuditContent(const ImGuiWindow& window, std::vector<std::string>& found) {
   }
 }
 
-/// A cell that is cut between two letters shows no cut letter.
+/// A cell that is cut between two letters contains no cut letter.
 void AuditTables(std::vector<std::string>& found) {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   for (int n = 0; n < context.Tables.GetMapSize(); ++n) {

@@ -9,22 +9,22 @@
 
 namespace soarbox::viewer {
 
-/// Faults of ImGui's present frame that a user would see: texts and windows that are cut where nothing can
-/// be scrolled, texts that lie over each other, and fixed windows that do or that leave the display. Each a sentence;
-/// empty: all is well.
+/// Finds visible faults in ImGui's current frame: texts and windows that are cut although they cannot be scrolled,
+/// texts that overlap, and fixed windows that overlap or leave the display. Returns a sentence for each fault.
 ///
 /// Call it between ImGui::Render and the next NewFrame. For tests and scripts of the window.
 std::vector<std::string> AuditLayout(const ImFontAtlas& fonts);
 
-/// Draws a text by hand, and notes for the audit where it stands: ImGui keeps nothing of what lies beyond a clipping
-/// rectangle, and no item tells how far such a text reaches.
+/// Draws a text and notes its place for the audit. ImGui drops everything outside of the clipping rectangle, and no
+/// item contains the extent of such a text.
 void PutText(ImDrawList& out, ImVec2 at, ImU32 color, std::string_view text);
 
-/// Something in this frame is too small to be of use, or is left out because there is no room: a sentence for the
-/// audit.
+/// Reports to the audit, as a sentence, that something in this frame is too small to be used or was left out for lack
+/// of space.
 void NoteTooSmall(std::string what);
 
-/// Texts within this part of the window are cut on purpose in this frame (a bar of the timeline, a field that scrolls).
+/// Marks a part of the window in which texts are cut on purpose in this frame (a bar of the timeline, a field that
+/// scrolls).
 void MayCut(ImVec2 corner, ImVec2 end);
 
 }  // namespace soarbox::viewer

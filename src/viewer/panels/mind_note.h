@@ -8,11 +8,11 @@
 
 namespace soarbox::viewer {
 
-/// Opens a place in a file where it can be changed: in the panel Edit; in the user's own editor what that cannot
-/// reload.
+/// Opens a place in a file for editing: in the panel Edit, or in the user's own editor if that panel cannot reload the
+/// file.
 void GoToFile(PanelFrame& frame, const std::string& file, int line);
 
-/// A text that is a link to the place in a file that it names, if it names one.
+/// A text that is a link if it names a place in a file.
 void TextWithPlace(PanelFrame& frame, const char* id, std::string_view text, ImVec4 color);
 
 /// Shows an object of working memory in the panel Memory.

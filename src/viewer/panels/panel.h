@@ -19,7 +19,7 @@
 
 namespace soarbox::viewer {
 
-/// What the panels of one frame read, and what the user asked for while they were drawn.
+/// The input of the panels of a frame, and the requests that the user makes while they are drawn.
 struct PanelFrame {
   const workbench::Contents& contents;
   const world::SceneSnapshot& scene;
@@ -30,12 +30,12 @@ struct PanelFrame {
   std::uint32_t& selected;  ///< Id of the selected agent; 0: none.
   std::vector<workbench::Request>& requests;
   std::vector<ViewerCommand>& commands;
-  std::function<bool(ViewerCommand)> is_on;  ///< Whether an overlay or camera is.
+  std::function<bool(ViewerCommand)> is_on;  ///< Whether an overlay or a camera mode is on.
 
-  /// A length in px that grows with the text.
+  /// A length in px, scaled with the text size.
   float Px(float length) const { return length * scale; }
   void Ask(workbench::Request request) { requests.push_back(std::move(request)); }
-  /// Asks for what another panel shows, and brings that panel to the front.
+  /// Sends a request whose result another panel shows, and brings that panel to the front.
   void AskIn(workbench::PanelId panel, workbench::Request request) {
     Ask(std::move(request));
     layout.Show(panel);
@@ -55,14 +55,14 @@ struct PanelFrame {
   }
 };
 
-/// One panel. It is drawn into a child window of its own and keeps what the user set in it (filters, what is unfolded).
+/// A panel. It is drawn into its own child window and stores the user's settings (filters, unfolded parts).
 class Panel {
  public:
   virtual ~Panel() = default;
   virtual void Draw(PanelFrame& frame) = 0;
-  /// What it shows, to be copied; empty: nothing worth copying.
+  /// Its contents as text for the clipboard; empty if there is nothing to copy.
   virtual std::string Text(const PanelFrame& frame) const = 0;
-  /// What was typed into it and would be lost with the window, a sentence; empty: nothing.
+  /// A sentence about typed text that would be lost with the window; empty: none.
   virtual std::string Unsent() const { return {}; }
 };
 

@@ -30,13 +30,13 @@ class ConsolePanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     const workbench::Contents& contents = frame.contents;
     if (contents.agent != agent_) {
-      // What was begun for one agent waits there until it is looked at again.
+      // A line that was begun for one agent is kept until that agent is shown again.
       const auto begun = lines_.find(contents.agent);
       std::string next = begun != lines_.end() ? begun->second : contents.begun_line;
       if (begun != lines_.end()) lines_.erase(begun);
       if (!line_.empty()) lines_[agent_] = line_;
       line_ = replacement_ = kept_ = std::move(next);
-      replaces_ = is_active_;  // The field that has the keyboard keeps a copy of its own.
+      replaces_ = is_active_;  // The active field has its own copy of the text.
       agent_ = contents.agent;
       offered_.clear();
     }
@@ -90,7 +90,7 @@ class ConsolePanel final : public Panel {
       ForRowsInSight(lines != nullptr ? lines->size() : 0, draw, ImGui::GetTextLineHeightWithSpacing());
       if (seen_lines_ != contents.console_lines) {
         ImGui::SetScrollHereY(1);
-        if (++frames_since_new_ > 2) {  // The child knows its new height a frame later.
+        if (++frames_since_new_ > 2) {  // The child window has its new height one frame later.
           seen_lines_ = contents.console_lines;
           frames_since_new_ = 0;
         }
@@ -138,7 +138,7 @@ class ConsolePanel final : public Panel {
     offered_.clear();
   }
 
-  /// Takes over what came of the last Tab.
+  /// Applies the result of the last Tab.
   void Complete(const PanelFrame& frame) {
     if (waiting_for_.empty() || frame.contents.completed_line != waiting_for_) return;
     waiting_for_.clear();
@@ -189,9 +189,9 @@ class ConsolePanel final : public Panel {
   }
 
   std::string agent_;
-  std::map<std::string, std::string> lines_;  ///< Begun and not sent, by agent; of the others than agent_.
+  std::map<std::string, std::string> lines_;  ///< Lines that were begun and not sent, by agent, except that of agent_.
   std::string line_, offered_, waiting_for_, replacement_;
-  std::string kept_;  ///< What the application knows of line_.
+  std::string kept_;  ///< The application's copy of line_.
   bool asked_ = false, replaces_ = false, wants_focus_ = false, is_active_ = false;
   std::vector<std::string> history_;
   std::size_t at_ = 0;

@@ -20,7 +20,7 @@ int LineCount(std::string_view text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
 }
 
-/// A file of rules or a script, changed and reloaded while the world runs.
+/// A file of rules or a script, edited and reloaded while the world runs.
 class EditPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -62,10 +62,10 @@ class EditPanel final : public Panel {
   }
 
  private:
-  /// Shows another text than the one that was typed.
+  /// Shows a text that was not typed here.
   void Take(const std::string& text) {
     text_ = text;
-    replaces_ = is_active_;  // The field that has the keyboard keeps a copy of its own.
+    replaces_ = is_active_;  // The active field has its own copy of the text.
     Tokenize();
   }
 
@@ -84,7 +84,7 @@ class EditPanel final : public Panel {
     lines_ = LineCount(text_);
   }
 
-  /// Who looks in here first most likely wants the rules of the agent that is selected.
+  /// When the panel is first opened, it shows the rules of the selected agent.
   void OpenOwnRules(PanelFrame& frame) {
     const auto& files = frame.contents.files;
     if (files.empty() || !files.front().is_rules || frame.contents.moment.is_recording) return;
@@ -109,7 +109,7 @@ class EditPanel final : public Panel {
       Tooltip(name);
     };
     for (const sim::WatchedFile& file : contents.files) offer(file.file);
-    // What was opened for other agents stays at hand.
+    // Files that were opened for other agents stay in the list.
     for (const workbench::OpenFile& open : contents.open_files) {
       const bool is_listed = std::any_of(contents.files.begin(), contents.files.end(),
                                          [&](const sim::WatchedFile& file) { return file.file.string() == open.file; });
@@ -153,7 +153,7 @@ class EditPanel final : public Panel {
     if (!state.empty()) WrappedText(errors > 0 ? theme::kBad : changed ? theme::kWarn : theme::kGood, state);
   }
 
-  /// Beside the file's name: Enter goes from one place to the next.
+  /// Next to the file's name: Enter goes from one match to the next.
   void DrawFind() {
     ImGui::SameLine();
     if (std::exchange(goes_on_, false)) FocusNextField();
@@ -161,7 +161,7 @@ class EditPanel final : public Panel {
     Tooltip(find_.empty() ? "Ctrl+F" : std::to_string(places_.size()) + " places; Enter goes to the next");
     if (WasEntered()) {
       if (!places_.empty()) ScrollTo(places_[place_ = (place_ + 1) % places_.size()]);
-      goes_on_ = true;  // Enter again.
+      goes_on_ = true;  // Enter was pressed again.
     }
     if (find_ != found_ || text_.size() != found_in_) Find();
     if (!places_.empty() || find_.empty()) return;
@@ -183,7 +183,7 @@ class EditPanel final : public Panel {
       self.text_.resize(static_cast<std::size_t>(data->BufTextLen));
       data->Buf = self.text_.data();
     } else if (std::exchange(self.replaces_, false)) {
-      const std::string text = self.text_;  // It may be moved while the field changes.
+      const std::string text = self.text_;  // A copy, because the text may be moved while the field changes.
       const int caret = static_cast<int>(std::min(self.histories_[self.file_].changed_at(), text.size()));
       data->DeleteChars(0, data->BufTextLen);
       data->InsertChars(0, text.c_str());
@@ -197,9 +197,9 @@ class EditPanel final : public Panel {
     const float gutter = ImGui::CalcTextSize("00000").x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gutter);
-    // The field keeps the text and the caret; the coloured text is drawn over its own, which is clear.
+    // The field has the text and the caret; the coloured text is drawn over the field's own text, which is transparent.
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
-    // It has a history of its own, which knows what came from the disk as well.
+    // The panel has its own history, which includes versions from the disk.
     const ImGuiInputTextFlags flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
                                       ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_NoUndoRedo;
     const bool edited = ImGui::InputTextMultiline("##text", text_.data(), text_.capacity() + 1,
@@ -221,7 +221,7 @@ class EditPanel final : public Panel {
       frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kApply, text_});
     if (asks(SDL_SCANCODE_S)) frame.Ask(workbench::EditTextRequest{workbench::EditTextRequest::What::kSave, text_});
     MayCut(corner,
-           ImGui::GetItemRectMax());  // Long lines go on to the right of it.
+           ImGui::GetItemRectMax());  // Long lines continue beyond its right edge.
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) DrawOver(frame, *children.back(), corner, gutter);
   }
@@ -260,7 +260,7 @@ class EditPanel final : public Panel {
     out.PopClipRect();
   }
 
-  /// What was found, on a ground of its own; the place that was gone to last, brighter.
+  /// Highlights the matches; the current one is brighter.
   void DrawPlaces(ImDrawList& out, ImVec2 at, float top, float bottom) const {
     const float height = ImGui::GetFontSize();
     std::size_t begin = 0;
@@ -291,12 +291,12 @@ class EditPanel final : public Panel {
   }
 
   std::string file_, text_, went_file_, find_, found_;
-  std::string offered_;                           ///< Opened unasked; if that failed, not again.
+  std::string offered_;  ///< The file that was opened automatically; if that failed, it is not tried again.
   std::map<std::string, TextHistory> histories_;  ///< By file.
-  bool is_active_ = false;                        ///< The text had the keyboard in the last frame.
-  bool replaces_ = false;                         ///< The active field is to take over text_.
+  bool is_active_ = false;                        ///< The field had the keyboard in the last frame.
+  bool replaces_ = false;                         ///< The active field must be set to text_.
   double edited_at_ = -10;
-  std::vector<std::size_t> places_;  ///< Where `found_` stands in the text.
+  std::vector<std::size_t> places_;  ///< The occurrences of `found_` in the text.
   std::size_t place_ = static_cast<std::size_t>(-1), found_in_ = 0;
   bool goes_on_ = false;
   std::uint64_t went_count_ = 0;

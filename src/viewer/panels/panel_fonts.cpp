@@ -9,7 +9,7 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Where distributions keep the DejaVu fonts; without them ImGui's own font serves.
+/// Folders in which distributions have the DejaVu fonts. If there are none, ImGui's own font is used.
 std::string FindFont(const char* file_name) {
   for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu", "/usr/share/fonts/TTF",
                              "/usr/share/fonts/dejavu-sans-fonts", "/usr/local/share/fonts/dejavu"}) {
@@ -23,7 +23,7 @@ std::string FindFont(const char* file_name) {
 }  // namespace
 
 ImFont* AddFont(const char* file_name, float height_px) {
-  // Latin, Greek, general punctuation, arrows, signs of mathematics, geometric shapes, some signs.
+  // Latin, Greek, general punctuation, arrows, mathematical operators, geometric shapes, some symbols.
   static const ImWchar kRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0x2190, 0x21ff, 0x2200,
                                     0x2265, 0x25a0, 0x25ff, 0x26a0, 0x26a0, 0x2713, 0x2718, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;

@@ -5,17 +5,17 @@
 
 namespace soarbox::viewer {
 
-/// What panels write with.
+/// The fonts of panels.
 struct PanelFonts {
   ImFont* plain = nullptr;
   ImFont* bold = nullptr;
   ImFont* mono = nullptr;
 };
 
-/// Adds a font of the system to ImGui's atlas; ImGui's own where there is none of this name.
+/// Adds a system font to ImGui's atlas, or ImGui's own font if there is none with this name.
 ImFont* AddFont(const char* file_name, float height_px);
 
-/// Those of the panels, for this text size; 1 is 100 %.
+/// Adds the fonts of the panels for this text size; 1 is 100 %.
 PanelFonts AddPanelFonts(float scale);
 
 }  // namespace soarbox::viewer

@@ -35,7 +35,7 @@ int ButtonIndex(int sdl_button) {
   return sdl_button >= 1 && sdl_button <= 5 ? kIndex[sdl_button] : -1;
 }
 
-/// Keys that change the text or the caret: they must not overtake what was typed before them.
+/// Keys that change the text or the caret. They must stay in order with the typed text.
 bool Edits(int scancode) {
   switch (scancode) {
     case SDL_SCANCODE_RETURN:
@@ -146,7 +146,7 @@ bool PanelInput::Take(SDL_Event& event) {
       const auto button = static_cast<std::size_t>(event.button.button & 7);
       notes_.push_back({Kind::kMove, x, y});
       const bool is_pictures = pressed ? !(world_buttons_.none() && IsOverPanel(x, y)) : world_buttons_[button];
-      // Whoever is in the middle of a line goes on typing it there.
+      // A click on the picture does not interrupt a line that is being typed.
       const bool stays = KeyboardIsKept() && is_pictures;
       if (const int index = ButtonIndex(event.button.button); index >= 0 && !stays)
         notes_.push_back({Kind::kButton, x, y, index, pressed});
@@ -166,7 +166,7 @@ bool PanelInput::Take(SDL_Event& event) {
       notes_.push_back({Kind::kWheel, static_cast<float>(event.wheel.x), static_cast<float>(event.wheel.y)});
       return true;
     case SDL_TEXTINPUT:
-      if ((SDL_GetModState() & KMOD_LALT) != 0) return true;  // A shortcut writes nothing.
+      if ((SDL_GetModState() & KMOD_LALT) != 0) return true;  // A shortcut types no text.
       notes_.push_back({Kind::kText, 0, 0, 0, false, 0, event.text.text});
       return true;
     case SDL_KEYDOWN:
@@ -181,7 +181,7 @@ bool PanelInput::Take(SDL_Event& event) {
         world_keys_[key] = false;
         return !was_worlds;
       }
-      if (world_keys_[key]) return false;  // It repeats.
+      if (world_keys_[key]) return false;  // It is an automatic repeat.
       if (has_keys()) return true;
       world_keys_[key] = true;
       return false;
@@ -204,13 +204,13 @@ void PanelInput::Apply() {
     const Note& note = notes_.front();
     switch (note.kind) {
       case Kind::kMove:
-        // Where a button changed is where it must be seen, for one frame at least.
+        // A frame shows the mouse at the place where a button changed.
         if (changed.any()) return;
         io.MousePos = {note.x, note.y};
         moved = true;
         break;
       case Kind::kButton:
-        // A new place is seen before the button, so that what lies there is hovered when it goes down.
+        // ImGui must see the new position one frame before the button, so that the item there is hovered.
         if (changed[static_cast<std::size_t>(note.index)] || (moved && note.pressed)) return;
         changed[static_cast<std::size_t>(note.index)] = true;
         io.MouseDown[note.index] = note.pressed;
@@ -228,7 +228,7 @@ void PanelInput::Apply() {
         io.KeyAlt = (note.modifiers & KMOD_ALT) != 0;
         break;
       case Kind::kLeave:
-        // Escape would have the field forget what was typed.
+        // Escape would make the field drop the typed text, so it goes into a later frame.
         if (wrote || keys.any()) return;
         ImGui::ClearActiveID();
         break;

@@ -10,10 +10,10 @@ union SDL_Event;
 
 namespace soarbox::viewer {
 
-/// Gives the panels their share of the user's input: the mouse over panels and menus, keys while somebody types there.
+/// Passes the user's input to the panels: the mouse over panels and menus, and keys while the user types there.
 ///
-/// ImGui gets everything in order, and never a press and its release in one frame, so that a click that is
-/// shorter than a frame is not lost.
+/// ImGui receives all events in order, and never a press and its release in one frame, so that a click that is shorter
+/// than a frame is not lost.
 class PanelInput {
  public:
   PanelInput();
@@ -21,28 +21,28 @@ class PanelInput {
   PanelInput(const PanelInput&) = delete;
   PanelInput& operator=(const PanelInput&) = delete;
 
-  /// Where the picture stands, whether something lies over it, and how large the window is.
+  /// Sets the rectangle of the picture, whether something covers it, and the size of the window.
   void SetPicture(int x, int y, int width, int height, bool is_covered);
 
-  /// Where something lies over a part of the picture, in px; of no size: nowhere.
+  /// Sets the part of the picture that something covers, in px; zero size: none.
   void SetCover(int x, int y, int width, int height) { cover_ = {x, y, width, height}; }
 
-  /// Notes an event for the panels. True if it is theirs alone; otherwise the mouse's place in it has become one in the
-  /// picture.
+  /// Notes an event for the panels. Returns true if it concerns only them. Otherwise the mouse position in the event is
+  /// converted to picture coordinates.
   bool Take(SDL_Event& event);
-  /// The keyboard leaves the field that has it, after what was typed so far; the text stays.
+  /// Removes the focus from the current field after the text that was typed so far; the text is kept.
   void LeaveField() { notes_.push_back({Kind::kLeave}); }
-  /// Hands what was noted to ImGui; before each frame.
+  /// Passes the noted events to ImGui. Call it before each frame.
   void Apply();
 
-  /// Gives the mouse the shape that the panel under it asks for; after each frame.
+  /// Sets the mouse cursor that the panel under it requests. Call it after each frame.
   void ShowCursor();
-  /// Nothing waits to be handed over.
+  /// Whether no event waits.
   bool idle() const { return notes_.empty(); }
 
-  /// The mouse is over a panel.
+  /// Whether the mouse is over a panel.
   bool has_mouse() const { return over_panel_; }
-  /// Somebody types into a panel.
+  /// Whether the user types into a panel.
   bool has_keys() const;
 
  private:
@@ -61,7 +61,7 @@ class PanelInput {
   int x_ = 0, y_ = 0, width_ = 1, height_ = 1;
   std::array<int, 4> cover_{};  ///< x, y, width, height.
   bool is_covered_ = false, over_panel_ = false;
-  std::bitset<8> panel_buttons_, world_buttons_;  ///< Held down, by where they went down.
+  std::bitset<8> panel_buttons_, world_buttons_;  ///< Pressed buttons, by the place where they were pressed.
   std::bitset<512> world_keys_;
   std::array<void*, 9> cursors_{};
   int cursor_ = -1;

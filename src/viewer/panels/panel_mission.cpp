@@ -7,12 +7,12 @@
 namespace soarbox::viewer {
 namespace {
 
-/// What is to be seen of a check at the moment that is shown: what is decided later is still open.
+/// The state of a check at the shown moment: if it is decided later, it is still open.
 std::string_view StateAt(const workbench::CheckRow& check, const workbench::Moment& moment) {
   return check.tick > moment.shown_tick ? std::string_view("open") : std::string_view(check.state);
 }
 
-/// What agents are to do, and how far they are; the lesson that the world belongs to stands above it.
+/// The tasks of agents and their progress, below the lesson that the world belongs to.
 class MissionPanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -76,7 +76,7 @@ class MissionPanel final : public Panel {
                                                 : theme::kBad;
     DrawMark(frame, color, is_open, is_good);
     ImGui::SameLine(0, frame.Px(6));
-    const bool is_known = check.state != "open";  // Perhaps later than the moment that is shown.
+    const bool is_known = check.state != "open";  // It may have been decided after the shown moment.
     if (!is_known) {
       WrappedText(theme::kText, check.name);
     } else {
@@ -101,7 +101,7 @@ class MissionPanel final : public Panel {
     ImGui::Spacing();
   }
 
-  /// An empty box, a tick or a cross: shapes, so that colours are not needed.
+  /// An empty box, a check mark or a cross: shapes, so that the meaning does not depend on colours.
   static void DrawMark(const PanelFrame& frame, ImVec4 color, bool is_open, bool is_good) {
     const float size = ImGui::GetTextLineHeight(), inset = size * 0.15f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -158,7 +158,7 @@ class MissionPanel final : public Panel {
       if (ImGui::Button("Next lesson")) frame.Ask(workbench::LessonRequest{What::kOpen, lesson.next});
       Tooltip("Every lesson is open, whether this one is done or not");
     }
-    // Above what may be long.
+    // Above the parts that may be long.
     if (!frame.contents.checks.empty()) DrawHead(frame);
     int number = 0;
     for (const std::string& text : lesson.hints) WrappedText(theme::kWarn, std::to_string(++number) + ". " + text);

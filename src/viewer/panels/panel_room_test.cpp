@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Every panel over a filled run, at any size of the window: nothing is cut, nothing overlaps, nothing is too much.
+// Draws every panel over a filled run at many sizes of the window: nothing is cut, nothing overlaps, no limit is
+// exceeded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ TEST_F(Panels, NothingIsCutAndNothingOverlapsWhateverIsOpen) {
   for (const WindowSize& size : kSizes) {
     stage->SetSize(size.width, size.height, size.percent);
     for (const char* agent : {"walker", "listener-with-a-rather-long-name", ""}) {
-      if (*agent != 'w' && size.height != 720) continue;  // Once is enough.
+      if (*agent != 'w' && size.height != 720) continue;  // One size is enough.
       stage->Fill(agent);
       for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
         stage->Draw(info.id);
@@ -37,9 +38,9 @@ TEST_F(Panels, NothingIsCutAndNothingOverlapsWhateverIsOpen) {
   }
 }
 
-/// What the audit says of windows that are drawn so.
+/// The audit's sentences about windows that are drawn like this.
 std::string AuditOf(const std::function<void()>& draw) {
-  for (int i = 0; i < 3; ++i) {  // How far its contents reach a window knows one frame later.
+  for (int i = 0; i < 3; ++i) {  // A window has the extent of its contents one frame later.
     ImGui::NewFrame();
     draw();
     ImGui::Render();
@@ -111,9 +112,9 @@ TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
   };
   const ImU32 white = IM_COL32_WHITE;
   EXPECT_EQ(audit([&](ImDrawList& out, ImVec2 at) { PutText(out, at, white, "a good one"); }), "");
-  // What can be scrolled to is not cut.
+  // A text that can be scrolled into view is not cut.
   EXPECT_EQ(audit([&](ImDrawList& out, ImVec2 at) { PutText(out, {at.x, at.y + 75}, white, "half of it"); }), "");
-  // ImGui keeps no letter of this one.
+  // ImGui keeps no letter of this text.
   EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
                 PutText(out, {at.x + 300, at.y}, white, "far out");
               }),
@@ -131,7 +132,7 @@ TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
               HasSubstr("lie over each other"));
 }
 
-/// A run of this many ticks in which many agents decide, command and fire rules in each tick.
+/// A run with this many ticks; in each tick many agents decide, give commands and fire rules.
 debugger::RunModels BusyRun(std::uint64_t ticks, int agents) {
   debugger::RunModels models;
   record::TickRecord tick;
@@ -155,7 +156,7 @@ debugger::RunModels BusyRun(std::uint64_t ticks, int agents) {
   return models;
 }
 
-/// The corners of the window that has most.
+/// The number of vertices of the window with the most.
 int MostCorners() {
   int most = 0;
   const ImDrawData& drawn = *ImGui::GetDrawData();
@@ -183,7 +184,7 @@ TEST_F(Panels, DrawWhatCanBeSeenHoweverLongTheRunAndHoweverManyTheAgents) {
         EXPECT_THAT(stage->overfull, testing::IsEmpty()) << InfoOf(panel).word << " at " << width;
         EXPECT_LT(corners[run], 1 << 16) << InfoOf(panel).word << " at " << width;
       }
-      // A short run does not fill a wide picture with a point per pixel.
+      // A short run does not need one point per pixel of a wide picture.
       EXPECT_LT(corners[1], std::max(corners[0] * 1.5, width * 4.0)) << InfoOf(panel).word << " at " << width;
     }
   }
@@ -229,7 +230,7 @@ TEST_F(Panels, TheFirstStepsStandBesideWhatAScenarioShows) {
   for (const WindowSize& size : {WindowSize{1280, 720, 100}, WindowSize{1766, 993, 100}, WindowSize{1766, 993, 125}}) {
     stage->SetSize(size.width, size.height, size.percent);
     stage->Fill("walker");
-    // As the world of the thesis has it: at the lower right of the window, as large as that is.
+    // As in the world of the thesis: at the lower right of the window, placed for the window's size.
     world::UiSnapshot help;
     help.id = 1;
     help.width = 320;
@@ -246,7 +247,7 @@ TEST_F(Panels, TheFirstStepsStandBesideWhatAScenarioShows) {
     const PictureRect picture = Workspace(layout).PictureIn(size.width, size.height);
     const PictureRect& cover = stage->cover;
     EXPECT_GT(cover.height, 0);
-    // The picture's lower right corner is where the scenario's panel goes.
+    // The scenario's panel goes to the picture's lower right corner.
     const int left = picture.x + picture.width - 12 - 320, top = picture.y + picture.height - 12 - 190;
     EXPECT_TRUE(cover.x + cover.width <= left || cover.y + cover.height <= top)
         << size.width << "x" << size.height << ": " << cover.x << ", " << cover.y;
@@ -277,7 +278,7 @@ TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {
   FirstSteps::Seen seen;
   seen.agents = 3;
   seen.selected = 1;
-  seen.is_paused = true;  // Long before it is asked for.
+  seen.is_paused = true;  // Long before the step that asks for it.
   steps.Note(seen);
   EXPECT_EQ(steps.at(), 0u);
   seen.selected = 2;
@@ -299,7 +300,7 @@ TEST(FirstSteps, GoOnWhenTheyAreDoneOneAtATime) {
   EXPECT_EQ(steps.at(), FirstSteps::kSteps);
   steps.Begin();
   EXPECT_EQ(steps.at(), 0u);
-  seen.agents = 1;  // There is no other one to click.
+  seen.agents = 1;  // There is no other agent to click.
   steps.Note(seen);
   EXPECT_EQ(steps.at(), 1u);
 }

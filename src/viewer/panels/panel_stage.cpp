@@ -42,11 +42,11 @@ void PanelStage::Draw(const Layout& arranged, const std::function<void(Workspace
   world::SceneSnapshot scene = simulation->Snapshot();
   scene.ui = script_ui;
   const RunStatus status;
-  ++contents.revision;  // Tests change contents by hand.
+  ++contents.revision;  // Tests change contents directly.
   std::uint32_t selected = 0;
   for (const world::AgentSnapshot& agent : scene.agents)
     if (agent.name == contents.agent) selected = agent.id;
-  constexpr int kFrames = 3;  // Tables and windows know after the first how large they are.
+  constexpr int kFrames = 3;  // Tables and windows have their sizes after the first frame.
   for (int i = 0; i < kFrames; ++i) {
     std::vector<workbench::Request> requests;
     std::vector<ViewerCommand> commands;
@@ -56,7 +56,7 @@ void PanelStage::Draw(const Layout& arranged, const std::function<void(Workspace
                      workspace.layout, selected, requests, commands, [](ViewerCommand) { return false; }};
     workspace.Draw(frame, width, height, 60);
     ImGui::EndFrame();
-    overfull = CutOverfullWindows();  // As the window does: it would end otherwise.
+    overfull = CutOverfullWindows();  // As in the window; without this ImGui would end the program.
     ImGui::Render();
   }
   cover = workspace.cover();

@@ -37,7 +37,7 @@ ImVec4 MarkColor(MarkKind kind) {
   return theme::kText;
 }
 
-/// The same operator has the same colour everywhere.
+/// An operator has the same colour everywhere.
 ImVec4 MarkColor(const TimelineSpan& span) {
   if (span.is_state) return theme::kWarn;
   std::uint32_t hash = 2166136261u;
@@ -45,7 +45,7 @@ ImVec4 MarkColor(const TimelineSpan& span) {
   return theme::Series(hash);
 }
 
-/// Kinds are told apart by shape, too.
+/// Kinds also differ in shape.
 void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
   const ImU32 color = theme::Packed(MarkColor(kind));
   const auto [x, y] = at;
@@ -67,7 +67,7 @@ void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
       out.AddCircle(at, r * 0.8f, color, 8, thick * 0.8f);
       break;
     case MarkKind::kLearned:
-      // A diamond, larger than others: it comes seldom.
+      // A diamond, larger than others because it is rare.
       out.AddQuadFilled({x - r * 1.3f, y}, {x, y - r * 1.3f}, {x + r * 1.3f, y}, {x, y + r * 1.3f}, color);
       break;
     case MarkKind::kEvent:
@@ -75,19 +75,20 @@ void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
   }
 }
 
-/// The corners that all tracks together may take: ImGui counts those of a window with 16 bits.
+/// Maximum number of vertices of all tracks together: ImGui counts those of a window with 16 bits.
 constexpr float kMostBarCorners = 56'000;
 
-/// How finely a line of bars is drawn, so that all lines in view together keep to that. What is finer shares cells.
+/// The level of detail of the lines of bars, so that all visible lines together keep the limit. Finer parts share
+/// cells.
 struct Detail {
-  float cell_px = 2;          ///< Bars narrower than two of these share cells.
+  float cell_px = 2;          ///< Bars narrower than two cells share cells.
   bool is_full = true;        ///< With round corners and texts.
-  float sign_cell_px = 6.8f;  ///< When there are more signs than these would hold, they share them.
+  float sign_cell_px = 6.8f;  ///< If there are more signs than cells of this width, signs share cells.
 
   static Detail For(float corners, float width, float px, float r) {
     const float per_px = corners / std::max(1.0f, width);
     if (per_px > 6.5f) return {std::max(2 * px, 8 / (per_px - 6)), true, 2 * r};
-    // Half of the corners for bars, half for signs, the roundest of which have 27.
+    // Half of the vertices for bars, half for signs; the roundest sign has 27.
     const auto cell = [&](float corners_each, float least) {
       return std::clamp(2 * corners_each / std::max(0.05f, per_px), least, std::max(least, width / 4));
     };
@@ -95,7 +96,7 @@ struct Detail {
   }
 };
 
-/// Bars too narrow to be told apart: of those that share a cell the widest shows.
+/// Bars that are too narrow to be distinguished: the widest bar of a cell is shown.
 class NarrowBars {
  public:
   NarrowBars(float left, float width, float cell) : left_(left), cell_(cell) {
@@ -134,7 +135,7 @@ class NarrowBars {
   std::array<std::vector<Cell>, kMostLines> lines_;
 };
 
-/// What each agent was about, over time.
+/// The operators and states of each agent over time.
 class TimelinePanel final : public Panel {
  public:
   void Draw(PanelFrame& frame) override {
@@ -195,7 +196,7 @@ class TimelinePanel final : public Panel {
     if (ImGui::IsItemHovered()) DrawLegend(frame);
   }
 
-  /// What bars and signs mean, where somebody looks for it.
+  /// The meanings of bars and signs.
   static void DrawLegend(PanelFrame& frame) {
     ImGui::BeginTooltip();
     const float line = ImGui::GetTextLineHeight(), room = frame.Px(22);
@@ -231,7 +232,7 @@ class TimelinePanel final : public Panel {
     int lines = 1;
     const auto first = static_cast<std::uint64_t>(std::max(0.0, first_));
     const auto last = static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_));
-    // The top state is always there and says nothing; of others only their operators are drawn in a narrow track.
+    // The top state is always there. In a narrow track, only the operators of other states are drawn.
     const auto line_of = [&](const TimelineSpan& span) { return is_whole ? std::max(0, span.line - 1) : 0; };
     if (is_whole) {
       debugger::ForSpansWithin(track, first, last, [&](const TimelineSpan& span) {
@@ -241,7 +242,7 @@ class TimelinePanel final : public Panel {
     const float height = ImGui::GetTextLineHeight() + frame.Px(2);
     const float marks_height = frame.Px(11);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    // Firings are noted of the selected agent.
+    // Firings are recorded only for the selected agent.
     const float fired_height = is_whole && !track.firings.empty() ? frame.Px(14) : 0;
     const float full = height * static_cast<float>(lines) + fired_height + marks_height + frame.Px(4);
     if (!ImGui::IsRectVisible({width_, full})) {
@@ -277,13 +278,13 @@ class TimelinePanel final : public Panel {
       out.AddRectFilled({x, y + 1}, {end, y + height - 1}, fill, is_wide && detail.is_full ? 3.0f : 0.0f);
       out.AddRectFilled({x, y + 1}, {x + 1, y + height - 1}, theme::Packed(color));
       const float from = std::max(x, left_) + frame.Px(3);
-      // The tick in which something ended is that in which the next began: letters of both would lie over each other.
+      // The next bar begins in the tick in which the previous one ended, so the texts of both would overlap.
       const bool is_moment = !span.open && span.first_tick == span.last_tick;
       const float text_end = span.open || is_moment ? end - 1 : X(static_cast<double>(span.last_tick)) - 1;
       if (text_end - from > frame.Px(is_moment ? 60 : 13) && detail.is_full) {
         out.PushClipRect({from, y}, {text_end, y + height}, true);
         MayCut({from, y}, {text_end, y + height});
-        // Letters that the clip would hide cost as much as others.
+        // Clipped letters cost as much as visible ones.
         const auto most = static_cast<std::size_t>((std::min(text_end, left_ + width_) - from) / frame.Px(2.5f)) + 1;
         PutText(out, {from, y + frame.Px(1)}, theme::Packed(theme::kText), std::string_view(text).substr(0, most));
         out.PopClipRect();
@@ -298,7 +299,7 @@ class TimelinePanel final : public Panel {
     out.AddLine({at.x, at.y + full}, {left_ + width_, at.y + full}, theme::Packed(theme::kEdge, 0.6f));
   }
 
-  /// How many rules fired in each tick, as columns; the highest in view fills the strip.
+  /// The number of rules that fired in each tick, as columns; the highest visible column fills the strip.
   void DrawFirings(PanelFrame& frame, const TimelineTrack& track, ImVec2 at, float height, std::uint64_t first,
                    std::uint64_t last) {
     ImDrawList& out = *ImGui::GetWindowDrawList();
@@ -311,7 +312,7 @@ class TimelinePanel final : public Panel {
     float drawn_to = left_;
     for (auto firing = begin; firing != end; ++firing) {
       const float next = X(static_cast<double>(firing->first) + 1);
-      if (next < drawn_to + 1) continue;  // One column to a pixel.
+      if (next < drawn_to + 1) continue;  // One column per pixel.
       const float x = X(static_cast<double>(firing->first));
       drawn_to = next;
       const float top = floor - std::max(1.0f, room * static_cast<float>(firing->second) / static_cast<float>(most));
@@ -329,7 +330,7 @@ class TimelinePanel final : public Panel {
     const auto is_before = [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; };
     const auto begin = std::lower_bound(track.marks.begin(), track.marks.end(), first, is_before);
     const auto end = std::lower_bound(begin, track.marks.end(), last + 1, is_before);
-    // Many signs share cells; of those in one the most telling shows.
+    // Many signs share cells; the most important sign of a cell is shown.
     const float cells = width_ / detail.sign_cell_px;
     const bool share = static_cast<float>(end - begin) > cells;
     float cell_begin = -1;
@@ -420,7 +421,7 @@ class TimelinePanel final : public Panel {
     hover_.clear();
   }
 
-  bool is_zoomed_ = false;  ///< The user has chosen what is shown; else it follows the run.
+  bool is_zoomed_ = false;  ///< The user has chosen the shown span; else it follows the run.
   double first_ = 0, shown_ticks_ = 300;
   float name_width_ = 0, left_ = 0, width_ = 1;
   std::string hover_;

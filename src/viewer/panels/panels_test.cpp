@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What stands in every panel over a filled run, and what can be copied of it.
+// The texts of every panel over a filled run, and the copied texts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
   };
   ASSERT_EQ(wanted.size(), workbench::kPanelCount);
   for (const auto& [panel, texts] : wanted) ExpectShown(panel, texts);
-  // Where there is room, a whole scene stands there, and so do all plots.
+  // If there is space, the entire scene and all plots are shown.
   Layout scene = DefaultLayout();
   scene.Move(workbench::PanelId::kImagery, Area::kRight);
   stage->Draw(scene);

@@ -9,15 +9,14 @@
 
 namespace soarbox::viewer {
 
-/// The colour of a part of a rule.
+/// The colour of a kind of token.
 ImVec4 ColorOf(debugger::TokenKind kind);
 
-/// Draws a text of rules at a place, line by line, each part in its colour. Lines outside of `top` to `bottom` are
-/// passed over.
+/// Draws a text of rules, line by line, with each token in its colour. Skips lines outside of `top` to `bottom`.
 void DrawSource(ImDrawList& out, ImVec2 at, std::string_view text, const std::vector<debugger::Token>& tokens,
                 float top, float bottom);
 
-/// The same as an item of the panel, with the room that it takes.
+/// Draws the same as an item of the panel, which takes its own space.
 void SourceItem(std::string_view text, const std::vector<debugger::Token>& tokens);
 
 }  // namespace soarbox::viewer

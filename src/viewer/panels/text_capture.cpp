@@ -25,11 +25,11 @@ void AppendUtf8(std::string& text, unsigned code) {
 
 struct Letter {
   unsigned code;
-  float pen, end, base;  ///< Where its cell begins and ends, and the top of its line, px.
+  float pen, end, base;  ///< Left and right end of its cell, and the top of its line, px.
   float left, right, top, bottom, space, size;
 };
 
-/// Letters by where their picture lies in the atlas.
+/// Finds letters by the place of their glyph in the atlas.
 class LetterFinder {
  public:
   explicit LetterFinder(const ImFontAtlas& fonts) {
@@ -66,7 +66,7 @@ class LetterFinder {
   std::map<std::pair<float, float>, std::pair<const ImFont*, const ImFontGlyph*>> letters_;
 };
 
-/// Puts letters together to runs.
+/// Joins letters to runs.
 class TextCollector {
  public:
   void Add(const Letter& letter, const ImVec4& clip) {

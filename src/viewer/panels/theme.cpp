@@ -25,7 +25,7 @@ void UseDark() {
   kVariable = {0.86f, 0.58f, 0.74f, 1};
 }
 
-/// The same hues, dark enough to be read on white.
+/// The same hues, dark enough for a white background.
 void UseLight() {
   using namespace theme;
   kText = {0.09f, 0.11f, 0.14f, 1};

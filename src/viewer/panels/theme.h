@@ -10,11 +10,11 @@
 
 namespace soarbox::viewer {
 
-/// The colours of the panels. Those that carry a meaning are of Okabe and Ito's set, which people with any of the
-/// common kinds of colour blindness tell apart; nothing is told by colour alone.
+/// The colours of the panels. Colours with a meaning come from the palette of Okabe and Ito, which people with any
+/// common kind of colour blindness can distinguish. No meaning is expressed by colour alone.
 namespace theme {
 
-// There is a dark and a light set; ApplyTheme puts one of them into these.
+// There is a dark and a light set; ApplyTheme copies one of them into these variables.
 inline ImVec4 kText, kQuiet, kGround, kRaised, kField, kEdge;
 
 inline ImVec4 kAccent;    ///< Sky blue: selected, links.
@@ -24,7 +24,7 @@ inline ImVec4 kBad;       ///< Vermilion: errors, failing conditions.
 inline ImVec4 kNumber;    ///< Yellow: numbers.
 inline ImVec4 kVariable;  ///< Reddish purple: variables, identifiers.
 
-/// Colours of curves and tracks, told apart in this order.
+/// Colours of curves and tracks, in the order of their use.
 inline ImVec4 Series(std::size_t number) {
   const ImVec4 all[] = {kAccent, kWarn, kGood, kVariable, kNumber, kBad};
   return all[number % std::size(all)];

@@ -14,11 +14,11 @@
 namespace soarbox::viewer {
 namespace {
 
-/// Frames that a step waits for what it wants to see, and for so long in any case: fast windows draw hundreds in a
-/// second.
+/// Minimum number of frames that a step waits for its text. It also waits for kLeastWait, because fast windows draw
+/// hundreds of frames per second.
 constexpr int kMostWait = 400;
 constexpr std::chrono::seconds kLeastWait{8};
-/// Frames that the window gets to answer a step before the next.
+/// Frames between a step and the next, so that the window can react.
 constexpr int kSettle = 2;
 
 constexpr std::array<std::string_view, 16> kWords{
@@ -57,7 +57,7 @@ void PressKey(SDL_Scancode code, int modifiers) {
     SDL_Event event{};
     event.type = type;
     event.key.keysym.scancode = code;
-    // What was held with the key goes with it.
+    // Modifiers are released together with the key.
     event.key.keysym.mod = static_cast<Uint16>(type == SDL_KEYDOWN ? modifiers : 0);
     Push(event);
   }
@@ -65,7 +65,7 @@ void PressKey(SDL_Scancode code, int modifiers) {
 
 void Type(std::string_view text) {
   while (!text.empty()) {
-    // As much as an event holds, without cutting a letter.
+    // As much as an event can contain, without cutting a character.
     std::size_t length = std::min<std::size_t>(text.size(), SDL_TEXTINPUTEVENT_TEXT_SIZE - 1);
     while (length < text.size() && length > 1 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80) --length;
     SDL_Event event{};
@@ -76,7 +76,7 @@ void Type(std::string_view text) {
   }
 }
 
-/// "Ctrl+Shift+R" as a key and what is held with it.
+/// Converts "Ctrl+Shift+R" to a key and its modifiers.
 bool ReadKey(const std::string& name, SDL_Scancode& code, int& modifiers) {
   std::string_view rest = name;
   modifiers = 0;
@@ -137,7 +137,7 @@ void UiScript::Advance(const UiStage& stage) {
   const Step& step = steps_[at_];
   const auto now = std::chrono::steady_clock::now();
   if (waited_ == 0) waits_since_ = now;
-  // What takes long, such as grading, may be given so many seconds behind the text.
+  // For long operations such as grading, the script may specify a time in seconds after the text.
   std::chrono::duration<double> patience = kLeastWait;
   if (step.word.starts_with("expect") && step.arguments.size() > 1)
     patience = std::chrono::duration<double>(std::atof(step.arguments[1].c_str()));
@@ -225,7 +225,7 @@ bool UiScript::DoMouse(const Step& step, const UiStage& stage) {
 }
 
 bool UiScript::ClickAgent(const std::string& agent, const UiStage& stage) {
-  constexpr int kPatience = 8;  // Frames until the click must have shown.
+  constexpr int kPatience = 8;  // Frames until the effect of the click must be visible.
   if (clicked_ && stage.selected == agent) {
     clicked_ = false;
     return true;

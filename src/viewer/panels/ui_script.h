@@ -13,46 +13,46 @@
 
 namespace soarbox::viewer {
 
-/// What a script that plays the user can see and do in a frame.
+/// What a script that plays a user can see and do in a frame.
 struct UiStage {
   const std::vector<ShownText>& shown;
   std::uint64_t tick = 0;
   double time_s = 0;
-  bool is_idle = true;  ///< All input so far has reached the panels.
-  /// Where on the screen a click selects this agent; none if nothing of it can be clicked.
+  bool is_idle = true;  ///< The panels have received all input so far.
+  /// Returns a point of the screen where a click selects this agent; nothing if there is none.
   std::function<std::optional<ImVec2>(const std::string& agent)> place_of;
-  std::string selected;  ///< The agent that is.
+  std::string selected;  ///< The selected agent.
   std::function<Result<void>(const std::filesystem::path&)> save_picture;
-  /// What is cut or lies over something else (layout_audit.h).
+  /// Finds texts that are cut or overlap (layout_audit.h).
   std::function<std::vector<std::string>()> audit;
-  /// Prints what the window costs (frame_meter.h).
+  /// Prints the costs of the window (frame_meter.h).
   std::function<void(const std::string& name)> measure;
 };
 
-/// Plays a user: reads lines like
+/// Plays a user. A script has lines like
 ///
-///     click "Pause"            the place where this stands on the screen; a number behind it: the n-th of them
+///     click "Pause"            the place of this text on the screen; with a number after it, the n-th of these places
 ///     click-agent scout
 ///     type "print s1"
 ///     key Return               also Ctrl+R, F11, ...
-///     expect "operator tie"    waits until it stands there; expect-not: until it does not
+///     expect "operator tie"    waits until the text appears; expect-not: until it disappears
 ///     picture docs/why.png
-///     measure "at 30 s"        prints what frames cost since the last such line, and the memory that is taken
-///     audit "panel Why"        fails if a text is cut or windows overlap; the name is for the message
+///     measure "at 30 s"        prints the costs of the frames since the last such line, and the used memory
+///     audit "panel Why"        fails if a text is cut or windows overlap; the message contains the name
 ///
-/// and does them through real events of mouse and keyboard, one a frame. A line that fails ends the script.
+/// and is executed with real mouse and keyboard events, one per frame. A line that fails ends the script.
 class UiScript {
  public:
   static Result<UiScript> Load(const std::filesystem::path& file);
 
-  /// Goes on; after each frame.
+  /// Advances the script. Call it after each frame.
   void Advance(const UiStage& stage);
 
-  /// Begins behind so many steps: another window has done those.
+  /// Skips the first `steps` steps; another window has already executed them.
   void Skip(std::size_t steps) { at_ = steps; }
   std::size_t at() const { return at_; }
   bool is_over() const { return at_ >= steps_.size() || failure_.has_value(); }
-  /// What went wrong, with the script's line.
+  /// The error with the script's line.
   const std::optional<Diagnostic>& failure() const { return failure_; }
 
  private:
@@ -61,19 +61,19 @@ class UiScript {
     std::string word;
     std::vector<std::string> arguments;
   };
-  /// True if the step is done; false: again in the next frame.
+  /// Returns true if the step is done, false if it must be tried again in the next frame.
   bool Do(const Step& step, const UiStage& stage);
   bool DoMouse(const Step& step, const UiStage& stage);
-  /// Clicks until the agent is selected: in a crowd that moves, another one may come before it.
+  /// Clicks until the agent is selected: in a moving crowd, another agent may be in front of it.
   bool ClickAgent(const std::string& agent, const UiStage& stage);
   void Fail(const Step& step, std::string message, const UiStage& stage);
 
   std::string file_;
   std::vector<Step> steps_;
   std::size_t at_ = 0;
-  int settle_ = 0;        ///< Frames to let pass.
-  int waited_ = 0;        ///< Frames that the present step has waited.
-  bool clicked_ = false;  ///< The present step has clicked already.
+  int settle_ = 0;        ///< Frames to wait.
+  int waited_ = 0;        ///< Frames that the current step has waited.
+  bool clicked_ = false;  ///< The current step has already clicked.
   std::chrono::steady_clock::time_point waits_since_;
   std::optional<Diagnostic> failure_;
 };

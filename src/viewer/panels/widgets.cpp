@@ -27,8 +27,8 @@ bool IsPressed(ImGuiKey key) {
 }
 
 bool wants_focus = false;
-int list_frame = -1;  ///< In which a list had the keys.
-int kept_frame = -1;  ///< In which a field kept the keyboard.
+int list_frame = -1;  ///< The frame in which a list last had the keys.
+int kept_frame = -1;  ///< The frame in which a field last kept the keyboard.
 
 }  // namespace
 
@@ -66,7 +66,7 @@ std::optional<std::size_t> StepInList(std::size_t count, const std::function<boo
     row = std::min(row + 1, count - 1);
   else
     row -= row > 0 ? 1 : 0;
-  // The head of the table stands still above the rows.
+  // The table's headings do not scroll.
   const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float top = height * static_cast<float>(row), room = ImGui::GetWindowHeight() - 2 * height;
   if (top < ImGui::GetScrollY()) ImGui::SetScrollY(top);
@@ -139,7 +139,7 @@ void CutText(std::string_view text, float width, ImVec4 color) {
   const std::string fits = FittingText(text, width);
   ColoredText(color, fits);
   if (fits == text) return;
-  // A few letters tell nothing.
+  // A few letters are not enough to recognise a text.
   constexpr std::size_t kLeast = 4 + 3;
   if (fits.size() < kLeast) NoteTooSmall("'" + std::string(text) + "' is cut to '" + fits + "'");
   Tooltip(text);
@@ -202,7 +202,7 @@ bool ClickedLikeALink() {
 
 void Tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered() || ImGui::GetIO().MouseDown[0]) return;
-  // Who only passes by is not told.
+  // No tooltip while the mouse only passes by.
   constexpr float kWait_s = 0.35f;
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.HoveredId != 0 && context.HoveredIdTimer < kWait_s) return;

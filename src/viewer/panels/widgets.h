@@ -18,61 +18,61 @@
 
 namespace soarbox::viewer {
 
-/// Small things that panels share.
+/// Small elements that panels share.
 
 /// Text in a colour.
 void ColoredText(ImVec4 color, std::string_view text);
-/// Text that breaks at the panel's edge.
+/// Text that wraps at the panel's edge.
 void WrappedText(std::string_view text);
 void WrappedText(ImVec4 color, std::string_view text);
-/// Text of which the first lines are shown, and the others once it is unfolded.
+/// Text whose first lines are shown, and the rest once it is unfolded.
 void FoldedText(const char* id, std::string_view text, ImVec4 color);
-/// "CrowdSeeker-12" as "CrowdS...-12" where it is too long: of many who are named alike, the number tells who it is.
+/// Shortens "CrowdSeeker-12" to "CrowdS...-12" if it is too wide. The number distinguishes agents with similar names.
 std::string CutBeforeNumber(const std::string& name, float width);
-/// As much of a text as fits into `width` px, with "..." where it is cut.
+/// As much of a text as fits into `width` px, with "..." if it is cut.
 std::string FittingText(std::string_view text, float width);
-/// Text that is cut with "..." at `width` px; whole in a tooltip.
+/// Text that is cut with "..." at `width` px; complete in a tooltip.
 void CutText(std::string_view text, float width, ImVec4 color = theme::kText);
-/// The same in the width that is left.
+/// The same for the remaining width.
 void CutText(std::string_view text, ImVec4 color = theme::kText);
-/// Puts the next item beside the one before if it has room there, else below.
+/// Places the next item next to the previous one if there is space, else below it.
 void FlowLine(float next_width, float gap = -1);
 /// The width of a button with this label.
 float ButtonWidth(const char* label);
-/// Text that answers a click; looks like a link while the mouse is over it.
+/// Text that can be clicked; it looks like a link while the mouse is over it.
 bool Link(const char* id, std::string_view text, ImVec4 color = theme::kAccent);
 /// A button that looks pressed while `is_on`.
 bool LitButton(const char* label, bool is_on, std::string_view tip);
 /// A button that is grey unless it is `enabled`.
 bool ButtonIf(bool enabled, const char* label, std::string_view tip);
-/// Whether Enter ended the field that was drawn last.
+/// Whether Enter ended the last field.
 bool WasEntered();
-/// The item that was drawn last answers clicks.
+/// Whether the last item was clicked; it looks like a link.
 bool ClickedLikeALink();
-/// Shown over the item before, after a moment.
+/// Tooltip of the previous item, shown after a moment.
 void Tooltip(std::string_view text);
-/// A field with a hint; true when its text changed. Takes the width that is left, less `right` px.
+/// A field with a hint. Returns true when its text changed. Uses the remaining width, less `right` px.
 bool SearchField(const char* id, const char* hint, std::string& text, float right = 0);
-/// The next field that is drawn takes the keyboard: somebody wants to search, or to type, in the panel drawn now.
+/// Gives the keyboard to the next field of the current panel.
 void FocusNextField(bool wanted = true);
-/// No field has taken it yet.
+/// Whether no field has taken the keyboard yet.
 bool IsFocusWanted();
-/// For a field of its own kind: call before it is drawn.
+/// For fields of other kinds: call it before the field is drawn.
 void TakeFocus();
-/// The field that is drawn now keeps the keyboard when the picture is clicked: a line in it is not sent yet.
+/// The current field keeps the keyboard when the picture is clicked, because its text has not been sent.
 void KeepKeyboard();
 bool KeyboardIsKept();
-/// Whether a list that was clicked takes the arrow keys, so that they do not move the camera.
+/// Whether a list that was clicked uses the arrow keys, so that they do not move the camera.
 bool ListTakesArrows();
-/// What stands in the middle of a panel that has nothing to show, and what to do about it.
+/// A note in the middle of an empty panel, with advice.
 void EmptyNote(std::string_view what, std::string_view advice = {});
-/// Something that is open until the end of its block.
+/// A scope that ends at the end of its block.
 struct Scope {
   Scope() = default;
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
 };
-/// A part of the panel that scrolls by itself, until the end of the block.
+/// A part of the panel with its own scrolling, until the end of the block.
 class Part : Scope {
  public:
   explicit Part(const char* id, ImVec2 size = {0, 0}, ImGuiWindowFlags flags = 0) {
@@ -80,7 +80,7 @@ class Part : Scope {
   }
   ~Part() { ImGui::EndChild(); }
 };
-/// What is drawn until the end of the block has this in its ids.
+/// Adds this id to the ids of everything that is drawn until the end of the block.
 class IdScope : Scope {
  public:
   explicit IdScope(int id) { ImGui::PushID(id); }
@@ -98,11 +98,11 @@ class FontScope : Scope {
 /// A column of a table.
 struct ListColumn {
   const char* name;
-  float width = 0;  ///< Its share of the table's width, or px if a flag says so.
+  float width = 0;  ///< Its fraction of the table's width, or px if a flag says so.
   ImGuiTableColumnFlags flags = 0;
   ImGuiID id = 0;  ///< For sorting.
 };
-/// A table, until the end of the block; false: none of it is in sight.
+/// A table, until the end of the block; false: it is not visible.
 class List : Scope {
  public:
   static constexpr ImGuiTableFlags kUsual =
@@ -120,15 +120,15 @@ class List : Scope {
  private:
   bool is_open_;
 };
-/// Names and what they stand for, in two columns until the end of the block.
+/// Names and values in two columns, until the end of the block.
 class FactTable : Scope {
  public:
-  /// `width_px` of the names; 0: as wide as the longest.
+  /// `width_px` is the width of the names; 0: the width of the longest.
   explicit FactTable(const char* id, float width_px = 0, ImGuiTableFlags flags = 0);
   ~FactTable() {
     if (is_open_) ImGui::EndTable();
   }
-  /// Begins a row; what is drawn next stands beside the name. False: there is no table.
+  /// Begins a row; the next item is the value of the name. False: there is no table.
   bool Name(std::string_view name, ImVec4 color = theme::kQuiet) const;
   void Row(std::string_view name, std::string_view is, ImVec4 color = theme::kText) const {
     if (Name(name)) WrappedText(color, is);
@@ -137,29 +137,29 @@ class FactTable : Scope {
  private:
   bool is_open_;
 };
-/// Draws those of so many rows of equal height that are in sight.
+/// Draws the visible rows of `count` rows of equal height.
 void ForRowsInSight(std::size_t count, auto&& draw, float height = -1) {
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count), height);
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw(i);
 }
-/// In a list that was clicked last: the row that the arrow keys lead to from the one that `is_chosen`, in view from now
-/// on; nothing: none was pressed.
+/// For the list that was clicked last: returns the row that the arrow keys select, starting from the one for which
+/// `is_chosen` is true, and scrolls to it. Nothing if no arrow key was pressed.
 std::optional<std::size_t> StepInList(std::size_t count, const std::function<bool(std::size_t)>& is_chosen);
-/// A window over all others, with the ground of menus; ImGui::End ends it.
+/// A window over all others, with the background of menus; ImGui::End ends it.
 void BeginOver(const char* name, bool* is_open = nullptr, ImGuiWindowFlags flags = 0);
-/// A part of the window that stands where it is put; ImGui::End ends it.
+/// A window at a fixed place; ImGui::End ends it.
 void BeginFixed(const char* name, ImVec2 corner, ImVec2 size);
-/// The next of such steps that is not smaller: 0.1, 0.2, 0.5, 1, ... seconds, minutes, hours.
+/// Returns the smallest of the steps 0.1, 0.2, 0.5, 1, ... seconds, minutes, hours that is at least `least_s`.
 double RoundStep_s(double least_s);
 /// A heading within a panel.
 void Heading(PanelFrame& frame, std::string_view text, ImVec4 color = theme::kText);
-/// A short word on a coloured ground.
+/// A short word on a coloured background.
 void Tag(std::string_view text, ImVec4 color);
-/// Whether the text holds the part, in upper or lower case.
+/// Whether the text contains the part, ignoring case.
 bool HasPart(std::string_view text, std::string_view part);
-/// Where the text has it next, from `begin` on; npos: nowhere.
+/// Index of the next occurrence from `begin` on; npos: none.
 std::size_t FindPart(std::string_view text, std::string_view part, std::size_t begin = 0);
 
 std::string Formatted(const char* format, auto... values) {

@@ -48,7 +48,7 @@ Workspace::Metrics Workspace::Measure(int width, int height) const {
   m.scrubber = std::round(32 * m.scale);
   m.across = m.down = m.scale;
   if (only_picture) return m;
-  // In a window with much room panels take their share of it.
+  // In a large window, panels grow with it.
   constexpr float kUsualWidth = 1280, kUsualHeight = 720, kMostShare = 1.3f;
   m.across = m.scale * std::clamp(m.width / (kUsualWidth * m.scale), 1.0f, kMostShare);
   m.down = m.scale * std::clamp(m.height / (kUsualHeight * m.scale), 1.0f, kMostShare);
@@ -58,7 +58,7 @@ Workspace::Metrics Workspace::Measure(int width, int height) const {
     const float unit = area == Area::kBottom ? m.down : m.across;
     return std::round(std::clamp(side.size * unit, 80 * m.scale, std::max(80 * m.scale, most)));
   };
-  // The picture keeps a third of the window each way, whatever was set in a larger one.
+  // The picture keeps at least a third of the window in each direction, even if the layout comes from a larger window.
   m.right = size(Area::kRight, 0.45f * m.width);
   m.left = size(Area::kLeft, std::max(0.0f, 0.67f * m.width - m.right));
   m.bottom = size(Area::kBottom, 0.67f * m.height - m.top() - m.scrubber);
@@ -130,7 +130,7 @@ void Workspace::DrawArea(PanelFrame& frame, Area area, const Metrics& m) {
     if ((moved.x != 0 || moved.y != 0) && ImGui::IsWindowHovered(kOver)) used_ = panel;
     FocusNextField(focus_ == panel);
     if (Panel* drawn = panels_[static_cast<std::size_t>(panel)].get()) drawn->Draw(frame);
-    // A panel that was opened now may have its field in some frames.
+    // A panel that was just opened may have its field some frames later.
     constexpr int kPatience_frames = 30;
     if (focus_ == panel && (!IsFocusWanted() || ++focus_waits_ > kPatience_frames)) focus_.reset();
     FocusNextField(false);
@@ -154,8 +154,9 @@ ImVec2 SizeOfTab(const std::string& title) {
   return {text.x + 1.6f * pad.x, text.y + 1.6f * pad.y};
 }
 
-/// Which panels of an area get a tab. All of them, in as many rows as they take; but where rows of tabs would leave
-/// the panel itself too little, those that fit into one row, and a menu has the others. The one in front has a tab.
+/// Chooses the panels of an area that get a tab. All of them, in several rows if necessary. If the rows would leave too
+/// little space for the panel, only those that fit into one row; a menu has the others. The front panel always has a
+/// tab.
 std::vector<workbench::PanelId> WithTabs(const AreaLayout& side, const workbench::Contents& contents, float gap) {
   constexpr float kLow_em = 17;
   if (ImGui::GetContentRegionAvail().y > kLow_em * ImGui::GetFontSize()) return side.panels;
@@ -181,7 +182,7 @@ std::vector<workbench::PanelId> WithTabs(const AreaLayout& side, const workbench
 
 }  // namespace
 
-/// The panels of an area that have no tab.
+/// A menu with the panels of an area that have no tab.
 void Workspace::DrawOtherTabs(PanelFrame& frame, const std::vector<workbench::PanelId>& panels,
                               const std::vector<workbench::PanelId>& shown) {
   if (shown.size() == panels.size()) return;
@@ -243,7 +244,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   const ImVec2 line = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine({line.x, line.y - ImGui::GetStyle().ItemSpacing.y},
                                       {right, line.y - ImGui::GetStyle().ItemSpacing.y}, theme::Packed(theme::kEdge));
-  // A tab that is dropped anywhere in the area comes here.
+  // A tab dropped anywhere in the area moves to this area.
   const ImGuiPayload* payload = ImGui::GetDragDropPayload();
   if (payload == nullptr || !payload->IsDataType(kPanelPayload)) return;
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

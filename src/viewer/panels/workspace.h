@@ -13,7 +13,7 @@
 
 namespace soarbox::viewer {
 
-/// A part of the window, in px from its top left.
+/// A rectangle of the window, in px from the top left.
 struct PictureRect {
   int x = 0, y = 0, width = 1, height = 1;
   bool Holds(float px, float py) const {
@@ -23,51 +23,52 @@ struct PictureRect {
   friend bool operator==(const PictureRect&, const PictureRect&) = default;
 };
 
-/// The frame around the picture: menu bar, toolbar, the panels at three sides with their tabs, the scrubber.
+/// The frame around the picture: menu bar, toolbar, the panels on three sides with their tabs, the scrubber.
 ///
-/// Draws only; what the user asks for goes into the frame's lists. Panels that are not in front are not drawn at all.
+/// It only draws; requests of the user go into the frame's lists. Only the front panel of each area is drawn.
 class Workspace {
  public:
   explicit Workspace(Layout layout);
 
-  /// What is left for the picture in a window of this size, at the layout's text size.
+  /// Returns the space for the picture in a window of this size, at the layout's text size.
   PictureRect PictureIn(int width, int height) const;
   void Draw(PanelFrame& frame, int width, int height, float frames_per_second);
 
-  /// Whether a menu or another thing lies over the picture and takes the mouse wherever it is.
+  /// Whether a menu or another thing covers the picture and takes the mouse everywhere.
   bool IsModal() const { return modal_; }
 
-  /// The window is about to close. True: it may; false: the user is asked, and kQuit follows if the user agrees.
+  /// Called when the window is about to close. Returns true if it may close; false if the user is asked, and kQuit
+  /// follows if the user agrees.
   bool MayClose(const workbench::Contents& contents);
-  /// Withdraws the question whether to close the window. True if it was open.
+  /// Withdraws the question whether to close the window. Returns true if it was open.
   bool StayOpen() { return closing_.is_open() ? (closing_.Stay(), true) : false; }
 
-  /// Lets the user find a command, a panel, an agent, a rule, a file or a text; or something to open.
+  /// Opens the search for commands, panels, agents, rules, files and texts, or for something to open.
   void Find(Finder::For what) { finder_.Open(what); }
-  /// True if it was open.
+  /// Returns true if it was open.
   bool CloseFinder() { return finder_.is_open() ? (finder_.Close(), true) : false; }
 
   /// Brings a panel to the front and gives it the keyboard.
   void Open(workbench::PanelId panel);
-  /// The keyboard goes to the field of the panel that is meant: the one under the mouse, else the one used last.
+  /// Gives the keyboard to the field of the panel under the mouse, else of the panel used last.
   void FocusField() {
     focus_ = used_;
     focus_waits_ = 0;
   }
-  /// What that panel shows goes to the clipboard.
+  /// Copies the contents of that panel to the clipboard.
   void CopyPanel() { wants_copy_ = true; }
-  /// Where something small lies over the picture and takes the mouse; empty: nothing does.
+  /// The part of the picture that a small thing covers and whose mouse input it takes; empty: none.
   PictureRect cover() const { return cover_; }
 
   Layout layout;
   bool show_help = false;
-  bool only_picture = false;  ///< All panels are hidden for now.
+  bool only_picture = false;  ///< All panels are temporarily hidden.
 
  private:
-  /// Where everything stands, in px.
+  /// Positions and sizes of all parts, in px.
   struct Metrics {
     float scale, menu, toolbar, scrubber;
-    float across, down;  ///< What a unit of an area's width and height is.
+    float across, down;  ///< Length of one unit of an area's width and height.
     float width, height;
     float left, right, bottom;  ///< Sizes of the areas; 0: hidden.
     float top() const { return menu + toolbar; }
@@ -78,7 +79,7 @@ class Workspace {
   void DrawFileMenu(PanelFrame& frame);
   void DrawLayoutMenu(PanelFrame& frame);
   void ResetLayout();
-  /// What the window itself can do, for the finder.
+  /// The actions of the window for the finder.
   std::vector<Finder::Action> Actions(PanelFrame& frame);
   void DrawToolbar(PanelFrame& frame, const Metrics& metrics, float frames_per_second);
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
@@ -98,8 +99,8 @@ class Workspace {
   Finder finder_;
   PictureRect cover_{0, 0, 0, 0};
   workbench::PanelId used_ =
-      workbench::PanelId::kAgents;           ///< Under the mouse when it was moved last, or opened by key since then.
-  std::optional<workbench::PanelId> focus_;  ///< Its field takes the keyboard as soon as it has one.
+      workbench::PanelId::kAgents;  ///< The panel under the mouse at its last movement, or opened by key since then.
+  std::optional<workbench::PanelId> focus_;  ///< The panel whose field takes the keyboard as soon as it has one.
   int focus_waits_ = 0;                      ///< Frames in which it had none.
   bool wants_copy_ = false;
   std::string layout_name_;  ///< As typed into the menu of layouts.

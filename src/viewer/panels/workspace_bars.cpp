@@ -215,7 +215,7 @@ std::vector<Finder::Action> Workspace::Actions(PanelFrame& frame) {
 void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_per_second) {
   BeginBar("Run", m.menu, m.width, m.toolbar);
   const RunStatus& status = frame.status;
-  // Time and tick come first: where there is no room for both, buttons go without their words.
+  // Time and tick have priority: if there is not enough space, buttons have no words.
   const std::string state = status.paused ? "Paused" : frame.contents.moment.is_live ? "Running" : "Replaying";
   const std::string clock = "   " + TimeText(frame.scene.time_s) + "   tick " + std::to_string(frame.scene.tick);
   const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
@@ -261,7 +261,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
   }
 
-  // At the right, as far as there is room: what is going on.
+  // At the right, as far as there is space: the current activity.
   std::string words = state, details = clock;
   const std::size_t agents = frame.scene.agents.size();
   std::string more = "   ";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Agents: everybody in the world, what each does, and whether it is in trouble.
+// Agents: all agents of the world, what each does, and whether it has a problem.
 #include <cmath>
 #include <utility>
 
@@ -20,13 +20,13 @@ std::string ImpasseOf(const AgentRow& row) {
   return open == std::string::npos ? std::string() : row.state.substr(open + 1, row.state.size() - open - 2);
 }
 
-/// An operator with a long command stays selected in the next decision: that is no trouble.
+/// Whether an agent has a problem. An operator no-change during a long command is normal.
 bool IsInTrouble(const AgentRow& row) {
   const std::string impasse = ImpasseOf(row);
   return !impasse.empty() && (row.op.empty() || impasse != "operator no-change");
 }
 
-/// "follow (O304)" without its identifier, which the panel Mind shows.
+/// Removes the identifier from "follow (O304)"; the panel Mind shows it.
 std::string NameAlone(const std::string& op) {
   return op.substr(0, op.find(" ("));
 }

@@ -49,7 +49,7 @@ bool IsTimeTag(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// What a press on a reason does, and what is said about it.
+/// The action and the tooltip of a reason.
 std::pair<std::optional<Action>, std::string> FollowUp(const Contents& contents, const WhyNode& node) {
   using About = WhyRequest::About;
   if (node.link.empty()) return {};

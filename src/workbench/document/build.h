@@ -13,23 +13,23 @@
 
 namespace soarbox::workbench::document {
 
-// What the documents of several panels are made of.
+// Builders for parts that the documents of several panels share.
 
 Node Text(std::string text, Role role = Role::kPlain);
 Node Text(Spans spans);
 Node Heading(std::string text, std::string hint = {});
-/// What an empty panel says: what is missing, and what to do about it.
+/// The text of an empty panel: what is missing, and what to do about it.
 Node Empty(std::string what, std::string advice = {});
 
 Span Quiet(std::string text);
 Span Time(std::uint64_t tick);
-/// Leads to the rule in the panel Rules.
+/// A link to the rule in the panel Rules.
 Span RuleLink(const std::string& rule, Role role = Role::kName);
-/// Selects the agent.
+/// A link that selects the agent.
 Span AgentLink(const std::string& agent);
-/// "(S1 ^io I1)"; leads to the element in the panel Memory.
+/// A link to the element in the panel Memory: "(S1 ^io I1)".
 Span ElementLink(const mind::ElementFact& element);
-/// Leads to the file: into the panel Edit if it can be edited there, else into the user's editor.
+/// A link to the file: opens it in the panel Edit if it can be edited there, else in the user's editor.
 Span FileLink(const Contents& contents, const std::string& file, int line, std::string text);
 Action AskWhy(WhyRequest::About about, std::string what);
 
@@ -39,13 +39,13 @@ std::string ElementText(const mind::ElementFact& element);
 std::string NamedAs(const std::string& name, const std::string& id);
 /// "1 match", "2 matches"
 std::string Count(std::uint64_t count, std::string_view one, std::string_view many);
-/// A number without zeros at the end of its fraction: "39.5" for "39.500000"; other texts as they are.
+/// Removes the zeros at the end of a number's fraction: "39.5" for "39.500000". Returns other texts unchanged.
 std::string ShortNumber(std::string_view text);
 /// "0:01.20"
 std::string ClockText(double seconds);
-/// With at most this many significant digits.
+/// The value with at most `digits` significant digits.
 std::string Rounded(double value, int digits = 4);
-/// Whether it is written as a number.
+/// Whether the text is a number.
 bool IsNumber(std::string_view text);
 
 Cell TextCell(std::string text, Role role = Role::kPlain);
@@ -53,11 +53,11 @@ Cell NumberCell(double value, std::string text, Role role = Role::kPlain);
 Cell CountCell(std::uint64_t count);
 Cell TimeCell(std::uint64_t tick);
 
-/// Why nothing of the selected agent's mind can be shown, and what to do; none: it can.
+/// If the selected agent's mind cannot be shown: nodes that say why, and what to do. Nothing if it can.
 std::optional<Nodes> WithoutMind(const Contents& contents);
-/// That what follows is as recorded; nothing in a live run.
+/// For a recorded mind: adds a note that the data come from the recording. Adds nothing for a live run.
 void NoteRecorded(const Contents& contents, Nodes& nodes);
-/// A tree of reasons, unfolded to this depth.
+/// A tree of reasons that is initially unfolded to depth `open_to`.
 Tree ReasonTree(const Contents& contents, const debugger::WhyNode& root, int open_to = 3);
 /// Toggles for the agents whose minds are shown side by side.
 Line BesideLine(const Contents& contents);

@@ -6,7 +6,7 @@
 
 namespace soarbox::workbench::document {
 
-/// At most kMostPoints points of a curve: of many, the least and the greatest of each part of the time.
+/// Reduces a curve to at most kMostPoints points: keeps the minimum and the maximum of each interval of time.
 std::vector<std::pair<double, double>> Thinned(std::vector<std::pair<double, double>> points);
 inline constexpr std::size_t kMostPoints = 600;
 

@@ -16,12 +16,13 @@
 
 namespace soarbox::workbench::document {
 
-/// What a panel shows, without colors, sizes or positions. The window, the page and the text renderer each draw it.
+/// The description of a panel without colours, sizes or positions. The window, the page and the text renderer each draw
+/// it.
 ///
-/// Rows and foldable parts have keys that stay the same from one document to the next. Renderers keep what the user has
-/// set by these keys: filters, sorting, what is unfolded, scroll positions. A document holds requests and no code.
+/// Rows and foldable parts have keys that stay the same from one document to the next. Renderers use the keys to keep
+/// what the user has set: filters, sorting, unfolded rows, scroll positions. A document contains requests but no code.
 
-/// What a text means. Each renderer has one color or style for it.
+/// The meaning of a text. Each renderer has one color or style for it.
 enum class Role : std::uint8_t {
   kPlain,
   kStrong,
@@ -35,11 +36,11 @@ enum class Role : std::uint8_t {
   kNumber,  ///< Also commands.
   kObject,  ///< An identifier of working memory, or a variable.
   kName,    ///< An attribute, or the name of a rule.
-  kTag,     ///< A word on a tinted ground; with an action a small button.
+  kTag,     ///< A word on a tinted background; with an action, a small button.
 };
 std::string_view WordOf(Role role);
 
-/// What happens when the user presses something: a request, and the panel that then comes to the front.
+/// The effect of a click: a request, and the panel that then comes to the front.
 struct Action {
   Request request;
   std::optional<PanelId> panel = std::nullopt;
@@ -49,9 +50,10 @@ struct Action {
 struct Span {
   std::string text;
   Role role = Role::kPlain;
-  std::optional<Action> action = std::nullopt;       ///< It is a link.
-  std::string hint = {};                             ///< Shown over it.
-  std::optional<std::uint64_t> tick = std::nullopt;  ///< Instead of a text: the time of this tick, which leads there.
+  std::optional<Action> action = std::nullopt;       ///< The text is a link.
+  std::string hint = {};                             ///< Tooltip.
+  std::optional<std::uint64_t> tick = std::nullopt;  ///< If set, the time of this tick replaces the text; a click goes
+                                                     ///< to the tick.
 };
 using Spans = std::vector<Span>;
 
@@ -61,7 +63,7 @@ struct Paragraph {
   std::string hint = {};
 };
 
-/// A text in a fixed font. With `tokens` it is Soar code.
+/// A text in a monospaced font. With `tokens` it is Soar code.
 struct Code {
   std::string text;
   std::vector<debugger::Token> tokens = {};
@@ -71,57 +73,58 @@ struct Button {
   std::string label;
   std::optional<Action> action;
   std::string hint = {};
-  std::optional<bool> is_on = std::nullopt;  ///< It is a toggle.
+  std::optional<bool> is_on = std::nullopt;  ///< If set, the button is a toggle.
   bool is_enabled = true;
-  std::string copies = {};  ///< Instead of an action: this text goes to the clipboard.
+  std::string copies = {};  ///< If not empty: the button has no action and copies this text to the clipboard.
 };
 
-/// A field of a form. Its value becomes the field `name` of the form's request.
+/// A field of a form. Its value is stored in the field `name` of the form's request.
 struct Field {
   enum class Kind : std::uint8_t { kLine, kChoice, kCheck, kSuggested } kind = Kind::kLine;
   std::string name;
   std::string label;
   std::string placeholder = {};
-  std::string value = {};  ///< To begin with.
+  std::string value = {};  ///< Initial value.
   std::vector<std::pair<std::string, std::string>> options =
-      {};                  ///< Values and labels. kCheck: off, then on; kSuggested: what a line may be.
-  bool is_needed = false;  ///< Without a value nothing is sent.
+      {};                  ///< Values and labels. kCheck: off, then on; kSuggested: suggestions for the line.
+  bool is_needed = false;  ///< The form is not sent while the field is empty.
 };
 
-/// Fields that are sent together by a button or by Enter.
+/// Fields that are sent together, by a button or by Enter.
 struct Form {
   std::string key;
-  Action action;  ///< With the fields' values in its request.
+  Action action;  ///< Its request gets the values of the fields.
   std::vector<Field> fields;
-  std::string button;        ///< Empty: none, the fields send while the user types.
-  std::string hint = {};     ///< Of the button.
-  std::string refusal = {};  ///< Why it cannot be sent now; empty: it can.
-  bool clears = false;       ///< Its fields are empty again once it was sent.
-  bool repeats = false;      ///< Several are sent one after another: its line keeps the keyboard.
+  std::string button;        ///< Label of the button; empty: no button, and the form is sent while the user types.
+  std::string hint = {};     ///< Tooltip of the button.
+  std::string refusal = {};  ///< Why the form cannot be sent now; empty if it can.
+  bool clears = false;       ///< Sending it clears its fields.
+  bool repeats = false;      ///< Users send it several times in a row: the field keeps the keyboard focus.
 };
 
-/// An action of the rows of a table or tree: a request, one field of which is a row's key or one of its arguments.
+/// An action of the rows of a table or tree: a request, one field of which gets a row's key or one of its arguments.
 struct RowAction {
   Action action;
-  std::string_view field = {};  ///< Of the request.
-  std::size_t argument = 0;  ///< 0: the row's key; n: its n-th argument. A row that has none of it has no such action.
+  std::string_view field = {};  ///< The field of the request.
+  std::size_t argument = 0;     ///< 0: the row's key; n: its n-th argument. Rows without that argument have no such
+                                ///< action.
 };
 
 struct Column {
   std::string title;
   bool is_number = false;
-  bool is_wide = false;  ///< Left out where the panel is narrow.
-  bool wraps = false;    ///< Its texts may take several lines.
+  bool is_wide = false;  ///< Hidden if the panel is narrow.
+  bool wraps = false;    ///< Its texts may wrap.
   std::string hint = {};
 };
 
 struct Cell {
   Spans spans;
-  std::optional<double> number = std::nullopt;  ///< What the column is sorted by.
-  std::optional<double> bar = std::nullopt;     ///< -1 to 1: how long a bar behind the text is.
+  std::optional<double> number = std::nullopt;  ///< The column is sorted by this number.
+  std::optional<double> bar = std::nullopt;     ///< -1 to 1: length of a bar in the background.
 };
 
-/// A body's color and sign before the first cell.
+/// The color and symbol of a body, drawn before the first cell.
 struct BodySign {
   std::string team, kind;
   bool is_foreign = false;
@@ -136,9 +139,10 @@ struct TableRow {
   std::string hint = {};
   std::vector<std::string> arguments = {};
   std::optional<BodySign> sign = std::nullopt;
-  int depth = 0;                             ///< Deeper rows belong to the row above them.
-  bool folds = false, is_open = false;       ///< Its deeper rows can be folded; whether they are shown to begin with.
-  std::uint32_t groups = ~std::uint32_t{0};  ///< A bit for each of the table's groups that it belongs to.
+  int depth = 0;                             ///< A deeper row belongs to the row above it.
+  bool folds = false, is_open = false;       ///< Whether deeper rows can be folded, and whether they are initially
+                                             ///< shown.
+  std::uint32_t groups = ~std::uint32_t{0};  ///< A bit for each group of the table that the row belongs to.
   bool is_chosen = false;
 };
 
@@ -148,9 +152,9 @@ struct Table {
   std::vector<TableRow> rows;
   std::string caption = {};
   std::optional<RowAction> press = std::nullopt;
-  std::string filter = {};                             ///< The label of a field that filters rows; empty: none.
-  std::vector<std::string> groups = {};                ///< The user chooses one of them; the first one to begin with.
-  std::pair<std::string, std::string> none_fits = {};  ///< What is said if no row passes the filter.
+  std::string filter = {};                             ///< The label of a field that filters rows; empty: no field.
+  std::vector<std::string> groups = {};                ///< The user chooses one of them; initially the first.
+  std::pair<std::string, std::string> none_fits = {};  ///< The text if no row passes the filter.
   bool is_sortable = false;
   bool has_heads = true;
 };
@@ -160,21 +164,21 @@ struct TreeRow {
   Spans spans;
   std::vector<std::string> arguments = {};
   std::vector<TreeRow> below = {};
-  bool folds = false;    ///< It has rows below, whether they are in the document or not.
-  bool is_open = false;  ///< To begin with; of a tree with an `unfold` action: now.
+  bool folds = false;    ///< It has rows below it, although the document may not contain them.
+  bool is_open = false;  ///< Initial state; in a tree with an `unfold` action, the present state.
 };
 
 struct Tree {
   std::string key, label;
   std::vector<TreeRow> rows;
   std::optional<RowAction> press = std::nullopt;
-  std::optional<RowAction> unfold = std::nullopt;  ///< The desk keeps what is unfolded.
+  std::optional<RowAction> unfold = std::nullopt;  ///< If set, the desk stores which rows are unfolded.
   std::string filter = {};
 };
 
 struct Curve {
   std::string name;
-  std::vector<std::pair<double, double>> points = {};  ///< Ticks and values.
+  std::vector<std::pair<double, double>> points = {};  ///< Tick and value.
 };
 
 /// Curves over the time of the run.
@@ -182,36 +186,38 @@ struct Plot {
   std::string key, title;
   std::vector<Curve> curves;
   std::string value = {};  ///< The newest value, or why there is none.
-  std::string range = {};  ///< The least and the greatest value.
+  std::string range = {};  ///< The minimum and the maximum.
   bool is_stepped = false;
   std::optional<Button> button = std::nullopt;
 };
 
-/// Numbered things from left to right, the first one is 1. A click or a drag chooses one.
+/// A row of numbered boxes from left to right, starting at 1. A click or a drag selects one.
 struct Strip {
-  std::string key, label;  ///< What a number stands for: "Episode".
+  std::string key, label;  ///< `label` is the meaning of a number: "Episode".
   std::size_t count = 0;
-  std::size_t chosen = 0;  ///< 0: none.
+  std::size_t chosen = 0;  ///< The selected number; 0: none.
   std::vector<std::size_t> marks;
-  std::string mark;  ///< What the marked ones are.
-  RowAction press;   ///< With the number as the key.
+  std::string mark;  ///< The meaning of a mark.
+  RowAction press;   ///< The number is used as the key.
 };
 
-/// A part with a heading.
+/// A part of a document with a heading.
 struct Section {
   std::string key;
   Spans title;
   Nodes nodes;
-  std::optional<bool> unfolds = std::nullopt;  ///< It can be folded; whether it is open to begin with.
-  bool is_story = false;                       ///< All about one thing, over the list that it is from.
+  std::optional<bool> unfolds = std::nullopt;  ///< If set, the section can be folded, and the value says whether it is
+                                               ///< initially open.
+  bool is_story = false;                       ///< It shows the details of an item, above the list that contains the
+                                               ///< item.
 };
 
-/// Buttons, forms and texts one after another.
+/// Buttons, forms and texts in one line.
 struct Line {
   Nodes nodes;
 };
 
-/// Pages of which one is shown.
+/// Several pages, of which one is shown.
 struct Tabs {
   struct Page {
     std::string title, hint;
@@ -219,16 +225,16 @@ struct Tabs {
   };
   std::string key;
   std::vector<Page> pages;
-  std::size_t first = 0;    ///< Shown until the user chooses.
-  std::string reason = {};  ///< When it becomes another one, the first page is shown again; empty: no reason.
+  std::size_t first = 0;    ///< The page that is shown until the user selects one.
+  std::string reason = {};  ///< When this text changes, the first page is shown again; empty: it never changes.
 };
 
-/// Parts side by side.
+/// Sections side by side.
 struct Columns {
   std::vector<Section> parts;
 };
 
-/// Names and what they stand for.
+/// A list of names with their values.
 struct Facts {
   std::vector<std::pair<std::string, Spans>> rows;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The form of a document for pages: short, because it is sent whenever the panel changes.
+// The JSON form of a document for pages. It is compact, because it is sent whenever the panel changes.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ constexpr std::string_view kRoles[] = {"plain", "strong", "quiet", "code", "good
 constexpr std::string_view kStyles[] = {"text", "heading", "title", "empty"};
 constexpr std::string_view kFields[] = {"line", "choice", "check", "suggested"};
 
-/// The request, and the panel that comes to the front: [{"request": "rule", "rule": "x"}, "rules"].
+/// The request and the panel that comes to the front: [{"request": "rule", "rule": "x"}, "rules"].
 Json ActionJson(const Action& action) {
   Json json = Json::array({workbench::ToJson(action.request)});
   if (action.panel) json.push_back(std::string(InfoOf(*action.panel).word));
@@ -27,8 +27,8 @@ void Set(Json& json, const char* name, const std::string& text) {
   if (!text.empty()) json[name] = text;
 }
 
-/// A plain text as it is; others as [text, role], and with an action or a hint [text, role, action, hint]. Instead of a
-/// text a tick may be there: the time that leads to it.
+/// A plain text is a string; other spans are [text, role], and with an action or a tooltip [text, role, action, hint].
+/// A tick can replace the text: its time, which links to it.
 Json SpanJson(const Span& span) {
   if (span.tick) {
     Json json = Json::array({*span.tick});
@@ -42,7 +42,7 @@ Json SpanJson(const Span& span) {
   return json;
 }
 
-/// One span as it is, if it is a text; else a list.
+/// A single plain text is a string; otherwise a list.
 Json SpansJson(const Spans& spans) {
   if (spans.size() == 1) {
     Json json = SpanJson(spans.front());

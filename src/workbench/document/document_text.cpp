@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A document as text: for tests, for the clipboard and for coding assistants.
+// Prints a document as text: for tests, for the clipboard and for coding assistants.
 #include <algorithm>
 #include <cstdio>
 
@@ -121,7 +121,7 @@ class TextWriter {
     for (const TreeRow& below : row.below) AddRow(below, indent + 1);
     indent_ = indent;
   }
-  /// Each line of it, indented.
+  /// Prints lines, indented.
   void Put(const std::string& lines) {
     std::size_t begin = 0;
     while (begin < lines.size()) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What panels show, as text: tests/workbench/documents has a file for each panel, with the situations one after
-// another.
+// The documents of panels as text: tests/workbench/documents has a file for each panel, with several situations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +34,7 @@ class Documents : public testing::Test {
   }
   static void TearDownTestSuite() { run.reset(); }
 
-  /// Without the folder that the run's files are in.
+  /// Without the folder of the run's files.
   static std::string TextOf(PanelId panel) {
     std::string text = ToText(DocumentOf(panel, run->contents), run->contents.moment.step_s);
     const std::string folder = run->folder().string() + "/";
@@ -47,7 +46,7 @@ class Documents : public testing::Test {
   inline static std::unique_ptr<FilledRun> run;
 };
 
-/// Situations in which every panel is looked at.
+/// The situations for which each panel is tested.
 std::vector<Situation> Situations() {
   const auto clear = [](Contents& contents) {
     contents.agents.clear();
@@ -103,7 +102,7 @@ TEST_F(Documents, AreAsExpected) {
   }
 }
 
-/// Calls `each` with all actions of a document in JSON: arrays that begin with an object with a request.
+/// Calls `each` for all actions in a document's JSON: arrays that begin with an object with a request.
 void ForActions(const debugger::Json& json, const std::function<void(const debugger::Json&)>& each) {
   if (json.is_array() && !json.empty() && json[0].is_object() && json[0].contains("request")) return each(json);
   if (!json.is_structured()) return;

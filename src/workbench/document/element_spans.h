@@ -9,11 +9,11 @@
 
 namespace soarbox::workbench::document {
 
-/// "+ ^io I1 input-link": an element of an object, with what changed in this tick. `meaning` of its attribute is a
-/// hint.
+/// An element of an object, with a mark if it changed in this tick: "+ ^io I1 input-link". `meaning` is the tooltip of
+/// its attribute.
 Spans ElementSpans(const debugger::MemoryRow& row, const std::string& unit = {}, std::string meaning = {});
 
-/// Adds what put an element or a preference there: a rule with the elements that it matched, the world or Soar.
+/// Adds the origin of an element or a preference: a rule with the elements that it matched, the world or Soar.
 void AddMaker(const mind::MakerFact& maker, Nodes& nodes);
 
 }  // namespace soarbox::workbench::document

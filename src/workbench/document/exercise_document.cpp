@@ -10,7 +10,7 @@
 namespace soarbox::workbench::document {
 namespace {
 
-/// After so long it is uncertain whether an entity is still there.
+/// Time after which a silent entity is marked as uncertain, in s.
 constexpr int kSilent_s = 6;
 
 std::string Pdus(std::uint64_t count, double per_s) {

@@ -14,7 +14,7 @@
 
 namespace soarbox::workbench {
 
-/// A small world after 45 ticks, with contents of all panels, for tests.
+/// For tests: a small world after 45 ticks, with the contents of all panels.
 class FilledRun {
  public:
   FilledRun();
@@ -22,7 +22,8 @@ class FilledRun {
   FilledRun(const FilledRun&) = delete;
   FilledRun& operator=(const FilledRun&) = delete;
 
-  /// The contents of all panels while this agent is selected: "walker", "listener-with-a-rather-long-name" or nobody.
+  /// Fills in the contents of all panels with this agent selected: "walker", "listener-with-a-rather-long-name" or
+  /// none.
   void Fill(const std::string& agent);
 
   std::unique_ptr<sim::Simulation> simulation;
@@ -30,7 +31,7 @@ class FilledRun {
   record::TickRecord last;
   Contents contents;
 
-  /// Where its files are: another folder in each process.
+  /// The folder of its files. Each process uses a different one.
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Futures: after going back, the old future beside the new one, and where they differ.
+// Futures: after going back, the old and the new future side by side, and where they differ.
 #include <utility>
 
 #include "workbench/document/build.h"
@@ -66,7 +66,7 @@ Nodes FuturesDocument(const Contents& contents) {
   const FuturesContents& futures = *contents.futures;
   const Comparison& found = futures.comparison;
   Nodes nodes;
-  // The answer first: who decided otherwise, and why.
+  // First the result: which agent decided differently, and why.
   if (found.decision) {
     nodes.push_back(Heading("First other decision or command"));
     AddDifference(*found.decision, nodes);
@@ -80,7 +80,7 @@ Nodes FuturesDocument(const Contents& contents) {
                  Quiet(std::string(" and went on from there. ") +
                        (futures.old_is_known ? "Ghosts show where everybody was at this time before."
                                              : "Before, the run did not come this far: there are no ghosts."))}));
-  // The very first difference is mostly the edit that made this future.
+  // The first difference is usually the edit that created this future.
   if (found.difference && !IsSame(found.difference, found.decision)) {
     const Difference& first = *found.difference;
     Section section{"first",

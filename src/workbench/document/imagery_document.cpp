@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Imagery: what the agent imagines, state by state: what its rules ask of the scene, the answers, and the nodes.
+// Imagery: the scenes that the agent imagines, state by state: its commands, the answers, and the nodes.
 #include <cstdio>
 #include <utility>
 
@@ -14,7 +14,7 @@ using debugger::SceneNodeRow;
 using debugger::SceneValueRow;
 using debugger::SceneView;
 
-/// What an answer is about: its nodes, or what the filter was given.
+/// The subject of an answer: its nodes, or the input of the filter.
 std::string AboutOf(const SceneValueRow& value) {
   std::string text;
   for (const std::string& node : value.nodes) text += (text.empty() ? "" : ", ") + node;
@@ -24,7 +24,7 @@ std::string AboutOf(const SceneValueRow& value) {
   return given == std::string::npos ? text : why.substr(given + 1);
 }
 
-/// What of it is drawn over the world.
+/// Which parts are drawn over the world.
 Line DrawnLine(const Contents& contents) {
   Line line{{Text("Draw", Role::kQuiet)}};
   const auto add = [&](const std::string& state, std::string label, std::string hint) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Learning: rules that were learned, each with its reasons, numbers that reward moves, and reward per episode.
+// Learning: learned rules with their reasons, values learned from reward, and reward per episode.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,7 +16,7 @@ using debugger::LearningView;
 
 constexpr std::size_t kMostFired = 8, kMostEpisodes = 300;
 
-/// Why the rule that is looked at is as it is, and when it fired since.
+/// Why the selected rule is as it is, and when it has fired since.
 Section Story(const Contents& contents) {
   const debugger::LearnedRuleView& rule = contents.learned_rule;
   Section section{"learned-rule", {RuleLink(rule.name)}, {}};
@@ -31,7 +31,7 @@ Section Story(const Contents& contents) {
   if (rule.fired.size() > kMostFired)
     fired.push_back(Quiet(" and " + std::to_string(rule.fired.size() - kMostFired) + " times before"));
   section.nodes.push_back(Text(std::move(fired)));
-  // Its name is above already.
+  // Its name is already in the heading.
   debugger::WhyNode why = rule.why;
   if (const std::string name = rule.name + ": "; why.text.starts_with(name)) why.text.erase(0, name.size());
   section.nodes.push_back(ReasonTree(contents, why, 2));
@@ -73,7 +73,7 @@ Nodes Rules(const Contents& contents) {
   return nodes;
 }
 
-/// The curves that are drawn: the user's choice, or the numbers that moved most often.
+/// The curves that are drawn: the user's choice, or the values that were updated most often.
 Plot ValueCurves(const Contents& contents) {
   Plot plot{"values", "Values over time", {}};
   plot.is_stepped = true;
@@ -83,7 +83,7 @@ Plot ValueCurves(const Contents& contents) {
     if (points == contents.learning_log->values().end()) continue;
     Curve curve{rule};
     for (const auto& [tick, value] : points->second) curve.points.emplace_back(static_cast<double>(tick), value);
-    // The last value holds until now.
+    // The last value is valid until now.
     const auto last = static_cast<double>(contents.moment.last_tick);
     if (!curve.points.empty() && curve.points.back().first < last)
       curve.points.emplace_back(last, curve.points.back().second);
@@ -133,7 +133,7 @@ Nodes Values(const Contents& contents) {
   return nodes;
 }
 
-/// How many episodes are over at the moment that is shown.
+/// Number of episodes that have ended at the shown moment.
 std::size_t EpisodesSoFar(const Contents& contents) {
   if (contents.learning_log == nullptr) return 0;
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -184,7 +184,7 @@ Nodes LearningDocument(const Contents& contents) {
       {"Values " + std::to_string(view.learners), "Numbers that reward moves, the highest first", Values(contents)});
   tabs.pages.push_back(
       {"Episodes " + std::to_string(episodes), "The reward of each episode", Episodes(contents, episodes)});
-  // It shows what there is.
+  // Initially shows the page that is not empty.
   tabs.first = view.rules.empty() && view.learners > 0 ? 1 : 0;
   nodes.push_back(std::move(tabs));
   return nodes;

@@ -42,7 +42,8 @@ TableRow RowOf(const CommandRow& command) {
   return row;
 }
 
-/// Removed elements that an added one of the same attribute replaces are left out: the value has changed.
+/// Whether a removed element is replaced by an added one of the same attribute: its value has changed. It is then
+/// omitted.
 bool IsReplaced(const MemoryRow& row, const std::vector<MemoryRow>& beside) {
   return row.change == debugger::Change::kRemoved && !row.element.is_object &&
          std::ranges::any_of(beside, [&](const MemoryRow& other) {

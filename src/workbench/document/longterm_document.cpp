@@ -18,7 +18,7 @@ using debugger::Recall;
 
 constexpr std::size_t kMostRecalls = 300;
 
-/// The object that was recalled last; 0: none was.
+/// The object that was recalled last; 0 if none was.
 std::uint64_t LastRecalled(const Contents& contents) {
   if (contents.recalls == nullptr) return 0;
   const auto& all = contents.recalls->recalls();
@@ -98,7 +98,7 @@ Nodes Recalled(const Contents& contents) {
                  TextCell(recall->question),
                  {AnswerOf(*recall)},
                  TextCell(recall->reason, Role::kQuiet)};
-    // Later than the moment that is shown.
+    // Later than the shown moment.
     if (recall->tick > contents.moment.shown_tick) row.cells[0].spans[0].role = Role::kQuiet;
     table.rows.push_back(std::move(row));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Memory: working memory as a tree that the user unfolds, with a search, and all about one element.
+// Memory: working memory as a tree that the user unfolds, a search, and the details of one element.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -20,7 +20,7 @@ Button Small(std::string label, Action action, std::string hint = {}) {
   return {std::move(label), std::move(action), std::move(hint)};
 }
 
-/// The tree of unfolded objects.
+/// Builds the tree of unfolded objects.
 class Unfolded {
  public:
   explicit Unfolded(const Contents& contents) : contents_(contents) {}
@@ -102,7 +102,7 @@ Section Story(const Contents& contents, const debugger::ElementStory& story) {
   section.nodes.push_back(std::move(tools));
   section.nodes.push_back(Text("time tag " + std::to_string(element.timetag), Role::kQuiet));
   if (!story.note.empty()) section.nodes.push_back(Text(story.note, Role::kQuiet));
-  // What the kernel does not report is said in the note; "no rule" would be wrong.
+  // If the kernel does not report the makers, the note says so; "no rule" would be wrong.
   const bool is_known = story.note.empty();
   if (is_known || !story.makers.empty()) section.nodes.push_back(Heading("Made by"));
   if (is_known && story.makers.empty()) section.nodes.push_back(Text("not known", Role::kQuiet));
@@ -147,7 +147,7 @@ Nodes MemoryDocument(const Contents& contents) {
   Unfolded unfolded(contents);
   for (const debugger::StackLevel& level : contents.stack.levels)
     tree.rows.push_back(unfolded.Root(level.state, level.impasse));
-  // Objects that somebody asked for and that no unfolded object leads to come first.
+  // Unfolded objects that no other unfolded object leads to come first.
   std::vector<TreeRow> others;
   for (const auto& [id, object] : contents.objects)
     if (!unfolded.HasSeen(id)) others.push_back(unfolded.Root(id, {}));

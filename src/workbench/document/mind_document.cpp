@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Mind: the goal stack of the selected agent, and the operators of one of its states. Minds: several side by side.
+// Mind: the goal stack of the selected agent, and the operators of one of its states. Minds: several minds side by
+// side.
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -63,7 +64,7 @@ Table StackTable(const debugger::StackView& stack, const std::string& chosen, co
     row.hint = std::string(MeaningOf(level.impasse));
     Cell state = TextCell(level.state, Role::kObject);
     if (!level.impasse.empty()) state.spans.push_back({" " + level.impasse, Role::kWarn});
-    // A command goes on after the operator that gave it has gone.
+    // A command continues after the operator that gave it is deselected.
     row.cells = {std::move(state), {OperatorOf(level, level.level == 1 ? goes_on : std::string())}};
     table.rows.push_back(std::move(row));
   }
@@ -88,7 +89,7 @@ void AddRows(const OperatorRow& one, Table& table) {
   row.key = one.id;
   row.folds = true;
   row.hint = "Unfold it to see each preference and the rule that made it";
-  // What distinguishes it from others of its name.
+  // The attributes that distinguish it from others of its name.
   const std::string about = one.about.empty() || one.verdict.empty() ? one.about : one.about + ": ";
   row.cells = {TextCell(TitleOf(one), role), TextCell(about + one.verdict, one.selected ? Role::kGood : Role::kQuiet)};
   if (table.columns.size() > 2) {
@@ -133,7 +134,7 @@ void AddOperators(const debugger::OperatorsView& view, Nodes& nodes) {
   nodes.push_back(std::move(table));
 }
 
-/// Most operators last for a tick or two: which were selected last.
+/// Adds the operators that were selected last, because most operators last for a tick or two.
 void AddBefore(const Contents& contents, Nodes& nodes) {
   constexpr std::size_t kMost = 5, kMostLookedAt = 200;
   const debugger::TimelineTrack* track =
@@ -148,7 +149,7 @@ void AddBefore(const Contents& contents, Nodes& nodes) {
   }
 }
 
-/// What the agent's script shows of its state; the active path is chosen.
+/// Adds what the agent's script shows of its state. Rows of the active path are highlighted.
 void AddShown(const Contents& contents, Nodes& nodes) {
   if (contents.shown.rows.empty()) return;
   Table table;

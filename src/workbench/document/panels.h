@@ -9,17 +9,17 @@
 
 namespace soarbox::workbench::document {
 
-/// Whether the panel is described by a document.
+/// Whether a document describes the panel.
 bool HasDocument(PanelId panel);
-/// What the panel shows; empty if it has no document.
+/// Builds the document of a panel; empty if it has none.
 Nodes DocumentOf(PanelId panel, const Contents& contents);
 
-/// A document as JSON (docs/workbench.md).
+/// Converts a document to JSON (docs/workbench.md).
 debugger::Json ToJson(const Nodes& nodes);
-/// A document as text, all of it; times count from tick 0.
+/// Prints the complete document as text. Times are computed from ticks of `step_s` seconds, starting at tick 0.
 std::string ToText(const Nodes& nodes, double step_s);
 
-// The documents of the panels, each in a file of its name.
+// Builders of the panels' documents, each in a file of its name.
 Nodes AgentsDocument(const Contents& contents);
 Nodes MindDocument(const Contents& contents);
 Nodes MemoryDocument(const Contents& contents);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Rules: all rules with how often they fired, which took part in the run, and all about one of them.
+// Rules: all rules with how often they fired, which took part in the run, and the details of one of them.
 #include <utility>
 
 #include "debugger/fold_paths.h"
@@ -69,9 +69,9 @@ Nodes Coverage(const Contents& contents) {
   return nodes;
 }
 
-/// How far the rule matches, condition by condition.
+/// Adds the match of a rule, condition by condition.
 void AddMatch(const debugger::PartialMatch& match, Nodes& nodes) {
-  // As its author wrote it.
+  // In the author's notation.
   const mind::MatchFacts facts = debugger::FoldPaths(match.facts);
   const std::size_t failing = facts.failing.value_or(facts.conditions.size());
   if (facts.failing)
@@ -147,7 +147,7 @@ Section Story(const Contents& contents, const debugger::RuleView& view) {
   if (!rule.documentation.empty()) section.nodes.push_back(Text(rule.documentation));
   AddMatch(view.match, section.nodes);
   AddMatches(view.match.facts, section.nodes);
-  // As its author wrote it; what was typed or learned, as it is printed.
+  // In the author's notation if a file has the rule; typed and learned rules as they are printed.
   if (!text.empty())
     section.nodes.push_back(Code{text, contents.rule_text.empty() ? view.tokens : debugger::Tokenize(text)});
   return section;

@@ -37,7 +37,7 @@ Role RoleOf(TraceKind kind) {
   return Role::kQuiet;
 }
 
-/// Offers what lines may be about: operators and commands of the selected agent.
+/// Suggests operators and commands of the selected agent.
 void AddWords(const Contents& contents, Field& field) {
   constexpr std::size_t kMostWords = 12, kMostLookedAt = 300;
   const auto add = [&](const std::string& word) {
@@ -61,7 +61,7 @@ Form FilterForm(const Contents& contents) {
   Form form;
   form.key = "trace";
   form.action.request = TraceRequest{};
-  // A level includes those before it.
+  // Each level includes those before it.
   constexpr std::pair<const char*, const char*> kLevels[] = {
       {"error", "errors"}, {"decision", "decisions"}, {"command", "commands"}, {"event", "events"},
       {"input", "input"},  {"percept", "percepts"},   {"rule", "rules"},       {"element", "elements"}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Watch: values and commands that are looked at again after each decision, a row for each, a column for each agent.
+// Watch: values and commands that are evaluated after each decision, with a row for each and a column for each agent.
 #include <utility>
 
 #include "workbench/document/build.h"
