@@ -48,7 +48,7 @@ std::string_view NameOf(Memory memory) {
   return memory == Memory::kSemantic ? "semantic" : "episodic";
 }
 
-/// A prepared statement that is finished when it goes.
+/// A prepared statement that is finalized by the destructor.
 class Statement {
  public:
   Statement(sqlite3* database, const char* text) {
@@ -80,8 +80,7 @@ class Statement {
   int status_ = SQLITE_OK;
 };
 
-/// Of a database of another program: why it is refused. Reads it as it is, without the files that SQLite puts beside
-/// it.
+/// Why a database of another program is refused. Reads it without creating SQLite's additional files.
 Diagnostic RefusalOfForeign(const std::string& path) {
   std::string address = "file:";
   for (const char c : path) {
@@ -115,7 +114,7 @@ Diagnostic RefusalOfForeign(const std::string& path) {
   return problem;
 }
 
-/// Looks at the header of a file without opening it as a database. Nothing: it may be opened, or made.
+/// Checks the header of a file without opening it as a database. Returns nothing if the file can be opened or created.
 std::optional<Diagnostic> LookAt(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
@@ -169,7 +168,7 @@ class SqliteJournal final : public kernel::Journal {
     if (!Run("COMMIT")) return RolledBack();
     image_bytes_ = image.size();
     record_bytes_ = 0;
-    pending_.clear();  // The image has it.
+    pending_.clear();  // The image includes them.
     return {};
   }
 
@@ -191,7 +190,7 @@ class SqliteJournal final : public kernel::Journal {
     return Problem(path_, std::string(what) + ": " + sqlite3_errmsg(database_));
   }
 
-  /// Reads what is there. Damage is an error.
+  /// Reads the contents. Fails if they are damaged.
   Result<void> Load(OpenedJournal& opened) {
     std::int64_t expected = 0;
     Statement segments(database_, "SELECT number, bytes, crc FROM segment ORDER BY number");
@@ -245,7 +244,7 @@ bool IsOfThisVersion(sqlite3* database) {
   return version.Step() == SQLITE_ROW && version.Integer(0) == kSchemaVersion;
 }
 
-/// The tables of a new file; its header is there before the log is, so that others can tell whose it is.
+/// Creates the tables of a new file. The header is written before the log, so that others can identify the file.
 bool MakeTables(SqliteJournal& journal, Memory memory) {
   const std::string kind(NameOf(memory));
   return journal.Run(("BEGIN IMMEDIATE;" + Text("PRAGMA application_id=", kApplicationId) + ";" +

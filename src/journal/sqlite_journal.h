@@ -10,35 +10,37 @@
 #include "diagnostics/result.h"
 #include "kernel/longterm/journal.h"
 
-/// Journals in SQLite files: SQLite is the container (atomic commits, recovery, locks), never the query engine.
+/// Journals in SQLite files. SQLite is used only as a container (atomic commits, recovery, locks), not to query
+/// memories.
 ///
-/// A file has the application id 0x53424F58 ("SBOX"), the schema version 2 as its user version (1 until the
-/// weights of links were kept), and three tables:
+/// A file has the application id 0x53424F58 ("SBOX"), the schema version 2 as its user version (1 until the weights of
+/// links were stored), and three tables:
 ///   meta(key, value)               kind: "semantic" or "episodic"
 ///   segment(number, bytes, crc)    the image, in pieces of 1 MiB
-///   record(number, bytes, crc)     what was appended since, one row per commit
-/// It is written ahead (WAL), by one process at a time.
+///   record(number, bytes, crc)     records added since then, one row per commit
+/// It uses a write-ahead log (WAL). Only one process can open it at a time.
 namespace soarbox::journal {
 
 enum class Memory : std::uint8_t { kSemantic, kEpisodic };
 
 struct OpenOptions {
   bool overwrite = false;      ///< Empty it first (append off).
-  bool survive_power = false;  ///< Each commit waits for the disk (optimization safety); else it survives a kill only.
+  bool survive_power = false;  ///< Each commit waits for the disk (optimization safety). Otherwise it survives only a
+                               ///< kill of the process.
 };
 
-/// What a file holds, and the journal to go on with.
+/// The contents of a file, and the journal to append to it.
 struct OpenedJournal {
   std::unique_ptr<kernel::Journal> journal;
-  std::string image;                 ///< Empty: none was ever written.
+  std::string image;                 ///< Empty if none was ever written.
   std::vector<std::string> records;  ///< Oldest first.
 };
 
-/// Opens or makes a file. Refuses, with the reason, and leaves untouched: what is not a database, a database of another
-/// program, of another memory or of a newer Soarbox, a damaged one, and one that another process has open.
+/// Opens or creates a file. Fails with the reason, and does not change the file, if it is not a database, belongs to
+/// another program, another memory or a newer Soarbox, is damaged, or is open in another process.
 Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options);
 
-/// Writes a memory's image to a file of its own (`smem --backup`). Replaces a file of Soarbox, refuses any other.
+/// Writes a memory's image to a separate file (`smem --backup`). Replaces a file of Soarbox, but no other file.
 Result<void> WriteCopy(const std::string& path, Memory memory, std::string_view image);
 
 /// The version of the library, as `smem --stats` shows it.

@@ -60,7 +60,7 @@ TEST_F(SqliteJournal, WhatWasCommittedIsThereAgainInOrder) {
     opened.journal->Append(Record(1));
     opened.journal->Append(Record(9, 200));
     ASSERT_TRUE(opened.journal->Commit().ok());
-    opened.journal->Append(Record(5));  // Committed when it closes.
+    opened.journal->Append(Record(5));  // Committed on closing.
   }
   const OpenedJournal opened = OpenOr(Path("a.db"));
   EXPECT_TRUE(opened.image.empty());
@@ -109,7 +109,7 @@ TEST_F(SqliteJournal, ForeignFilesAreRefusedAndNotTouched) {
   EXPECT_THAT(Refusal(Path("a.db"), Memory::kEpisodic), HasSubstr("another kind"));
 }
 
-/// Databases as Soar 9.6 lays them out: they are recognised by name, even in a folder whose name is no address.
+/// Databases with the layout of Soar 9.6 are recognised by their tables, even in a folder with an unusual name.
 TEST_F(SqliteJournal, SoarsOwnFilesAreRefusedWithAWayToReadThem) {
   fs::create_directory(Path("50% #?"));
   const std::pair<Memory, std::string> kinds[] = {{Memory::kSemantic, "smem"}, {Memory::kEpisodic, "epmem"}};
@@ -152,7 +152,7 @@ TEST_F(SqliteJournal, DamageIsFoundAndNotMended) {
     std::ofstream(Path("b.db"), std::ios::binary) << spoilt;
     const Result<OpenedJournal> opened = Open(Path("b.db"), Memory::kSemantic, {});
     if (opened) {
-      // What does read is what was written: bytes that nobody uses were hit.
+      // The file is readable if only unused bytes were changed; the contents must then be the same.
       EXPECT_EQ(opened->image, Record(0, 20000));
     } else {
       ++refused;
@@ -177,7 +177,7 @@ TEST_F(SqliteJournal, ASecondProcessIsTurnedAway) {
     if (!opened->journal->Commit().ok()) _exit(2);
     char byte = 0;
     if (write(ready[1], &byte, 1) != 1) _exit(3);
-    if (read(done[0], &byte, 1) < 0) _exit(4);  // Until the other end is closed.
+    if (read(done[0], &byte, 1) < 0) _exit(4);  // Blocks until the other end is closed.
     _exit(0);
   }
   close(ready[1]);
@@ -189,7 +189,7 @@ TEST_F(SqliteJournal, ASecondProcessIsTurnedAway) {
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
   for (const int end : {ready[0], done[0]}) close(end);
-  // Another part of the same process is turned away, too.
+  // Another user in the same process is refused, too.
   const OpenedJournal opened = OpenOr(Path("a.db"));
   EXPECT_THAT(opened.records, ::testing::ElementsAre(Record(1)));
   EXPECT_THAT(Refusal(Path("a.db")), HasSubstr("in use by another process"));
@@ -212,7 +212,7 @@ TEST_F(SqliteJournal, AFullDiskKeepsWhatIsNewUntilThereIsRoom) {
   EXPECT_THAT(OpenOr(Path("a.db")).records, ::testing::ElementsAre(Record(3, 500000)));
 }
 
-/// The child commits numbered records, now and then an image of all, and says each number when it is committed.
+/// The child commits numbered records, and sometimes an image of all, and reports each number after its commit.
 [[noreturn]] void Write(const std::string& path, int said) {
   Result<OpenedJournal> opened = Open(path, Memory::kSemantic, {});
   if (!opened) _exit(2);

@@ -29,16 +29,16 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
   return text;
 }
 
-/// How much it says that a rule never fired. `is_torn`: operators tied, so that none was applied.
+/// The cause that an unfired rule is ranked as. `is_torn`: operators were tied, so that none was applied.
 Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
-  // That something is there and does not fit the other conditions does not say which of them is the cause.
+  // That an element exists but does not match the other conditions does not show which condition is the cause.
   const bool is_vague = waiting.why.find("fit the conditions before it") != std::string::npos ||
                         waiting.why.find("does not fit the rule's other conditions") != std::string::npos;
   if (is_torn || waiting.waits_for_operator || is_vague) return Cause::kWaiting;
   return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
 }
 
-/// Rules of a file that never fired, in words: those that came with the lesson.
+/// Explains the rules that came with the lesson and never fired.
 std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const AccountSettings& settings) {
   std::vector<std::string> told;
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
@@ -99,7 +99,7 @@ std::vector<sim::Finding> Account::Slips(const std::vector<RuleWatch::Waiting>& 
     const Diagnostic& problem = reported.diagnostic;
     if (slips.size() >= kMostSlips) break;
     if (!settings_.IsAbout(problem.file) || IsAboutGiven(problem.message)) continue;
-    // A rule that never fires does not write too often.
+    // A rule that never fires cannot write repeatedly.
     const bool is_refuted = std::ranges::any_of(waiting, [&](const RuleWatch::Waiting& each) {
       return problem.message.find("rule " + each.rule + " writes again") != std::string::npos;
     });
@@ -122,7 +122,7 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
     if (agents.contains(agent) && each.time_s - sim::EventFindings::kToldAfter_s <= failed_s &&
         (idle == nullptr || each.tick < idle->tick))
       idle = &each;
-  // Between operators that tie none is applied: what rules wait for then comes of the tie.
+  // Tied operators are not applied, so unfired rules are a consequence of the tie.
   const bool is_torn = idle != nullptr && std::ranges::any_of(idle->reasons, [](const std::string& line) {
                          return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
                        });
@@ -131,13 +131,13 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
       const std::string& line = idle->reasons[i];
-      // What a rule waits for is asked of the watch, which knows when it got furthest.
+      // The watch has better explanations of unfired rules, from the tick in which they were nearest to a match.
       const bool is_stall = sim::CauseOfReason(line) == Cause::kStalled;
       found.push_back({is_stall ? Cause::kStalled : Cause::kSymptom, line});
     }
     found.push_back({Cause::kSymptom, idle->symptom});
   }
-  // What a rule of the lesson waits for in vain is often the fault of one's own.
+  // An unfired rule of the lesson is often caused by the learner's rules.
   if (found.empty())
     for (std::string& line : GivenThatNeverFired(simulation_, settings_))
       found.push_back({Cause::kSymptom, std::move(line)});

@@ -16,27 +16,27 @@ namespace soarbox::mission {
 
 using sim::Cause;
 
-/// Whose rules an account is about.
+/// Which rules an account is about.
 struct AccountSettings {
-  std::string file;             ///< Name of the file of rules; empty: every file.
-  std::string agent;            ///< The agent whose mind is asked; empty: all that run rules of the file.
-  std::set<std::string> given;  ///< Rules in it that came with the lesson. Nothing but symptoms is said about them.
+  std::string file;             ///< Name of the file of rules; empty: all files.
+  std::string agent;            ///< The agent whose mind is queried; empty: all agents that run rules of the file.
+  std::set<std::string> given;  ///< Rules of the file that came with the lesson. Only symptoms are reported about them.
 
-  /// Without a file and without an agent no account is given.
+  /// If there is neither a file nor an agent, no account is made.
   bool IsAsked() const { return !file.empty() || !agent.empty(); }
   bool IsAbout(const std::string& rule_file) const;
   bool IsAboutAgent(const std::string& name) const { return agent.empty() || agent == name; }
 };
 
-/// What a run shows of one file of rules, for the person who wrote it. Follows a run through all its ticks.
+/// Explains what went wrong in a run, for the author of one file of rules. It must see all ticks of the run.
 class Account {
  public:
   Account(sim::Simulation& simulation, AccountSettings settings);
 
-  /// Call once for each tick, with its events.
+  /// Call it once for each tick, with its events.
   void See(const sim::EventList& events);
-  /// Sentences in the order of their causes; few, and perhaps none. `failed_s`: when the first check failed. An agent
-  /// that had nothing to do only after that did not fail because of it.
+  /// Returns a few sentences, sorted by cause; possibly none. `failed_s`: time of the first failed check. An agent that
+  /// became idle only later did not fail because of that.
   std::vector<sim::Finding> Finish(double failed_s);
 
  private:

@@ -71,7 +71,7 @@ class NameChecker {
   }
 
  private:
-  /// So many at once, of fewer, never come true.
+  /// Reports a check that requires more agents than it refers to, because it never becomes true.
   void CountSubjects(const Check& check) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < cast_.agents.size(); ++i) {
@@ -85,10 +85,10 @@ class NameChecker {
              std::to_string(count));
   }
 
-  /// Parameters, reasons and paths, which nobody would miss if they were misspelt: the check would just be false.
+  /// Checks parameters, reasons and paths. Without this, a misspelt one would only make the check false.
   void LookAtParts(const Check& check, const Condition& condition) {
     if (condition.row->key == Key::kElement) {
-      if (cast_.has_script) return;  // It may make any percept.
+      if (cast_.has_script) return;  // The script may add any percept.
       for (const std::string& path : condition.words) LookAtPath(check, condition, path);
       return;
     }
@@ -144,7 +144,7 @@ class NameChecker {
       case Names::kTeam:
         return need("team", cast_.teams);
       case Names::kEnd:
-        if (cast_.has_script) return;  // It may reach any (Sandbox.End).
+        if (cast_.has_script) return;  // The script may define any end (Sandbox.End).
         return need("end or goal", cast_.ends);
       case Names::kItem:
         return need("item", cast_.items);
@@ -221,7 +221,7 @@ class NameChecker {
 Cast CastOf(const sim::ScenarioFile& file) {
   Cast cast;
   for (const sim::ScenarioFile::Agent& agent : file.agents) {
-    // As scenario_build.cpp names them.
+    // As in scenario_build.cpp.
     std::string stem = agent.name;
     if (stem.empty()) stem = agent.rules.empty() ? "agent" : fs::path(agent.rules).stem().string();
     for (int i = 0; i < agent.count; ++i) {
@@ -250,7 +250,7 @@ Cast CastOf(const sim::ScenarioFile& file) {
 void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems) {
   NameChecker checker(cast, problems);
   for (const Check& check : mission.checks) checker.Look(check);
-  // Whoever makes a mistake may make any attribute.
+  // Rules with a mistake may make any attribute.
   for (const Check& check : mission.mistakes) checker.Look(check, true);
 }
 
@@ -281,7 +281,7 @@ bool CheckMissionFile(const fs::path& file, const sim::DataFolders* data, std::v
   std::vector<Diagnostic> found, others;
   const Mission mission = ParseMission(text, file, !is_mission, found);
   if (!is_mission && !found.empty()) {
-    // What is no TOML at all is reported with the scenario.
+    // Errors of TOML are reported with the scenario.
     sim::ParseScenarioFile(text, file, others);
     std::erase_if(found, [&](const Diagnostic& problem) {
       return std::ranges::any_of(others, [&](const Diagnostic& other) {
@@ -299,7 +299,7 @@ bool CheckMissionFile(const fs::path& file, const sim::DataFolders* data, std::v
     if (fs::is_directory(scenario, error)) {
       scenario /= "scenario.toml";
     } else if (!fs::exists(scenario, error) && data != nullptr) {
-      // One that comes with the program, by its name.
+      // A scenario that comes with the program, by its name.
       const Result<sim::Scenario> named = sim::FindScenario(mission.scenario, *data);
       if (!named) {
         Diagnostic& problem = problems.emplace_back(named.error());

@@ -10,9 +10,9 @@
 
 namespace soarbox::mission {
 
-/// How a check stands, as news of a run with the word "check": windows show it from there, and recordings hold it.
-/// Its text is the check's name, its parameters the state; its reasons are what was expected, what was there, who
-/// decided it and "marker" or nothing.
+/// The state of a check as an event of a run, with the word "check". Windows show it and recordings store it. Its text
+/// is the name of the check, its parameters are the state. Its reasons are: what was expected, what was found, the
+/// agent that decided it, and "marker" or nothing.
 sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
                         double time_s);
 

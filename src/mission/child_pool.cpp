@@ -22,7 +22,7 @@
 namespace soarbox::mission {
 namespace {
 
-/// Stands before and behind what a child hands over, so that half of it is not taken for the whole.
+/// Precedes and follows the output of a child, so that an incomplete output is detected.
 struct Frame {
   std::uint64_t size = 0;
   std::uint64_t hash = 0;
@@ -51,11 +51,11 @@ void Limit(int what, rlim_t soft, rlim_t hard) {
   (void)setrlimit(static_cast<__rlimit_resource>(what), &limit);
 }
 
-/// In the child: no handler of the parent's, no output but the pipe.
+/// Runs in the child: resets signal handlers and redirects output to the pipe.
 [[noreturn]] void RunChild(int pipe, const std::function<std::string()>& work, const ChildLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGTERM, SIGALRM, SIGXCPU}) std::signal(signal, SIG_DFL);
-  std::signal(SIGINT, SIG_IGN);  // The parent decides.
+  std::signal(SIGINT, SIG_IGN);  // The parent handles it.
   if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) {
     dup2(nothing, STDIN_FILENO);
     dup2(nothing, STDOUT_FILENO);
@@ -69,7 +69,7 @@ void Limit(int what, rlim_t soft, rlim_t hard) {
   try {
     output = work();
   } catch (const std::exception&) {
-    _exit(1);  // Memory that ran out, mostly: no whole output, so it counts as crashed.
+    _exit(1);  // Usually out of memory. The output is incomplete, so it counts as a crash.
   }
   const Frame frame{output.size(), HashOf(output)};
   const bool written = WriteAll(pipe, &frame, sizeof frame) && WriteAll(pipe, output.data(), output.size());
@@ -111,7 +111,7 @@ Result<void> ChildPool::Start(std::size_t id, const std::function<std::string()>
   Child& child = running_[pid];
   child.id = id;
   child.pipe = ends[0];
-  // A busy machine must fail nobody: time by the clock is ten times the processor's.
+  // On a busy machine, runs must not fail. The limit of real time is ten times that of processor time.
   child.deadline = std::chrono::steady_clock::now() +
                    std::chrono::milliseconds(static_cast<std::int64_t>(10'000 * std::max(1.0, limits.cpu_s)));
   return {};
@@ -159,7 +159,7 @@ std::optional<ChildPool::Done> ChildPool::Wait(double seconds) {
     }
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(wake - Clock::now()).count();
     const int ready = poll(files.data(), files.size(), static_cast<int>(std::clamp<std::int64_t>(left + 1, 0, 60'000)));
-    if (ready < 0) return std::nullopt;  // A signal: the caller looks.
+    if (ready < 0) return std::nullopt;  // A signal: the caller must check.
     for (std::size_t i = 0; i < files.size(); ++i) {
       Child& child = running_[pids[i]];
       if (files[i].revents != 0) {

@@ -13,35 +13,35 @@
 namespace soarbox::mission {
 
 struct ChildLimits {
-  double cpu_s = 60;               ///< Processor time; a child that takes more counts as hung.
-  std::uint64_t memory_bytes = 0;  ///< Address space; 0: none.
+  double cpu_s = 60;               ///< Processor time; a child that uses more is treated as hung.
+  std::uint64_t memory_bytes = 0;  ///< Address space; 0: no limit.
 };
 
-/// How a child ended.
+/// The result of a child.
 struct ChildEnd {
-  bool is_whole = false;  ///< It handed over its output; else it crashed or hung.
+  bool is_whole = false;  ///< It returned its complete output; otherwise it crashed or hung.
   bool hung = false;
-  int signal = 0;      ///< That killed it; 0: none.
-  std::string output;  ///< What the work returned.
+  int signal = 0;      ///< The signal that ended it; 0: none.
+  std::string output;  ///< The return value of `work`.
   double cpu_s = 0;
   double peak_mb = 0;
 };
 
-/// Runs pieces of work in processes of their own, a fixed number at a time: a piece that crashes, hangs or runs out of
-/// memory costs nothing but itself. The process that owns the pool must have one thread, as its children are forks of
-/// it. On platforms without processes the work runs in this one (child_pool_absent.cpp).
+/// Runs jobs in separate processes, a limited number at a time. A job that crashes, hangs or runs out of memory does
+/// not affect others. The process that owns the pool must have only one thread, because the children are forks of it.
+/// On platforms without processes, jobs run in this process (child_pool_absent.cpp).
 class ChildPool {
  public:
   explicit ChildPool(int jobs);
-  ~ChildPool();  ///< Kills what still runs.
+  ~ChildPool();  ///< Kills running children.
   ChildPool(const ChildPool&) = delete;
   ChildPool& operator=(const ChildPool&) = delete;
 
   bool HasRoom() const { return static_cast<int>(running_.size()) < jobs_ && !ended_; }
   bool IsIdle() const { return running_.empty() && !ended_; }
-  /// Begins a piece of work. Fails if the system gives no process.
+  /// Starts a job. Fails if no process can be created.
   Result<void> Start(std::size_t id, const std::function<std::string()>& work, const ChildLimits& limits);
-  /// Waits at most so long for any of them to end.
+  /// Waits at most `seconds` for any child to end.
   struct Done {
     std::size_t id = 0;
     ChildEnd end;
@@ -60,10 +60,10 @@ class ChildPool {
 
   int jobs_;
   std::map<int, Child> running_;  ///< By process id.
-  std::optional<Done> ended_;     ///< Without processes: what Wait returns next.
+  std::optional<Done> ended_;     ///< Without processes: the next result of Wait.
 };
 
-/// How many processors this process may use.
+/// Number of processors that this process may use.
 int Processors();
 
 }  // namespace soarbox::mission

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where there are no other processes (WebAssembly): each piece of work runs in this one, and Start returns when it has
-// ended. A piece that hangs or crashes takes the program with it; the limits are not enforced.
+// For platforms without processes (WebAssembly). Each job runs in this process, and Start returns when it has ended. A
+// job that hangs or crashes ends the program; limits are not enforced.
 #include <exception>
 #include <utility>
 
@@ -24,7 +24,7 @@ Result<void> ChildPool::Start(std::size_t id, const std::function<std::string()>
     done.end.output = work();
     done.end.is_whole = true;
   } catch (const std::exception&) {
-    // Memory that ran out, mostly: no whole output, so it counts as crashed.
+    // Usually out of memory. The output is incomplete, so it counts as a crash.
   }
   done.end.cpu_s = std::chrono::duration<double>(Clock::now() - start).count();
   return {};

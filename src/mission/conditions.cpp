@@ -12,7 +12,7 @@
 namespace soarbox::mission {
 namespace {
 
-/// As ^here has it.
+/// The same distance as for ^here.
 constexpr double kAtWaypoint_m = 1.5;
 
 double Flat(world::Vec3 a, world::Vec3 b) {
@@ -48,7 +48,7 @@ std::optional<double> ToNumber(std::string_view text) {
   return value;
 }
 
-/// "3" and "3.0" are the same value.
+/// Whether two values are equal; "3" and "3.0" are.
 bool SameValue(std::string_view wanted, std::string_view there) {
   if (MatchesPattern(wanted, there)) return true;
   const auto a = ToNumber(wanted), b = ToNumber(there);
@@ -70,7 +70,7 @@ const std::string* TeamOf(const TickFacts& facts, std::string_view name) {
   return nullptr;
 }
 
-/// Whether a thing is what a check calls it: by name, "any", "friend" or "enemy".
+/// Whether a word of a check refers to a thing: by name, "any", "friend" or "enemy".
 bool IsMeant(std::string_view word, const AgentFacts& self, std::string_view name, const TickFacts& facts) {
   if (word == "any" || word == name) return true;
   const std::string* team = TeamOf(facts, name);
@@ -80,7 +80,7 @@ bool IsMeant(std::string_view word, const AgentFacts& self, std::string_view nam
   return MatchesPattern(word, name);
 }
 
-/// The nearest that any place of these names is; none: nothing.
+/// The distance to the nearest of the named places; infinite if there is none.
 double NearestOf(const Condition& condition, world::Vec3 from, const TickFacts& facts) {
   double nearest = 1e30;
   for (const std::string& word : condition.words) {

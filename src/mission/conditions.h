@@ -9,20 +9,21 @@
 
 namespace soarbox::mission {
 
-/// How one condition stands in one tick.
+/// The state of one condition in one tick.
 struct Finding {
   bool holds = false;
-  double times = 0;    ///< Of an event: how often it happened.
-  double value = 0;    ///< Of a gauge or a counter.
-  double away = 1e30;  ///< How far from holding: metres, or a gauge's difference.
-  std::string detail;  ///< What was there: "it collided with bert", "health was 24". Empty: nothing to say.
+  double times = 0;    ///< For an event: how often it occurred.
+  double value = 0;    ///< For a gauge or a counter.
+  double away = 1e30;  ///< Distance from being true: metres, or the difference of a gauge.
+  std::string detail;  ///< What was found: "it collided with bert", "health was 24". Empty if there is nothing to
+                       ///< report.
 };
 
-/// Looks at a condition for one agent, one item or, with neither, the world.
+/// Evaluates a condition for one agent or one item; if both are null, for the world.
 Finding LookAt(const Condition& condition, const AgentFacts* agent, const ItemFacts* item, const TickFacts& facts,
                const Wants& wants);
 
-/// Whether a text matches a pattern in which * stands for any text.
+/// Whether a text matches a pattern in which * matches any text.
 bool MatchesPattern(std::string_view pattern, std::string_view text);
 
 }  // namespace soarbox::mission

@@ -8,14 +8,14 @@
 namespace soarbox::mission {
 namespace {
 
-/// Elaborations in one tick that an agent only reaches if its rules fire without end. max-elaborations is 100.
+/// Number of elaborations in one tick that agents reach only if their rules fire endlessly. max-elaborations is 100.
 constexpr std::uint64_t kLimit = 50;
 
 }  // namespace
 
 bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation) {
   for (const sim::RunEvent& event : events) {
-    // Its mind was stopped, as its rules fired millions of times in one tick.
+    // Its mind was halted because its rules fired very often in one tick.
     if (event.diagnostic.message.find(" stops for good: its rules fired ") != std::string::npos) {
       text_ = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
       return true;

@@ -13,13 +13,13 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// Finds agents whose rules fire without end: the phase reaches max-elaborations in tick after tick. Such a run is
-/// slow, and what it shows is not what the agent would do.
+/// Finds agents whose rules fire endlessly: the phase reaches max-elaborations in many ticks. Such a run is slow and
+/// does not show what the agent would do.
 class EndlessRules {
  public:
-  /// Call once for each tick, with its events. True as soon as an agent has reached the limit in kMostTicks ticks.
+  /// Call it once for each tick, with its events. Returns true when an agent has reached the limit in kMostTicks ticks.
   bool See(const sim::EventList& events, sim::Simulation& simulation);
-  /// What to report, once See has returned true: which rule, and what to do.
+  /// The report after See has returned true: which rule, and what to do.
   const std::string& text() const { return text_; }
 
   /// One simulated second.
@@ -31,7 +31,7 @@ class EndlessRules {
     std::uint64_t elaborations = 0;
     int ticks = 0;
   };
-  std::map<std::string, Agent> agents_;  ///< Those that have reached the limit once.
+  std::map<std::string, Agent> agents_;  ///< Agents that have reached the limit at least once.
   std::string text_;
 };
 

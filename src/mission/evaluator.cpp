@@ -17,7 +17,7 @@ std::string ListOf(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Times are multiples of a tick; a bound that is written with few digits means the tick nearest to it.
+/// Times are multiples of a tick. A rounded bound means the nearest tick.
 constexpr double kSlack_s = 1e-4;
 constexpr double kForever_s = 1e30;
 
@@ -184,7 +184,7 @@ void Evaluator::Decide(Slot& slot, State state, std::uint64_t tick, double time_
   slot.state = state;
   Verdict& verdict = verdicts_[slot.check];
   if (state == State::kTrue) {
-    // True once it is of all whom it is about.
+    // The check is true when it is true for all its agents.
     for (const Slot& other : slots_)
       if (other.check == slot.check && other.state != State::kTrue) return;
     came_true_s_[slot.check] = time_s;
@@ -241,7 +241,7 @@ void Evaluator::Judge(Slot& slot, const Found& found, bool rises) {
   if (is_in) {
     if (!slot.opened_at_s) {
       slot.opened_at_s = now_s;
-      // What counted before does not count.
+      // Events before the start do not count.
       if (check.after != kNoCheck || check.after_s || check.from_s) slot.base = found.value;
     }
     Note(slot, check, found);
@@ -299,7 +299,7 @@ void Evaluator::Feed(const TickFacts& facts) {
   last_tick_ = facts.tick;
   last_time_s_ = facts.time_s;
   if (!is_begun_) MakeSlots(facts);
-  // First what there is, then what it means: checks refer to each other in any order.
+  // First all values are computed, then the checks, because checks can refer to each other in any order.
   std::vector<Found> found(slots_.size());
   std::vector<bool> rises(slots_.size());
   for (std::size_t i = 0; i < slots_.size(); ++i) {

@@ -12,73 +12,74 @@
 
 namespace soarbox::mission {
 
-/// How a check stands.
+/// The state of a check.
 enum class State : std::uint8_t {
   kOpen,
   kTrue,
   kFalse,
-  kUntested,   ///< What it waits for never came: counts as false, unless that is a marker.
-  kUndecided,  ///< The facts that it asks for are not told (a kernel that is not ours).
+  kUntested,   ///< Its precondition never occurred. Counts as false, unless it is a marker.
+  kUndecided,  ///< The data that it needs are not reported (a kernel other than ours).
 };
 /// "open", "true", "false", "untested", "undecided".
 std::string_view NameOf(State state);
 
-/// What came of one check in one run.
+/// The result of one check in one run.
 struct Verdict {
   State state = State::kOpen;
-  std::uint64_t tick = 0;  ///< When it was decided; of a check that came too late, where it was nearest.
+  std::uint64_t tick = 0;  ///< The deciding tick; for a check that failed, the tick in which it was nearest to being
+                           ///< true.
   double time_s = 0;
-  std::string agent;  ///< Who decided it; empty: nobody in particular.
-  std::string was;    ///< What was there instead: "it came within 2.4 m, at 17.3 s".
+  std::string agent;  ///< The agent that decided it; empty if there is none.
+  std::string was;    ///< What was found instead: "it came within 2.4 m, at 17.3 s".
 };
 
-/// Decides the checks of one run, tick by tick. Deterministic: the same facts give the same verdicts.
+/// Evaluates the checks of one run, tick by tick. Deterministic: the same facts give the same verdicts.
 class Evaluator {
  public:
   /// `kernel_tells_all`: false for a kernel that does not report decisions.
   explicit Evaluator(const Mission& mission, bool kernel_tells_all = true);
 
-  /// Call once for tick 0, the world as it was set up, and after each tick.
+  /// Call it for tick 0, which is the world after its set-up, and after each tick.
   void Feed(const TickFacts& facts);
-  /// The run is over: what is still open is decided.
+  /// Call it at the end of the run. Decides all open checks.
   void Finish();
 
-  /// One for each check, and behind them one for each mistake.
+  /// One for each check, followed by one for each mistake.
   std::span<const Verdict> verdicts() const { return verdicts_; }
-  /// No required check is open.
+  /// Whether no required check is open.
   bool IsDecided() const;
-  /// A required check that is not counted by itself has failed.
+  /// Whether a required check has failed. Checks with a `pass` count of their own are not considered.
   bool HasFailed() const;
-  /// True if all required checks are true, except those that are counted by themselves; call after Finish.
+  /// Whether all required checks are true, except those with a `pass` count of their own. Call it after Finish.
   bool HasPassed() const;
-  /// Checks that held before anybody acted, so that they test nothing, by their index.
+  /// Indices of the checks that were true before any agent acted, so that they test nothing.
   const std::vector<std::size_t>& idle_checks() const { return idle_checks_; }
 
  private:
-  /// One check of one agent, or of several together.
+  /// One check for one agent, or for several together.
   struct Slot {
     std::size_t check = 0;
-    std::vector<std::size_t> subjects;  ///< Indices of agents; of an item its index; empty: the world.
+    std::vector<std::size_t> subjects;  ///< Indices of agents; for an item, its index; empty: the world.
     State state = State::kOpen;
-    bool held = false;  ///< In the tick before.
+    bool held = false;  ///< State in the previous tick.
     std::optional<double> held_since_s, opened_at_s;
     double count = 0, base = 0;
-    std::vector<double> deadlines_s;  ///< kWhenever: occurrences that wait for an answer.
-    double nearest = 1e30;            ///< The closest that it came, in its window.
-    std::size_t most = 0;             ///< The most conditions that held in one tick.
+    std::vector<double> deadlines_s;  ///< kWhenever: occurrences that still need an answer.
+    double nearest = 1e30;            ///< The minimum distance in its time window.
+    std::size_t most = 0;             ///< The maximum number of conditions that were true in one tick.
     std::uint64_t best_tick = 0;
     double best_s = 0;
-    std::string best_detail, missing;  ///< What was there then.
+    std::string best_detail, missing;  ///< What was found in that tick.
     std::string last_agent;
   };
   struct Found {
     bool holds = false;
-    double times = 0;            ///< Events; 1 for a state that holds.
-    double value = 0;            ///< Of a counter.
-    double away = 1e30;          ///< How far from it: metres, or a gauge's difference.
-    std::size_t conditions = 0;  ///< That hold.
-    std::string agent, detail;   ///< Who; what it was.
-    std::string missing;         ///< The first condition that does not hold.
+    double times = 0;            ///< Number of events; 1 for a state that is true.
+    double value = 0;            ///< For a counter.
+    double away = 1e30;          ///< Distance from being true: metres, or the difference of a gauge.
+    std::size_t conditions = 0;  ///< Number of conditions that are true.
+    std::string agent, detail;   ///< The agent, and what happened.
+    std::string missing;         ///< The first condition that is false.
   };
 
   void MakeSlots(const TickFacts& facts);
@@ -101,10 +102,12 @@ class Evaluator {
   std::uint64_t last_tick_ = 0;
   double last_time_s_ = 0;
   std::vector<Slot> slots_;
-  std::vector<bool> is_followed_;  ///< By a check with `whenever`: its occurrences count after it came true, too.
+  std::vector<bool> is_followed_;  ///< A check with `whenever` refers to it, so that its occurrences count even after
+                                   ///< it came true.
   std::vector<Verdict> verdicts_;
-  std::vector<std::vector<double>> occurrences_s_;  ///< Of each check: when its conditions came to hold.
-  std::vector<std::optional<double>> came_true_s_;  ///< Of each check: the first time; for others' `after`.
+  std::vector<std::vector<double>> occurrences_s_;  ///< By check: times at which its conditions became true.
+  std::vector<std::optional<double>> came_true_s_;  ///< By check: the first of these times, for `after` of other
+                                                    ///< checks.
   std::vector<std::size_t> idle_checks_;
 };
 

@@ -30,7 +30,7 @@ std::string ProblemOf(const std::string& checks) {
   return problems.empty() ? std::string() : std::to_string(problems.front().line) + ": " + problems.front().message;
 }
 
-/// One agent on a line from x = 0, one metre per second, with a gate at x = 10.
+/// One agent that moves from x = 0 along a line at one metre per second, with a gate at x = 10.
 TickFacts At(int tick) {
   TickFacts facts;
   facts.tick = static_cast<std::uint64_t>(tick);
@@ -202,7 +202,7 @@ TEST(Evaluator, AKernelThatDoesNotTellLeavesChecksUndecided) {
   EXPECT_FALSE(evaluator.HasPassed());
 }
 
-/// Beside it a naive judge of the simplest checks, which keeps every tick.
+/// Compares with a simple judge of the basic checks, which stores every tick.
 TEST(Evaluator, AgreesWithAJudgeThatKeepsEveryTick) {
   std::mt19937 random(7);
   for (int round = 0; round < 300; ++round) {

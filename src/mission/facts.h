@@ -13,12 +13,13 @@
 
 namespace soarbox::mission {
 
-/// Something that happened to an agent in a tick.
+/// An event of an agent in a tick.
 struct EventFact {
   Key key = Key::kPrints;
-  std::string word;                                       ///< Whom, what, which rule, which command.
+  std::string word;                                       ///< Target, object, rule or command.
   std::vector<std::pair<std::string, std::string>> with;  ///< Parameters.
-  std::string status, reason;  ///< Of a command's answer; empty: it was said. Of an impasse: why, in words.
+  std::string status, reason;  ///< For an answer to a command (empty: the command was given). For an impasse: the
+                               ///< reason in words.
 };
 
 /// An operator that was selected in a tick.
@@ -26,8 +27,8 @@ struct OperatorFact {
   int level = 1;
   std::string name;
   std::vector<std::pair<std::string, std::string>> with;
-  std::string_view selected_by;  ///< "only" candidate, "preference", "chance"; empty: nobody tells.
-  std::string why;               ///< In words, if it is told.
+  std::string_view selected_by;  ///< "only" candidate, "preference", "chance"; empty if it is not reported.
+  std::string why;               ///< In words, if it is reported.
 };
 
 struct ElementFact {
@@ -36,7 +37,7 @@ struct ElementFact {
   char support = 'i';
 };
 
-/// All that checks may ask of one agent at the end of a tick. Numbers that nobody asked for stay as they are.
+/// The data of one agent at the end of a tick that checks can test. Numbers that no check needs are not updated.
 struct AgentFacts {
   std::string name, team;
   bool alive = true;
@@ -62,17 +63,18 @@ struct ItemFacts {
 struct PlaceFacts {
   std::string name;
   world::Vec3 center;
-  float radius_m = 0, half_x_m = 0, half_z_m = 0;  ///< As sim::Region; a waypoint has none.
+  float radius_m = 0, half_x_m = 0, half_z_m = 0;  ///< As in sim::Region; 0 for a waypoint.
 };
 
-/// What there is to know of one tick.
+/// The data of one tick that checks can test.
 struct TickFacts {
   std::uint64_t tick = 0;
   double time_s = 0;
-  std::vector<AgentFacts> agents;  ///< In creation order. Nobody leaves: an agent that is gone counts as dead.
+  std::vector<AgentFacts> agents;  ///< In the order of creation. Agents are never removed; a destroyed agent is
+                                   ///< reported as dead.
   std::vector<ItemFacts> items;
-  std::vector<PlaceFacts> waypoints, regions;  ///< The same in each tick.
-  std::vector<std::string> ended;              ///< Ends and goals reached so far.
+  std::vector<PlaceFacts> waypoints, regions;  ///< Constant during a run.
+  std::vector<std::string> ended;              ///< Ends and goals that were reached so far.
   std::vector<EventFact> problems;
 };
 

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 4u << 20;  ///< Of missions, as of scenarios.
+constexpr std::uintmax_t kLargestFile = 4u << 20;  ///< Limit for missions, as for scenarios.
 
 bool IsFile(const fs::path& file) {
   std::error_code error;
   return fs::is_regular_file(file, error);
 }
 
-/// A .toml file with checks of its own, which is no sweep.
+/// Whether a .toml file has checks and is not a sweep.
 bool HasChecks(const fs::path& file) {
   std::error_code error;
   if (fs::file_size(file, error) > kLargestFile || error) return false;
@@ -29,7 +29,7 @@ bool HasChecks(const fs::path& file) {
   return (IsMissionText(text) || HasLine(text, "[[check]]")) && !IsSweepText(text);
 }
 
-/// The files that the mission's scenario is read from.
+/// The content of the files from which the mission's scenario is read.
 sim::ScenarioFile ReadDefinition(const fs::path& definition) {
   std::vector<Diagnostic> others;
   return sim::ParseScenarioFile(ReadText(definition).value_or(""), definition, others);

@@ -23,7 +23,7 @@ PlaceFacts PlaceOf(const sim::Region& region) {
   return {region.name, region.center, region.radius_m, region.half_x_m, region.half_z_m};
 }
 
-/// Who is this many metres further a tick later did not walk: something placed it there.
+/// An agent that has moved by more than this many metres in a tick was moved by a script.
 constexpr double kPlacedElsewhere = 2;
 
 std::string ImpasseName(const mind::StateMade& state) {
@@ -35,20 +35,20 @@ void TellDecision(std::string_view packed, OperatorFact& selected) {
   const std::optional<mind::Decision> decision = mind::Unpack(packed);
   if (!decision || decision->empty()) return;
   selected.why = tell::WhySelected(*decision);
-  // Chance between those that preferences left is theirs, too.
+  // If preferences left several operators, the choice among these is attributed to preferences.
   selected.selected_by = decision->operators.size() < 2                        ? "only"
                          : decision->left.size() == decision->operators.size() ? "chance"
                                                                                : "preference";
 }
 
-/// The candidates and why none was selected.
+/// Adds the candidates, and why none was selected.
 void TellImpasse(std::string_view packed, EventFact& impasse) {
   const std::optional<mind::Decision> decision = mind::Unpack(packed);
   if (!decision || decision->empty()) return;
   const auto add = [&impasse](const mind::Decision::Operator& candidate) {
     impasse.with.emplace_back("operator", candidate.name.empty() ? candidate.id : candidate.name);
   };
-  // Operators that preferences ruled out are no candidates. In a constraint failure there is nobody left.
+  // Operators that were dropped are not candidates. In a constraint failure, all were dropped.
   if (decision->left.empty()) std::ranges::for_each(decision->operators, add);
   for (const mind::Decision::Chance& left : decision->left)
     if (left.op < decision->operators.size()) add(decision->operators[left.op]);
@@ -61,7 +61,7 @@ std::string ValueText(const world::Message::Value& value) {
   return std::get<std::string>(value);
 }
 
-/// What a condition can ask for of a command: its parameters. Those of objects go by their path.
+/// The parameters of a command that a condition can test. Those of objects have paths.
 std::vector<std::pair<std::string, std::string>> ParametersOf(const mind::CommandSaid& command) {
   std::vector<std::pair<std::string, std::string>> with;
   std::vector<std::string> path;
@@ -110,7 +110,7 @@ void FactGatherer::GatherBodies() {
   const world::World& world = simulation_.world();
   const auto actors = simulation_.arena().actors();
   std::size_t next_actor = 0;
-  // Agents come in ascending id and so do ours; those who have left the world stay here as dead.
+  // Both lists are sorted by ascending id. Agents that have left the world are reported as dead.
   for (const world::EntityId id : world.AgentIds()) {
     auto at = std::lower_bound(ids_.begin(), ids_.end(), world::Number(id));
     if (at == ids_.end() || *at != world::Number(id)) {
@@ -324,8 +324,8 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
 
 void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::vector<explain::StateFact>& stack,
                                     AgentFacts& facts, Memory& memory) {
-  // Of a kernel that notes no recalls only the answer that is there at the end of a tick is known: an element below
-  // ^smem.result or ^epmem.result; a new one has a new time tag.
+  // If a kernel does not report recalls, only the answer at the end of a tick is known: an element below ^smem.result
+  // or ^epmem.result. A new answer has a new time tag.
   constexpr std::pair<std::string_view, std::string_view> kMemories[] = {{"smem", "semantic"}, {"epmem", "episodic"}};
   const auto objects = [&](const std::string& id, std::string_view attribute) {
     std::vector<std::string> found;
@@ -343,7 +343,7 @@ void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::ve
               std::ranges::find(answers, "retrieved", &explain::ElementFact::attribute) != answers.end();
           for (const explain::ElementFact& answer : answers) {
             if (answer.timetag <= memory.answered_timetag) continue;
-            // What was stored is a success, too.
+            // Storing also gives a success.
             if (!(answer.attribute == "success" && is_retrieved) && answer.attribute != "failure") continue;
             newest = std::max(newest, answer.timetag);
             facts.events.push_back({Key::kRetrieval, std::string(name), {}, answer.attribute, {}});
@@ -382,7 +382,7 @@ void FactGatherer::Inspect(AgentFacts& facts, std::size_t agent) {
     facts.reused = std::max(facts.reused, reused);
   }
   if (!memory.knows_rules || memory.rules != mind.rules) {
-    // Rules that were learned and have gone again still count.
+    // Learned rules that were excised still count.
     double learned = 0;
     for (const explain::RuleFact& rule : inspector->Rules()) learned += rule.type == "chunk" ? 1 : 0;
     facts.learned = std::max(facts.learned, learned);

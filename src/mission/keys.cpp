@@ -69,7 +69,7 @@ constexpr KeyRow kKeys[] = {
      "the run reports a problem: \"error\", \"warning\" or \"any\"", true},
 };
 
-/// The numbers that a check may bound: where each stands, and how a sentence asks for it.
+/// The keys for numbers of agents: where each number is stored, and the words around it in sentences.
 constexpr NumberRow kNumbers[] = {
     {Key::kHealth, [](const AgentFacts& agent) { return agent.health; }, "have a health of ", ""},
     {Key::kScore, [](const AgentFacts& agent) { return agent.score.value_or(0); }, "have a score of ", ""},

@@ -7,7 +7,7 @@
 
 namespace soarbox::mission {
 
-/// What a check may speak of.
+/// What a check can test.
 enum class Key : std::uint8_t {
   // The world.
   kAt,
@@ -54,36 +54,36 @@ enum class Key : std::uint8_t {
   kProblem,
 };
 
-/// How a fact stands in time.
+/// How a value behaves over time.
 enum class Kind : std::uint8_t {
-  kState,    ///< Holds or does not, in each tick.
-  kEvent,    ///< Happens in a tick, perhaps several times.
+  kState,    ///< True or false in each tick.
+  kEvent,    ///< Occurs in a tick, possibly several times.
   kGauge,    ///< A number in each tick.
-  kCounter,  ///< A number that only grows.
+  kCounter,  ///< A number that only increases.
 };
 
-/// Where a fact comes from; what no check asks for is not looked at.
+/// Where a value comes from. Sources that no check needs are not read.
 enum class Source : std::uint8_t {
   kWorld,
-  kNotes,    ///< What minds note of their decisions.
-  kFirings,  ///< What minds note of each rule.
-  kInsight,  ///< What the inspector tells.
+  kNotes,    ///< Recorded decisions of minds.
+  kFirings,  ///< Recorded firings of rules.
+  kInsight,  ///< The Inspector.
 };
 
-/// What a key's value names.
+/// What the value of a key refers to.
 enum class Names : std::uint8_t {
-  kNothing,  ///< A number with bounds, or true and false.
+  kNothing,  ///< Nothing: a number with bounds, or true and false.
   kTruth,
   kWaypoint,
   kRegion,
-  kPlace,  ///< An agent, an item, a waypoint.
+  kPlace,  ///< An agent, an item or a waypoint.
   kTeam,
   kEnd,
   kItem,
   kAgent,
   kThing,  ///< An agent or an object; "any", "friend", "enemy".
-  kTopic,  ///< What messages are about.
-  kText,   ///< Text; * stands for any.
+  kTopic,  ///< Subject of a message.
+  kText,   ///< Text; * matches any text.
   kOperator,
   kImpasse,
   kCommand,
@@ -100,22 +100,22 @@ struct KeyRow {
   Source source;
   Names names;
   std::string_view meaning;  ///< For docs/missions.md and messages.
-  bool of_world = false;     ///< No agent is needed.
+  bool of_world = false;     ///< It needs no agent.
 };
 
-/// All keys, in the order of the manual.
+/// All keys, in the order of the documentation.
 std::span<const KeyRow> Keys();
-/// Null if there is none of that name.
+/// Null if there is no key of that name.
 const KeyRow* FindKey(std::string_view name);
 
 struct AgentFacts;
-/// A key that is a number of an agent.
+/// A key for a number of an agent.
 struct NumberRow {
   Key key;
   double (*value)(const AgentFacts& agent);
-  std::string_view verb, unit;  ///< "walk " and " m", around the bounds.
+  std::string_view verb, unit;  ///< Texts before and after the bounds: "walk ", " m".
 };
-/// Null for keys that are no numbers of agents.
+/// Null for keys that are not numbers of agents.
 const NumberRow* FindNumber(Key key);
 
 }  // namespace soarbox::mission

@@ -15,49 +15,49 @@
 
 namespace soarbox::mission {
 
-/// { min, max } of a number; both are allowed values.
+/// { min, max } of a number, both inclusive.
 struct Bounds {
   std::optional<double> min, max;
   bool Hold(double value) const { return (!min || value >= *min) && (!max || value <= *max); }
   bool empty() const { return !min && !max; }
 };
 
-/// One thing that a check looks at: KEY = VALUE with what narrows it.
+/// A condition of a check: KEY = VALUE with restrictions.
 struct Condition {
   const KeyRow* row = nullptr;
-  std::vector<std::string> words;  ///< Any of these.
+  std::vector<std::string> words;  ///< Any of these words.
   bool truth = true;
-  Bounds bounds;                                          ///< Of gauges and counters; of `near` its range.
+  Bounds bounds;                                          ///< For gauges and counters; for `near`, the distance.
   std::vector<std::pair<std::string, std::string>> with;  ///< Parameters of a command, message or operator.
-  std::string status, reason;                             ///< Of a command's answer.
-  std::optional<int> level;                               ///< Of an operator, from 1.
-  std::string selected_by;                                ///< Of an operator: "only", "preference", "chance".
+  std::string status, reason;                             ///< For an answer to a command.
+  std::optional<int> level;                               ///< Level of an operator, from 1.
+  std::string selected_by;                                ///< For an operator: "only", "preference", "chance".
   std::string is;                                         ///< Value of an element.
   char support = 0;                                       ///< 'i', 'o'; 0: any.
-  std::optional<int> count;                               ///< Of an element: at least this many of them at once.
+  std::optional<int> count;                               ///< Minimum number of such elements at the same time.
   int line = 0;
 };
 
-/// Whom a check is about, if it names several.
+/// Which of several agents must satisfy a check.
 enum class Who : std::uint8_t {
-  kEach,      ///< Each at a moment of its own.
-  kAny,       ///< One of them is enough.
-  kTogether,  ///< All in one tick.
-  kSome,      ///< So many in one tick.
+  kEach,      ///< Each, not necessarily in the same tick.
+  kAny,       ///< At least one.
+  kTogether,  ///< All in the same tick.
+  kSome,      ///< A number of them in the same tick.
 };
 
-/// How a check is decided.
+/// How the conditions of a check must be satisfied.
 enum class Mode : std::uint8_t {
-  kComesTrue,  ///< In some tick all conditions hold.
-  kAlways,     ///< In each tick they do.
-  kNever,      ///< In no tick they do.
-  kTimes,      ///< They come true so many times.
-  kWhenever,   ///< They come true soon after each occurrence of another check.
+  kComesTrue,  ///< In at least one tick.
+  kAlways,     ///< In each tick.
+  kNever,      ///< In no tick.
+  kTimes,      ///< They become true a number of times.
+  kWhenever,   ///< They become true soon after each occurrence of another check.
 };
 
 inline constexpr std::size_t kNoCheck = std::numeric_limits<std::size_t>::max();
 
-/// [[check]]: what must come true, or must not, of whom, and when. [[mistake]] of a lesson is one, too.
+/// [[check]]: what must or must not become true, for which agents, and when. Also used for [[mistake]] of a lesson.
 struct Check {
   std::string name;
   int line = 0;
@@ -68,44 +68,45 @@ struct Check {
   Who who = Who::kEach;
   int some = 0;
 
-  std::vector<Condition> conditions;  ///< All must hold in the same tick.
+  std::vector<Condition> conditions;  ///< All must be true in the same tick.
 
   Mode mode = Mode::kComesTrue;
   std::optional<double> by_s, for_s, from_s, within_s, after_s;
-  std::size_t after = kNoCheck, before = kNoCheck, until = kNoCheck, whenever = kNoCheck;  ///< Other checks.
+  std::size_t after = kNoCheck, before = kNoCheck, until = kNoCheck, whenever = kNoCheck;  ///< Indices of other checks.
   Bounds times;
 
   std::string hint;
-  std::size_t unless = kNoCheck;  ///< Of a mistake: it is none if this check came true.
-  RulePattern written;            ///< Of a mistake: a rule of the learner fits this; empty: any rule.
-  RulePattern unwritten;          ///< Of a mistake: it is none if a rule of the learner fits this.
-  bool marker = false;            ///< A moment to refer to, not a requirement.
-  std::optional<int> pass;        ///< Counted over the seeds by itself.
+  std::size_t unless = kNoCheck;  ///< For a mistake: it is ignored if this check came true.
+  RulePattern written;            ///< For a mistake: it applies only if a rule of the learner matches this; empty:
+                                  ///< always.
+  RulePattern unwritten;          ///< For a mistake: it is ignored if a rule of the learner matches this.
+  bool marker = false;            ///< Not a requirement; other checks refer to it.
+  std::optional<int> pass;        ///< Number of seeds for which this check must be true, counted separately.
 };
 
-/// A scenario with what is to be checked of it.
+/// A scenario and its checks.
 struct Mission {
-  std::filesystem::path file;  ///< In which the checks stand.
-  std::string name;            ///< For people: "soar_hallway".
-  std::string scenario;        ///< As `soarbox run` takes it.
-  int scenario_line = 0;       ///< In which a mission file names it.
+  std::filesystem::path file;  ///< The file that contains the checks.
+  std::string name;            ///< For users: "soar_hallway".
+  std::string scenario;        ///< As an argument of `soarbox run`.
+  int scenario_line = 0;       ///< The line of a mission file that names it.
   std::vector<std::uint64_t> seeds;
-  std::optional<int> pass;        ///< So many seeds must pass; none: all.
-  std::optional<double> seconds;  ///< How long a run lasts; none: the scenario's, else 60.
-  std::optional<double> wall_s;   ///< Processor time of one run at most.
+  std::optional<int> pass;        ///< Number of seeds that must pass; nothing: all.
+  std::optional<double> seconds;  ///< Simulated duration of a run; nothing: the scenario's, else 60.
+  std::optional<double> wall_s;   ///< Maximum processor time of one run.
   std::vector<Check> checks;
-  std::vector<Check> mistakes;  ///< Of a lesson.
+  std::vector<Check> mistakes;  ///< For a lesson.
 };
 
-/// What the checks of a mission ask for, so that nothing else is looked at.
+/// Which data the checks of a mission need, so that nothing else is collected.
 struct Wants {
   bool notes = false, firings = false, insight = false;
-  bool decisions = false;                                     ///< How operators came to be selected.
-  bool learned = false, numbers = false, retrievals = false;  ///< Of what the inspector tells.
+  bool decisions = false;                                     ///< How operators were selected.
+  bool learned = false, numbers = false, retrievals = false;  ///< From the Inspector.
   std::vector<std::string> elements;                          ///< Paths from the top state.
 };
 Wants WantsOf(const Mission& mission);
-/// Adds what these checks ask for: metrics of a sweep, for example.
+/// Adds the data that these checks need, for example metrics of a sweep.
 void AddWants(std::span<const Check> checks, Wants& wants);
 
 }  // namespace soarbox::mission

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostChecks = 1000;
 
-/// Words of a check that are no conditions.
+/// Keys of a check that are not conditions.
 constexpr std::string_view kCheckWords[] = {
     "name",   "agent",   "team",     "item",  "who",    "with",   "range", "status",      "reason", "level",
     "is",     "support", "by",       "for",   "always", "never",  "from",  "to",          "after",  "before",
@@ -136,7 +136,7 @@ class MissionReader : public sim::TableReader {
     mission.wall_s = Number(table, "wall", 0.1, 1e6);
   }
 
-  /// `earlier`: checks that these may refer to, too; they are counted on from there.
+  /// `earlier`: checks that these can refer to; indices continue after them.
   void ReadChecks(const toml::table& root, std::string_view key, std::vector<Check>& checks, std::size_t most_seeds,
                   const std::vector<Check>& earlier = {}) {
     const std::vector<const toml::table*> tables = Tables(root, key, kMostChecks);
@@ -175,7 +175,7 @@ class MissionReader : public sim::TableReader {
       if (at == first + i)
         Problem(*tables[i]->get("after"), "these checks wait for each other: 'after' goes in a circle");
     }
-    // A check without a name is called by what it demands; that names others.
+    // A check without a name is named after its requirement, which may contain names of others.
     Mission named;
     named.checks = earlier;
     named.checks.insert(named.checks.end(), checks.begin(), checks.end());
@@ -217,7 +217,7 @@ class MissionReader : public sim::TableReader {
     ReadWho(table, check);
     for (const auto& [key, value] : table)
       if (const KeyRow* row = FindKey(key.str())) ReadCondition(table, *row, value, check);
-    // TOML sorts its keys; people read conditions in the order of their lines.
+    // TOML sorts keys. Conditions are reported in the order of their lines.
     std::stable_sort(check.conditions.begin(), check.conditions.end(),
                      [](const Condition& a, const Condition& b) { return a.line < b.line; });
     ReadWhen(table, check);

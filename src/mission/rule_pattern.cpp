@@ -11,15 +11,15 @@
 namespace soarbox::mission {
 namespace {
 
-/// A clause of a pattern, and a condition or action of a rule in the same form.
+/// A clause of a pattern, or a condition or action of a rule in the same form.
 struct Clause {
   bool negated = false;
-  bool is_from_state = false;     ///< The path begins at the state; of a rule always.
-  std::vector<std::string> path;  ///< Variables are called <x>.
-  std::string value;              ///< Variables are called <x>; empty: any.
+  bool is_from_state = false;     ///< The path begins at the state; always true for rules.
+  std::vector<std::string> path;  ///< Variables are replaced by <x>.
+  std::string value;              ///< Variables are replaced by <x>; empty: any value.
 };
 
-/// Words with one blank between them, and every variable called <x>.
+/// Separates words by single blanks, and replaces all variables by <x>.
 std::string Normal(std::string_view text) {
   std::string normal;
   std::istringstream words{std::string(text)};
@@ -57,7 +57,7 @@ Clause ReadClause(std::string_view text) {
   return clause;
 }
 
-/// Every number called #.
+/// Replaces all numbers by #.
 std::string WithoutNumbers(const std::string& text) {
   std::string plain;
   std::istringstream words(text);
@@ -95,7 +95,7 @@ std::vector<Clause> ConditionsOf(const explain::RuleText& rule) {
   return clauses;
 }
 
-/// Objects that actions make lie where the action puts them.
+/// The path of an object that actions create is that of the action that refers to it.
 std::vector<Clause> ActionsOf(const explain::RuleText& rule) {
   constexpr int kDeepest = 20;
   explain::PathMap paths = rule.paths;
@@ -118,7 +118,7 @@ std::vector<Clause> ActionsOf(const explain::RuleText& rule) {
       for (const std::string& word : at->second) clause.path.push_back(Normal(word));
     clause.path.push_back(Normal(action.attribute));
     clause.value = Normal(action.value);
-    // Kernels print the + of what is no operator, too.
+    // Kernels also print the + of values that are not operators.
     if (action.attribute != "operator" && clause.value.ends_with(" +")) clause.value.resize(clause.value.size() - 2);
   }
   return clauses;

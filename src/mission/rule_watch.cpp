@@ -12,11 +12,11 @@
 namespace soarbox::mission {
 namespace {
 
-/// A file with more rules that never fire than this is explained for the first of them only.
+/// Maximum number of unfired rules that are watched: the first of the file.
 constexpr std::size_t kMostWatched = 40;
 constexpr std::size_t kMostElements = 1000;
 
-/// The attribute and the constant value that a printed condition asks for; empty: any.
+/// The attribute and the constant value that a printed condition tests; empty: any.
 struct Asked {
   std::string attribute, value;
 };
@@ -36,8 +36,8 @@ Asked ReadAsked(const std::string& printed) {
   return asked;
 }
 
-/// Whether working memory has an element with the attribute that a condition asks for, and with its value, too,
-/// whatever the other conditions say.
+/// Whether working memory contains an element with the attribute of a condition, and one with its value as well,
+/// regardless of the other conditions.
 struct Presence {
   bool has_attribute = false, has_value = false;
 };
@@ -55,20 +55,20 @@ Presence PresenceOf(explain::Inspector& inspector, const std::string& printed) {
   return presence;
 }
 
-/// Whether the condition at which a rule stops is about the operator that is selected.
+/// Whether the failing condition of a rule is about the selected operator.
 bool IsAboutSelected(std::string_view why) {
   return why.find("no operator is selected") != std::string_view::npos ||
          why.find("the operator selected in") != std::string_view::npos;
 }
 
-/// Whether the text says no more than that something is not there, or that something is: a value that differs, or that
-/// nothing can make, says more.
+/// Whether a reason says only that an element is missing, or that one exists. A different value, or a value that no
+/// rule can make, is more informative.
 bool IsAboutOthers(std::string_view why) {
   return why.ends_with("but there is none now") ||
          (why.starts_with("requires no ") && why.ends_with("but there is one"));
 }
 
-/// "; rule x made it", for a text "requires no ^fire, but ..." of an agent; empty if nobody says which rule.
+/// "; rule x made it", for a reason "requires no ^fire, but ..."; empty if the maker is not known.
 std::string MakerOfExcluded(explain::Inspector& inspector, const std::string& why) {
   constexpr std::string_view kExcluded = "requires no ^";
   if (!why.starts_with(kExcluded)) return {};
@@ -149,7 +149,7 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
 
 std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
   std::set<Key> fired;
-  std::set<std::string> agents;  // Those whose minds were not stopped.
+  std::set<std::string> agents;  // Only agents whose minds were not halted.
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);

@@ -20,23 +20,23 @@ namespace soarbox::mission {
 
 struct AccountSettings;
 
-/// Why a rule does not match now, "requires ^next 3, but it is 2"; empty if it does. If something that the rule
-/// excludes is there, the rule that made it is named.
+/// Explains why a rule does not match now: "requires ^next 3, but it is 2"; empty if it matches. If an element that the
+/// rule excludes exists, names the rule that made it.
 std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule);
 
-/// Follows the rules of a file, or of an agent, that have not fired yet, and keeps for each what it waited for at the
-/// tick at which it got furthest. At the end of a run it is too late to ask: the operator is another one, and the
-/// message is gone.
+/// Watches the rules of a file or an agent that have not fired yet. For each of them, stores the reason why it did not
+/// match in the tick in which it came nearest to a match. At the end of a run the reason is lost: another operator is
+/// selected, and the message is gone.
 ///
-/// How far a rule gets: first how many of its conditions find an element at all, then how many match one after the
-/// other. So a rule that an absent attribute blocks counts as further when everything else is there. A rule is
-/// explained only when it gets further than before.
+/// The measure is first the number of its conditions that find an element, then the number of conditions that match in
+/// order. A rule that fails only because of an absent attribute is therefore nearer to a match if all other elements
+/// exist. A reason is computed only when a rule comes nearer than before.
 class RuleWatch {
  public:
-  /// Rules that came with the lesson are not followed. The settings must live longer.
+  /// Rules that came with the lesson are not watched. The settings must outlive this object.
   RuleWatch(sim::Simulation& simulation, const AccountSettings& settings);
 
-  /// Call once for each tick.
+  /// Call it once for each tick.
   void See();
 
   /// A rule that never fired.
@@ -44,18 +44,22 @@ class RuleWatch {
     std::string agent, rule;
     std::string why;  ///< "requires ^next 3, but it is 2"
     double time_s = 0;
-    std::string wanted, maker;      ///< If a rule that fired makes what it waits for: both; it was there for a moment.
-    bool waits_for_others = false;  ///< For something that may come, or that may go: perhaps other rules are why.
-    bool waits_for_operator = false;  ///< Another operator was selected, or none: other rules are why.
+    std::string wanted, maker;      ///< If a rule that fired makes the required element: the element and that rule. The
+                                    ///< element existed for a moment.
+    bool waits_for_others = false;  ///< It requires an element that other rules may add or remove; they may be the
+                                    ///< cause.
+    bool waits_for_operator = false;  ///< Another operator was selected, or none; other rules may be the cause.
   };
-  /// Call at the end. In the order of the file, rules that only wait for an operator last.
+  /// Call it at the end of the run. The result is in the order of the file; rules that only wait for an operator come
+  /// last.
   std::vector<Waiting> Finish();
 
  private:
   struct Score {
-    std::size_t values = 0;      ///< Conditions that find an element with their attribute and value.
-    std::size_t matched = 0;     ///< Conditions that match one after the other.
-    std::size_t attributes = 0;  ///< Conditions that find an element with their attribute.
+    std::size_t values = 0;      ///< Number of conditions for which an element with the same attribute and value
+                                 ///< exists.
+    std::size_t matched = 0;     ///< Number of conditions that match in order.
+    std::size_t attributes = 0;  ///< Number of conditions for which an element with the same attribute exists.
     auto operator<=>(const Score&) const = default;
   };
   struct Best {
@@ -69,7 +73,7 @@ class RuleWatch {
   sim::Simulation& simulation_;
   const AccountSettings& settings_;
   std::map<Key, Best> best_;
-  std::vector<Key> order_;  ///< As the rules were loaded.
+  std::vector<Key> order_;  ///< In the order of loading.
 };
 
 }  // namespace soarbox::mission

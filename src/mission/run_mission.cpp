@@ -21,7 +21,7 @@
 namespace soarbox::mission {
 namespace {
 
-/// So long a run that has failed goes on when all is decided, so that the last moment has an afterwards.
+/// Time for which a failed run continues after all checks are decided, so that a recording shows what follows, in s.
 constexpr double kAfterFailure_s = 1;
 constexpr std::size_t kMostReasons = 8;
 constexpr std::size_t kMostAsked = 5;
@@ -34,7 +34,7 @@ Wants WantsWithNumbers(const RunSpec& spec) {
   return wants;
 }
 
-/// Errors and warnings of a run, each once, the first few in words.
+/// Errors and warnings of a run. Each is stored once; the first few with their text.
 class ProblemList {
  public:
   void See(const sim::RunEvent& event, RunResult& result) {
@@ -81,7 +81,7 @@ bool TellsAll(sim::Simulation& simulation) {
   return true;
 }
 
-/// A name that no agent has would make `never` true by itself.
+/// An unknown name would make `never` true.
 std::string UnknownName(const Mission& mission, const TickFacts& facts) {
   for (const Check& check : mission.checks) {
     const auto is_one = [&](const AgentFacts& agent) {
@@ -110,7 +110,7 @@ std::string UnknownName(const Mission& mission, const TickFacts& facts) {
   return {};
 }
 
-/// Which question to its mind tells why a condition did not come true.
+/// The topic of the question to a mind about a condition that did not become true.
 std::string TopicOf(const Check& check) {
   for (const Condition& condition : check.conditions) {
     if (condition.words.empty() || condition.words.front().find('*') != std::string::npos) continue;
@@ -120,7 +120,7 @@ std::string TopicOf(const Check& check) {
   return {};
 }
 
-/// What keeps a run's story: its recorder, if there is one.
+/// Records a run, if there is a recorder.
 class Keeper {
  public:
   Keeper(const RunSpec& spec, const sim::SimulationSettings& settings, const sim::Simulation& simulation,
@@ -159,8 +159,8 @@ class Keeper {
   bool is_good_ = true;
 };
 
-/// When the first check failed, as far as that is one moment; else infinity. (What never came true failed all the
-/// time.)
+/// Time of the first failure of a check that fails at one moment; else infinity. (A check that never became true has no
+/// such moment.)
 double FirstFailure(const Mission& mission, const RunResult& result) {
   double first_s = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mission.checks.size() && i < result.checks.size(); ++i) {
@@ -175,7 +175,7 @@ double FirstFailure(const Mission& mission, const RunResult& result) {
   return first_s;
 }
 
-/// Runs it again, with everything kept, and asks the minds at the moments that were decided.
+/// Runs it again with all details recorded, and queries the minds at the moments when checks were decided.
 void TellWhy(const RunSpec& spec, RunResult& result) {
   Wants wants = WantsOf(*spec.mission);
   wants.firings = true;
@@ -188,7 +188,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
   if (!spec.recording.empty()) keeper.emplace(spec, settings, simulation, error);
   if (keeper && !keeper->IsOpen()) result.error = "the recording was not kept: " + error;
   Account account(simulation, spec.account);
-  // The recording holds the checks, too, as that of a run in a window does.
+  // The recording also contains the checks, like that of a run in a window.
   const auto keep = [&] {
     sim::EventList events = simulation.TakeEvents();
     if (spec.account.IsAsked()) account.See(events);
@@ -295,7 +295,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
     for (const sim::RunEvent& event : events) {
       problems.See(event, result);
-      // From here on the minds do nothing: what the run would show is not what they do.
+      // From here on the minds do nothing, so the run would not show their behaviour.
       if (event.kind == sim::EventKind::kMindLost && result.outcome == "ok") {
         result.outcome = "crashed";
         result.error = "the kernel at " + spec.kernel + " was lost: " + event.text;
@@ -364,7 +364,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     numbers["learned"] += agent.learned;
   }
   numbers["alive"] = alive;
-  // A zero would say that nothing happened; such a kernel does not tell.
+  // Such a kernel does not report these numbers; 0 would mean that nothing happened.
   if (!tells_all)
     std::erase_if(numbers, [](const auto& number) {
       return number.first == "firings" || number.first == "learned" || number.first.starts_with("impasses_");

@@ -21,72 +21,74 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// What one run of a mission is made with.
+/// The settings of one run of a mission.
 struct RunSpec {
   const Mission* mission = nullptr;
   sim::Scenario scenario;
   std::uint64_t seed = 1;
   double seconds = 60;
-  bool empty_minds = false;         ///< No mind has any rule: what passes so tests nothing.
-  bool to_the_end = false;          ///< Goes on when all is decided, for metrics.
-  std::filesystem::path recording;  ///< A run that fails is made again and recorded here; empty: not.
-  bool record_always = false;       ///< Also one that passes.
-  std::string kernel;               ///< HOST:PORT of a kernel elsewhere; empty: our own.
-  bool ends_endless = false;        ///< Ends when rules fire without end; the outcome is then "endless".
-  AccountSettings account;          ///< Of a run that fails: what it says of one file of rules.
-  std::vector<Check> measured;      ///< What metrics look at besides the checks.
-  /// An error of rules, scripts or files fails the run, unless a check asks for problems.
+  bool empty_minds = false;         ///< No mind has rules. A check that passes then tests nothing.
+  bool to_the_end = false;          ///< Continue after all checks are decided, for metrics.
+  std::filesystem::path recording;  ///< If the run fails, it is repeated and recorded in this file; empty: not
+                                    ///< recorded.
+  bool record_always = false;       ///< Also record a run that passes.
+  std::string kernel;               ///< HOST:PORT of a remote kernel; empty: our own kernel.
+  bool ends_endless = false;        ///< End the run when rules fire endlessly; the outcome is then "endless".
+  AccountSettings account;          ///< Requests an account of one file of rules if the run fails.
+  std::vector<Check> measured;      ///< Further checks for metrics.
+  /// An error in rules, scripts or files fails the run, unless a check tests problems.
   bool errors_fail = false;
 };
 
-/// How a check ended, in words.
+/// The result of a check, in words.
 struct CheckResult {
   Verdict verdict;
   std::string expected;              ///< "scout should be at gate by 30 s"
-  std::vector<std::string> reasons;  ///< Why the agent did not: lines of the account of its mind.
+  std::vector<std::string> reasons;  ///< Why the agent did not do it: lines of the account of its mind.
 };
 
-/// One run and what came of it.
+/// The result of one run.
 struct RunResult {
-  std::string outcome = "ok";  ///< "ok", "refused" (error), "crashed", "hung", "endless" (see ends_endless).
-  std::string error;           ///< Why it is not ok.
+  std::string outcome = "ok";  ///< "ok", "refused" (see `error`), "crashed", "hung", "endless" (see ends_endless).
+  std::string error;           ///< Why the outcome is not "ok".
   std::uint64_t seed = 1;
   bool passed = false;
-  double seconds = 0;  ///< Simulated.
+  double seconds = 0;  ///< Simulated duration.
   std::uint64_t ticks = 0;
   std::uint64_t state_hash = 0;
-  std::vector<CheckResult> checks;        ///< As the mission's checks, and behind them its mistakes.
-  std::vector<std::size_t> idle_checks;   ///< Checks that hold before anybody acts.
-  std::map<std::string, double> numbers;  ///< Metrics that every run has: "distance", "decisions".
-  std::string recording;                  ///< The file that was kept; empty: none.
-  std::vector<sim::Finding> account;      ///< If it was asked for.
+  std::vector<CheckResult> checks;        ///< Results of the checks, followed by those of the mistakes.
+  std::vector<std::size_t> idle_checks;   ///< Indices of checks that are true before any agent acts.
+  std::map<std::string, double> numbers;  ///< Metrics of every run: "distance", "decisions".
+  std::string recording;                  ///< The recording that was kept; empty: none.
+  std::vector<sim::Finding> account;      ///< If it was requested.
   std::vector<std::string> problems;      ///< The first errors and warnings, with file and line; each once.
-  bool has_errors = false;                ///< It reported an error, and no check is about that.
-  bool is_faulty = false;                 ///< There was an error before the first tick: rules that cannot be read.
+  bool has_errors = false;                ///< An error was reported, and no check tests problems.
+  bool is_faulty = false;                 ///< An error was reported before the first tick, for example rules that
+                                          ///< cannot be read.
   double cpu_s = 0, peak_mb = 0;
 
   bool IsTrue(std::size_t check) const { return check < checks.size() && checks[check].verdict.state == State::kTrue; }
   bool IsUndecided() const;
-  /// True if it passed, or a check failed: those that are undecided do not matter.
+  /// Whether it passed or a check failed; undecided checks do not matter then.
   bool IsJudged() const;
-  /// A number of the run: 0 if nothing of it happened, none if the minds' kernel does not tell.
+  /// A number of the run: 0 if the event never occurred; nothing if the minds' kernel does not report it.
   std::optional<double> NumberOf(const std::string& name) const;
 };
 
-/// Called after each tick with the simulation and its facts, for the metrics of a sweep.
+/// Called after each tick with the simulation and its facts, for metrics of a sweep.
 using OnFacts = std::function<void(const TickFacts&)>;
 
-/// Whether a check asks for problems to be there, or not: then they are judged by it and are no fault of the run.
+/// Whether a check tests problems. Problems then do not fail the run by themselves.
 bool AsksForProblems(const Mission& mission);
 
-/// Runs it in this process. If it cannot run, the result says why.
+/// Runs a mission in this process. If it cannot run, the result contains the reason.
 RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts = {});
 
-/// For handing a result from process to process.
+/// Conversion for passing a result between processes.
 std::string ToJsonLine(const RunResult& result);
 Result<RunResult> FromJsonLine(const std::string& line);
 
-/// Why an agent with this mind did not do what the check asks, looked up at this moment of a run.
+/// Explains why an agent with this mind did not do what the check requires, at this moment of a run.
 std::vector<std::string> ReasonsFor(const Check& check, const std::string& agent, sim::Simulation& simulation);
 
 }  // namespace soarbox::mission

@@ -34,7 +34,7 @@ std::string WithText(const Condition& condition) {
   return text;
 }
 
-/// A name, or the words that stand for many.
+/// A name, or the words for several.
 std::string OneOf(const std::string& words, const char* any) {
   if (words == "any") return any;
   if (words == "friend") return "a friend";

@@ -9,20 +9,20 @@
 
 namespace soarbox::mission {
 
-/// A number as people write it: "3", "0.5", "12.25".
+/// Formats a number for people: "3", "0.5", "12.25".
 std::string NumberText(double number);
 using sim::SecondsText;
 
 /// "be at gate", "say move-to ^waypoint north", "have a health of at least 30".
 std::string Infinitive(const Condition& condition);
-/// That what an infinitive says was not so: "it did not say move-to", "it was not at gate", "it was carried".
+/// Negates an infinitive: "it did not say move-to", "it was not at gate", "it was carried".
 std::string Denied(std::string_view infinitive);
-/// "scout", "blue", "anna or bert", "all of blue in one tick".
+/// The agents of a check: "scout", "blue", "anna or bert", "all of blue in one tick".
 std::string Whom(const Check& check);
-/// What a check demands: "scout should be at gate by 30 s". `who`: instead of all whom it is about. `other`: the names
-/// of the mission's checks.
+/// The requirement of a check: "scout should be at gate by 30 s". `who` replaces the agents of the check. `mission`
+/// provides the names of other checks.
 std::string Expectation(const Check& check, std::string_view who, const Mission& mission);
-/// What one run says about a check that must be true in a number of the mission's runs, and was not true in this one.
+/// The text for a check that must be true in a number of the mission's runs and was not true in this one.
 std::string OverSeeds(int runs);
 
 }  // namespace soarbox::mission

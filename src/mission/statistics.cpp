@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kZ95 = 1.959963984540054;
 
-/// The probability that Student's t lies between -t and t. For a whole number of degrees of freedom it is a finite sum
-/// of powers of the cosine of an angle (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.3 and 26.7.4).
+/// The probability that Student's t is between -t and t. For an integer number of degrees of freedom, it is a finite
+/// sum of powers of the cosine of an angle (Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.3 and
+/// 26.7.4).
 double StudentWithin(double t, std::size_t freedom) {
   const auto degrees = static_cast<double>(freedom);
   const double angle = std::atan2(std::abs(t), std::sqrt(degrees));
@@ -126,7 +127,7 @@ std::size_t PairsFor(double effect) {
   const double size = std::abs(effect);
   if (size < 1e-4) return 0;
   constexpr double kZ80 = 0.841621233572914;
-  // The last term makes up for the spread being estimated, too.
+  // The last term corrects for the estimated standard deviation.
   const double pairs = (kZ95 + kZ80) * (kZ95 + kZ80) / (size * size) + kZ95 * kZ95 / 2;
   return static_cast<std::size_t>(std::ceil(pairs));
 }

@@ -13,7 +13,7 @@ namespace soarbox::mission {
 namespace {
 
 TEST(Statistics, TheIntervalOfARateIsWilsons) {
-  // The roots of (p - rate)^2 = z^2 p (1 - p) / n, solved for by hand.
+  // The roots of (p - rate)^2 = z^2 p (1 - p) / n, solved by hand.
   const Interval most = WilsonInterval(18, 20);
   EXPECT_NEAR(most.low, 0.698966355, 1e-8);
   EXPECT_NEAR(most.high, 0.972133519, 1e-8);
@@ -28,7 +28,7 @@ TEST(Statistics, TheIntervalOfARateIsWilsons) {
 }
 
 TEST(Statistics, PairsThatDifferAreComparedWithAFairCoin) {
-  // Twice the share of the binomial coefficients up to the smaller number.
+  // Twice the fraction of the binomial coefficients up to the smaller number.
   EXPECT_NEAR(McNemar(0, 5), 2 / 32.0, 1e-12);
   EXPECT_NEAR(McNemar(3, 9), 2 * (1 + 12 + 66 + 220) / 4096.0, 1e-12);
   EXPECT_NEAR(McNemar(30, 60), 0.00206026568096, 1e-12);
@@ -45,7 +45,7 @@ TEST(Statistics, FewValuesGiveNoFalsePrecision) {
 }
 
 TEST(Statistics, StudentsTIsThatOfTheTables) {
-  // Two-sided 5 % points of printed tables; with one degree of freedom the tangent gives it, with two a root.
+  // Two-sided 5 % points of printed tables. With one degree of freedom it is a tangent, with two a root.
   EXPECT_NEAR(StudentQuantile(0.975, 1), 12.7062047362, 1e-8);
   EXPECT_NEAR(StudentQuantile(0.975, 2), 4.3026527297, 1e-8);
   EXPECT_NEAR(StudentQuantile(0.975, 9), 2.262, 5e-4);
@@ -66,7 +66,8 @@ TEST(Statistics, StudentsTIsThatOfTheTables) {
 }
 
 TEST(Statistics, FewValuesKeepTheFivePercent) {
-  // The mean of twelve even numbers less 6 is 0: so often an interval excludes it falsely. Four standard errors wide.
+  // The mean of twelve uniform numbers minus 6 is 0. Counts how often an interval excludes it; the tolerance is four
+  // standard errors.
   std::mt19937_64 random(11);
   constexpr int kSamples = 4000;
   for (const std::size_t size : {3u, 5u, 10u, 25u}) {
@@ -108,7 +109,7 @@ TEST(Statistics, EffectsAreThoseOfAllPairs) {
 }
 
 TEST(Statistics, SmallerEffectsNeedMorePairs) {
-  // The exact numbers of the t test's noncentral distribution.
+  // The exact numbers of the noncentral t distribution.
   EXPECT_EQ(PairsFor(0.5), 34u);
   EXPECT_EQ(PairsFor(-0.2), 199u);
   EXPECT_EQ(PairsFor(0.1), 787u);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kLeastMemory = std::uint64_t{2} << 30;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitsMemory = false;  // They reserve more address space than there is.
+constexpr bool kLimitsMemory = false;  // They reserve more address space than exists.
 #else
 constexpr bool kLimitsMemory = true;
 #endif
@@ -34,7 +34,7 @@ std::size_t NeededOf(const Mission& mission, const MissionOutcome& outcome, std:
   const Check& asked = mission.checks[check];
   if (asked.marker) return 0;
   if (!asked.pass) return outcome.needed;
-  // Of fewer or more seeds than the mission's own, the same share.
+  // If the number of seeds differs from that of the mission, the same fraction must pass.
   const std::size_t seeds = std::max<std::size_t>(1, mission.seeds.size());
   return static_cast<std::size_t>(*asked.pass) * outcome.runs.size() / seeds;
 }
@@ -48,7 +48,7 @@ bool MissionOutcome::Passed(const Mission& mission) const {
 
 bool MissionOutcome::IsOpen(const Mission& mission) const {
   if (!IsInterrupted() || IsRefused() || Passed(mission)) return false;
-  // So many have failed that those which are missing cannot make up for it.
+  // Too many runs have failed for the missing ones to change the result.
   const std::size_t missing = asked - runs.size();
   if (passed + missing < needed) return false;
   for (std::size_t i = 0; i < mission.checks.size(); ++i) {
@@ -141,7 +141,7 @@ Result<MissionOutcome> TestMission(const LoadedMission& loaded, const TestSettin
   outcome.asked = seeds.size();
   outcome.needed =
       std::min(seeds.size(), static_cast<std::size_t>(mission.pass.value_or(static_cast<int>(seeds.size()))));
-  // Other seeds than the mission's: the same share of them.
+  // For other seeds than the mission's, the same fraction must pass.
   if (!settings.seeds.empty() && mission.pass && !mission.seeds.empty())
     outcome.needed =
         (seeds.size() * static_cast<std::size_t>(*mission.pass) + mission.seeds.size() - 1) / mission.seeds.size();

@@ -15,7 +15,7 @@ bool BlockBuilder::Add(TickRecord& tick) {
   WriteTick(out, frame_.ticks == 0 ? kNothing : before_, tick);
   for (const MindRecord& mind : tick.minds) made_of_ += mind.events.bytes().size();
   std::swap(before_, tick);
-  // A block that grows large (long debug drawings) ends early.
+  // Ends a block early if it becomes large, for example because of many debug lines.
   constexpr std::size_t kLargeBlock = 16u << 20, kMuchMadeOf = 32u << 20;
   return ++frame_.ticks >= ticks_per_block_ || payload_.size() >= kLargeBlock || made_of_ >= kMuchMadeOf;
 }
@@ -36,7 +36,7 @@ void BlockCursor::Load(const BlockFrame& frame, std::string payload) {
 }
 
 void BlockCursor::Rewind() {
-  // Ticks as programs write them take twice their bytes or so in memory; short texts more.
+  // Real ticks use about twice their encoded size in memory; short texts use more.
   constexpr std::uint64_t kTimes = 4, kAnyway = 64u << 20;
   read_ = 0;
   budget_ = kTimes * payload_.size() + kAnyway;

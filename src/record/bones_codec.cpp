@@ -20,10 +20,10 @@ using world::BodyBones;
 using world::Pose;
 using Bones = std::vector<world::BonePose>;
 
-/// How bones are written. Before format 8 there was kGiven alone, without a byte that says so.
+/// How bones are stored.
 enum class Form : std::uint8_t {
-  kGiven,     ///< Where each bone is.
-  kSame,      ///< The movements of the tick before, some further on.
+  kGiven,     ///< The pose of each bone.
+  kSame,      ///< The same movements as in the tick before, at later times.
   kMovements  ///< Movements by name.
 };
 
@@ -31,8 +31,8 @@ std::uint32_t Bits(float number) {
   return std::bit_cast<std::uint32_t>(number);
 }
 
-// Where bones are changes all at once and a little only: what is kept is their bits exclusive-or those of before, the
-// highest bytes of all numbers first, so that much of it is zero.
+// Poses change in many numbers at once, but only slightly. The encoding is their bits XOR those of the tick before,
+// with the highest bytes of all numbers first, so that most of it is zero.
 constexpr std::size_t kNumbersPerBone = 7;
 
 void AppendBits(const Bones& bones, std::vector<std::uint32_t>& bits) {
@@ -43,7 +43,7 @@ void AppendBits(const Bones& bones, std::vector<std::uint32_t>& bits) {
   }
 }
 
-/// What bones that are given differ from: those of a pose need not be worked out for that.
+/// The bones to compute differences from. Bones of a pose are not used, because they would have to be computed first.
 const Bones& GivenBefore(const BodyBones& before) {
   static const Bones kNone;
   return before.pose() == nullptr ? before.value() : kNone;
@@ -77,7 +77,7 @@ BodyBones GetGiven(ByteReader& in, const Bones& before) {
   return BodyBones(std::move(bones));
 }
 
-/// The rigs that recordings name, by number.
+/// The rigs that recordings refer to, by number.
 const world::Rig* RigNumbered(std::uint8_t number) {
   if (number == 0) return &world::SoldierRig();
   return number == 1 ? &world::RifleRig() : nullptr;
@@ -89,7 +89,7 @@ std::optional<std::uint8_t> NumberOf(const world::Rig* rig) {
   return std::nullopt;
 }
 
-/// So many movements are never mixed; one bit says of each two numbers whether they changed.
+/// Maximum number of blended movements. One bit for each pair of numbers says whether they changed.
 constexpr std::size_t kMostParts = 31;
 
 bool HasSameMovements(const Pose& a, const Pose& b) {
@@ -97,7 +97,7 @@ bool HasSameMovements(const Pose& a, const Pose& b) {
          std::ranges::equal(a.parts, b.parts, {}, &Pose::Part::clip, &Pose::Part::clip);
 }
 
-/// Calls `see` with the numbers of two poses with the same movements, pair by pair, in the order of the file.
+/// Calls `see` with pairs of numbers of two poses with the same movements, in the order of the file.
 template <typename Before, typename Now, typename See>
 void EachNumber(Before& before, Now& now, See&& see) {
   see(before.legs, now.legs);
@@ -128,7 +128,7 @@ void PutMovements(ByteWriter& out, std::uint8_t rig, const Pose& pose) {
   EachNumber(pose, pose, [&](float, float number) { out.Float(number); });
 }
 
-/// Of a file anything may come, but bones are worked out from finite times, shares and weights.
+/// The file may contain anything, but times, shares and weights must be finite to compute bones.
 bool IsSound(const Pose& pose) {
   const auto is_share = [](float number) { return number >= 0 && number <= 1; };
   return is_share(pose.legs) && std::ranges::all_of(pose.parts, [](const Pose::Part& part) {
@@ -153,7 +153,7 @@ void GetMovements(ByteReader& in, Pose& pose) {
   pose.parts.resize(static_cast<std::size_t>(count));
   pose.played = static_cast<std::size_t>(played);
   for (Pose::Part& part : pose.parts) {
-    // A movement that this program does not know has no part in the bones.
+    // A movement that this program does not have does not influence the bones.
     const int clip = pose.rig->FindClip(in.Text());
     part.clip = static_cast<std::uint32_t>(clip < 0 ? static_cast<int>(pose.rig->clips.size()) : clip);
   }
@@ -184,7 +184,7 @@ void GetBones(ByteReader& in, BodyBones& bones) {
     bones = GetGiven(in, GivenBefore(bones));
     return;
   }
-  // Bones are worked out only where somebody asks for them.
+  // Bones are computed only when they are needed.
   constexpr std::uint64_t kBytes = 160;
   in.Charge(kBytes);
   Pose pose;

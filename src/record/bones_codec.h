@@ -8,14 +8,14 @@
 
 namespace soarbox::record {
 
-/// Writes the bones of a body as what its movements are, if that is known, else as where each bone is; in both cases as
-/// the difference from the tick before.
+/// Writes the bones of a body as the difference from the tick before. If the movements of the body are known, they are
+/// written; otherwise the position of each bone.
 void PutBones(ByteWriter& out, const world::BodyBones& before, const world::BodyBones& now);
 
-/// Turns the bones of the tick before into those of the next.
+/// Reads a difference and applies it to the bones of the tick before.
 void GetBones(ByteReader& in, world::BodyBones& bones);
 
-/// Bit for bit, so that -0 and NaN replay as they were.
+/// Compares bit for bit, so that -0 and NaN replay exactly.
 bool AreSameBones(const world::BodyBones& a, const world::BodyBones& b);
 
 }  // namespace soarbox::record

@@ -51,9 +51,9 @@ Result<void> Branch::Advance(std::uint64_t most_ticks) {
   return {};
 }
 
-/// After each tick.
+/// Called after each tick.
 Result<void> Branch::Check() {
-  sim::EventList events = simulation_->TakeEvents();  // Told when they happened first.
+  sim::EventList events = simulation_->TakeEvents();  // Drops the events: they were reported in the original run.
   for (std::size_t i = 0; i < simulation_->soar_agents(); ++i) {
     const sim::MindReport mind = simulation_->Mind(i);
     if (!mind.events.empty()) comparer_.Share(mind.agent, mind.events);

@@ -11,43 +11,44 @@
 
 namespace soarbox::record {
 
-/// Goes back to a tick and continues from there. Simulates a run again up to one of its ticks, in slices so that a
-/// window stays responsive, and then becomes a live simulation whose future may differ. The records of the old future
-/// stay where they are, for comparison.
+/// Goes back to a tick of a run and continues from there. A branch simulates the run again up to the tick, in slices so
+/// that a window stays responsive. It then hands over a live simulation whose future may differ. The records of the old
+/// future stay unchanged, for comparison.
 ///
 ///     Result<std::unique_ptr<Branch>> branch = Branch::Begin(history, scenario, settings, tick);
 ///     while (!(*branch)->IsThere()) if (const auto gone = (*branch)->Advance(20); !gone) ...;
-///     simulation = (*branch)->TakeSimulation();      // Submit edits, Tick, look into minds
-///     Futures futures = (*branch)->CompareFutures(); // See each of its ticks
+///     simulation = (*branch)->TakeSimulation();      // then Submit edits, Tick, Inspect minds
+///     Futures futures = (*branch)->CompareFutures(); // then See each new tick
 ///
-/// The timeline must outlive the branch and everything made from it, and may grow meanwhile. One thread at a time.
+/// The timeline must outlive the branch and everything made from it. It may grow meanwhile. Not thread-safe.
 class Branch {
  public:
-  /// From a running world: its scenario and the settings that it was made with. Debuggers cannot attach to the branch.
+  /// For a running world, with its scenario and the settings that it was created with. Debuggers cannot attach to the
+  /// branch.
   static Result<std::unique_ptr<Branch>> Begin(TickSource& past, const sim::Scenario& scenario,
                                                const sim::SimulationSettings& settings, std::uint64_t tick);
-  /// From a recording, whose scenario is searched for again. `threads`: for the minds; 0: one per core.
+  /// For a recording, whose scenario is searched for again. `threads`: number of threads for minds; 0: one per core.
   static Result<std::unique_ptr<Branch>> Begin(TickSource& past, const sim::DataFolders& data, std::uint64_t tick,
                                                int threads = 0);
 
-  /// Simulates at most so many ticks. Compares the state with the recorded one about once per simulated second and at
-  /// the end, as far as there are records. Fails at the first tick found to differ, and says what differs; the branch
-  /// is useless afterwards.
+  /// Simulates at most `most_ticks` ticks. Compares the state with the recorded one about once per simulated second and
+  /// at the end, as far as there are records. Fails at the first tick that differs, and says what differs; the branch
+  /// cannot be used afterwards.
   Result<void> Advance(std::uint64_t most_ticks);
-  /// The tick that it has reached, and the tick that it goes to.
+  /// The tick that it has reached.
   std::uint64_t tick() const { return tick_; }
   std::uint64_t goal() const { return goal_; }
   bool IsThere() const { return tick_ == goal_ && is_checked_; }
-  /// What may change the run: another build made the recording, or files of the scenario have changed (kept files are
-  /// not affected).
+  /// Reasons why the run may differ: another build made the recording, or files of the scenario have changed (files
+  /// that the recording keeps do not count).
   const std::vector<Diagnostic>& warnings() const { return warnings_; }
 
-  /// The simulation, at the end of the tick. Call only when IsThere(), and only once.
+  /// Hands over the simulation, at the end of the tick. Call it only when IsThere(), and only once.
   std::unique_ptr<sim::Simulation> TakeSimulation() { return std::move(simulation_); }
-  /// The same to inspect, until it is taken.
+  /// The simulation, to inspect it before it is taken.
   sim::Simulation& simulation() { return *simulation_; }
 
-  /// Compares the future that the simulation now takes with the recorded one.
+  /// Compares the future that the simulation takes from now on with the recorded one.
   class Futures CompareFutures() const;
 
  private:
@@ -65,16 +66,18 @@ class Branch {
   Comparer comparer_;
 };
 
-/// The old future and the new one, side by side: A is the old, B the new.
+/// Compares the old future (A) with the new one (B).
 class Futures {
  public:
   Futures(TickSource& old, Comparer comparer) : old_(old), comparer_(std::move(comparer)) {}
 
-  /// Adds the new future's next tick. Ticks in order.
+  /// Adds the next tick of the new future. Ticks come in order.
   void See(const TickRecord& now);
-  /// The old future at a tick, for example where its bodies were; null if it is unknown. Valid until the next call.
+  /// The record of the old future at a tick, for example with the positions of its bodies; null if there is none. Valid
+  /// until the next call.
   const TickRecord* Old(std::uint64_t tick);
-  /// The first difference, the first decision or command that differs, what was perceived differently, and the course.
+  /// The first difference, the first decision or command that differs, the percepts that differ, and the distance over
+  /// time.
   const Comparison& comparison() const { return comparer_.result(); }
 
  private:

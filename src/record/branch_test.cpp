@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Going back and going on, with worlds and minds that run.
+// Branches of worlds with running minds.
 #include "record/branch.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run with its history, as a window keeps one.
+/// A run with its history, as a window has one.
 struct LiveRun : NotedRun {
   LiveRun(const std::string& name, int threads) {
     scenario = sim::FindScenario(name, Data()).value();
@@ -38,7 +38,7 @@ struct LiveRun : NotedRun {
   Header header;
 };
 
-/// Brings a branch to its goal in slices of five ticks.
+/// Advances a branch to its goal in slices of five ticks.
 void Arrive(Branch& branch) {
   while (!branch.IsThere()) {
     const std::uint64_t before = branch.tick();
@@ -56,7 +56,7 @@ std::unique_ptr<Branch> Begin(LiveRun& run, std::uint64_t tick, int threads) {
   return std::move(*branch);
 }
 
-/// Goes on with a branch and compares with the old future.
+/// Continues with a branch and compares it with the old future.
 Comparison GoOn(Branch& branch, int ticks) {
   Futures futures = branch.CompareFutures();
   const std::unique_ptr<sim::Simulation> simulation = branch.TakeSimulation();
@@ -71,7 +71,7 @@ Comparison GoOn(Branch& branch, int ticks) {
 
 TEST(Branch, WithoutAChangeTheFutureIsTheSameOnAnyNumberOfThreads) {
   LiveRun run("crowd/crowd_10.lua", 1);
-  // Somebody edits a script meanwhile: that is part of the past, once it is.
+  // A script is edited in the meantime. The edit is then part of the past.
   run.Run(12);
   run.simulation->Submit(sim::ScriptInput{"", "Sandbox.CreateObject = Sandbox.CreateObject"});
   run.Run(28);
@@ -82,7 +82,7 @@ TEST(Branch, WithoutAChangeTheFutureIsTheSameOnAnyNumberOfThreads) {
       EXPECT_EQ(branch->simulation().tick(), tick);
       EXPECT_EQ(branch->simulation().StateHash(), run.history->At(tick).value()->state_hash);
       EXPECT_TRUE(branch->warnings().empty());
-      // What came in after the branch does not come in again.
+      // Inputs after the branch are not applied again.
       EXPECT_EQ(branch->simulation().waiting_inputs(), 0u);
       if (tick < 13) continue;
       const Comparison comparison = GoOn(*branch, 15);

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kFirstWord = "soarbox-client\t";
-/// Recordings of longer runs leave out firings and elements, which take most of their room.
+/// Recordings of longer runs omit firings and elements, which use most of their space.
 constexpr std::size_t kMostTicksInDetail = 20'000;
 
 sim::DataFolders& TheDataFolders() {
@@ -53,7 +53,7 @@ fs::path CommonFolder(const Files& files) {
   return common;
 }
 
-/// A folder that goes with this object.
+/// A folder that is removed with this object.
 class Scratch {
  public:
   Scratch() {

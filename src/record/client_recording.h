@@ -9,19 +9,18 @@
 
 namespace soarbox::record {
 
-// Programs of users that drive Soar agents themselves (robots, other environments) are recorded as a log of what they
-// did to the agents (sml/server/client_log.h): such programs have no world of ours, and their library knows none. A log
-// becomes a recording by running the agents again from it, in a world where their bodies do nothing. A tick is one
-// decision of each agent.
+// Programs of users that control Soar agents (robots, other environments) are recorded as a log of what they did to the
+// agents (sml/server/client_log.h). Such programs have no world of ours. A log is converted to a recording by running
+// the agents again from it, in a world in which their bodies do nothing. A tick is one decision of each agent.
 
-/// Where the program's worlds are, for logs that become recordings. Set once, before anything opens one.
+/// Sets the folders of the program's worlds, which the conversion needs. Call it once, before a log is converted.
 void SetDataFolders(sim::DataFolders data);
 
 /// Whether the file begins like such a log.
 bool IsClientLog(const std::filesystem::path& file);
 
-/// Writes the recording of a client's log. Fails if the log holds no decision or is no log, or if the recording cannot
-/// be written. If the agents run another way than in the log, an event of the recording says so.
+/// Converts a client's log to a recording. Fails if the log is invalid or contains no decision, or if the recording
+/// cannot be written. If the agents behave differently than in the log, an event of the recording says so.
 Result<void> RecordClientLog(const std::filesystem::path& log, const std::filesystem::path& recording);
 
 }  // namespace soarbox::record

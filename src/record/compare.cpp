@@ -27,7 +27,7 @@ std::vector<std::string> PerceptsThatDiffer(const PerceptValues& a, const Percep
   return lines;
 }
 
-/// How an agent came to the last operator that it selected in this tick.
+/// Explains why an agent selected its last operator in this tick.
 std::string WhyDecided(const TickRecord& tick, std::string_view agent, bool& by_chance) {
   std::string why;
   const auto take = [&](const mind::OperatorSelected& selected) {

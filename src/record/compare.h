@@ -14,33 +14,33 @@ namespace soarbox::record {
 
 /// How two futures, A and B, diverge.
 struct Comparison {
-  std::uint64_t first_tick = 0, last_tick = 0;  ///< Ticks that both hold.
-  std::optional<Difference> difference;         ///< The first difference in what could be seen or was thought.
+  std::uint64_t first_tick = 0, last_tick = 0;  ///< The ticks that both contain.
+  std::optional<Difference> difference;         ///< The first difference in the scene or in a mind.
   std::optional<Difference> decision;           ///< The first decision or command that differs: `recorded` is of A.
-  /// How each came to its decision, in words ("selected by chance among ..."); empty: it was not told.
+  /// How each future came to its decision, in words ("selected by chance among ..."); empty if it was not recorded.
   std::string why_a, why_b;
-  bool by_chance = false;             ///< In one of them or both, chance selected it.
-  std::vector<std::string> percepts;  ///< What that agent perceived differently in that tick: "path: A, B".
+  bool by_chance = false;             ///< Chance selected the operator in at least one of them.
+  std::vector<std::string> percepts;  ///< The percepts of that agent that differ in that tick: "path: A, B".
 
-  /// How far apart the two futures are at a time.
+  /// The distance between the two futures at a time.
   struct Moment {
     double time_s = 0;
-    double mean_distance_m = 0, greatest_distance_m = 0;  ///< Between each agent in A and itself in B.
-    std::string farthest;                                 ///< The agent of the greatest distance.
+    double mean_distance_m = 0, greatest_distance_m = 0;  ///< Distances between an agent in A and the same agent in B.
+    std::string farthest;                                 ///< The agent with the greatest distance.
     double health_a = 0, health_b = 0;                    ///< The sum over all agents.
     std::size_t alive_a = 0, alive_b = 0;
   };
   std::vector<Moment> course;  ///< Once per simulated second.
 };
 
-/// Compares two futures tick by tick as they unfold.
+/// Compares two futures tick by tick while they are simulated or read.
 class Comparer {
  public:
   explicit Comparer(double step_s);
 
-  /// What an agent perceived in a tick that both share, so that its percepts are known when the futures diverge.
+  /// Adds what an agent perceived in a tick that both futures share, so that its percepts are known when they diverge.
   void Share(const std::string& agent, const mind::EventLog& events);
-  /// The next tick, in both.
+  /// Adds the next tick of both.
   void See(const TickRecord& a, const TickRecord& b);
   const Comparison& result() const { return result_; }
 

@@ -23,7 +23,7 @@ std::string Text(const std::vector<std::string>& lines) {
   return text.empty() ? "nothing" : text;
 }
 
-/// The percepts, their numbers with all digits.
+/// The percepts, with all digits of numbers.
 std::string Exact(const mind::EventLog& events) {
   std::vector<std::string> lines;
   events.ForEachOf<mind::PerceptChanged>([&](const mind::PerceptChanged& percept) {
@@ -70,14 +70,14 @@ std::optional<Difference> DifferenceOfBodies(const TickRecord& recorded, const T
   return std::nullopt;
 }
 
-/// Without firings and elements, which a lower level leaves out.
+/// Without firings and elements, which are not in recordings of a lower level.
 mind::EventLog WithoutDetails(const MindRecord& mind) {
   mind::EventLog events = mind.events;
   events.DropDetails();
   return events;
 }
 
-/// What two minds did, if it is not the same; the first thing that differs in words is named.
+/// The first difference of two minds in words, if they differ.
 std::optional<Difference> DifferenceOf(const MindRecord& a, const MindRecord& b, std::uint64_t tick) {
   if (a.agent == b.agent && a.events == b.events) return std::nullopt;
   const mind::EventLog was = WithoutDetails(a), is = WithoutDetails(b);
@@ -94,14 +94,14 @@ std::optional<Difference> DifferenceOf(const MindRecord& a, const MindRecord& b,
     if (a.agent != b.agent || old_words.*part != new_words.*part)
       return Difference{tick, agent, element, Text(old_words.*part), Text(new_words.*part)};
   }
-  // Numbers that are printed alike, or preferences that a sentence does not name.
+  // The percepts print equally, or the sentences do not mention the preferences.
   const bool in_percepts = Exact(was) != Exact(is);
   return Difference{tick, agent, in_percepts ? "percepts" : "preferences", in_percepts ? Exact(was) : "others",
                     in_percepts ? Exact(is) : "others"};
 }
 
 std::optional<Difference> DifferenceOfMinds(const TickRecord& recorded, const TickRecord& now) {
-  if (recorded.minds.empty() || now.minds.empty()) return std::nullopt;  // A level that tells nothing of minds.
+  if (recorded.minds.empty() || now.minds.empty()) return std::nullopt;  // A level without minds.
   const auto has_done_something = [](const MindRecord& mind) { return !WithoutDetails(mind).empty(); };
   auto a = recorded.minds.begin(), b = now.minds.begin();
   static const MindRecord kNothing;

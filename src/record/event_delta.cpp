@@ -13,19 +13,20 @@
 namespace soarbox::record {
 namespace {
 
-// A log is a list of steps: 0 the end, 1 a new event (a text), 2 all else is like all else of the log before, and it
-// ends there; from 3 on an event like one of the log before, of which step - 3 events are passed over first. What is
-// like something else is its size, 0 if it is that of the other, and in turns how many of its bytes are those of the
-// other at the same place and how many are new, until the size is reached.
+// An encoded log is a list of steps. 0: the end. 1: a new event (a text). 2: the remaining events are similar to the
+// remaining events of the log before, and the log ends. 3 or more: an event that is similar to one of the log before,
+// after skipping step - 3 events of that log. The difference from a similar text is its size (0 if equal to that of the
+// other text), then alternating counts of bytes that are equal at the same position and of new bytes, until the size is
+// reached.
 constexpr std::uint64_t kEnd = 0, kNew = 1, kRest = 2, kLike = 3;
 
-/// Takes the first event off a log. What is no event is one to its end.
+/// Removes the first event from a log. If the log does not begin with an event, removes everything.
 std::string_view TakeEvent(std::string_view& log) {
   mind::EventFrame frame;
   return mind::TakeFrame(log, frame) ? frame.whole : std::exchange(log, {});
 }
 
-/// How many bytes of two texts are equal from a place on.
+/// Number of equal bytes of two texts from a position on.
 std::size_t EqualRun(std::string_view a, std::string_view b, std::size_t from) {
   const std::size_t end = std::min(a.size(), b.size());
   std::size_t at = from;
@@ -40,18 +41,18 @@ std::size_t EqualRun(std::string_view a, std::string_view b, std::size_t from) {
   return at > from ? at - from : 0;
 }
 
-/// Whether it pays to write an event as the difference from another.
+/// Whether it is worth storing an event as the difference from another.
 bool AreLike(std::string_view before, std::string_view now) {
   if (before.front() != now.front()) return false;
   constexpr char kLastPercept = 1;
   constexpr std::size_t kHead = 3, kNames = 12;
   if (now.front() > kLastPercept || before.size() < kHead || now.size() < kHead) return true;
-  // Percepts begin with their paths and names: that of another thing has little in common with it.
+  // Percepts begin with their paths and names. Percepts with other names have little in common.
   return before.substr(kHead, kNames) == now.substr(kHead, kNames);
 }
 
 void WriteDifference(ByteWriter& out, std::string_view before, std::string_view now) {
-  constexpr std::size_t kWorth = 3;  // Fewer bytes that are the same are written anew.
+  constexpr std::size_t kWorth = 3;  // Shorter runs of equal bytes are stored as new bytes.
   out.Number(before.size() == now.size() ? 0 : now.size());
   for (std::size_t at = 0; at < now.size();) {
     const std::size_t same = EqualRun(before, now, at);
@@ -90,7 +91,7 @@ void ReadDifference(ByteReader& in, std::string_view before, std::string& log) {
 void WriteEventDelta(ByteWriter& out, std::string_view before, std::string_view now) {
   constexpr int kMostPassed = 24;
   if (!now.empty() && before.size() == now.size()) {
-    // Nearly always nothing but numbers differ.
+    // Almost always only numbers differ.
     out.Number(kRest);
     return WriteDifference(out, before, now);
   }

@@ -26,7 +26,7 @@ void ExpectReadsBack(std::string_view before, std::string_view now) {
   EXPECT_TRUE(in.AtEnd());
 }
 
-/// What a soldier's mind does in a tick.
+/// What the mind of a soldier does in a tick.
 mind::EventLog SomeTick(std::mt19937& random) {
   const auto below = [&](unsigned most) { return static_cast<unsigned>(random() % most); };
   mind::EventLog log;
@@ -94,7 +94,7 @@ TEST(EventDelta, NeverReadsBeyondWhatThereIs) {
     failed += in.failed();
   }
   EXPECT_GT(failed, 100);
-  // As much as it likes of what is there, again and again.
+  // Copies as much as possible of the existing data, repeatedly.
   std::string bomb;
   ByteWriter out(bomb);
   for (const std::uint64_t number : {std::uint64_t{2}, ~std::uint64_t{0}, std::uint64_t{3}}) out.Number(number);

@@ -9,13 +9,13 @@
 
 namespace soarbox::record {
 
-/// Which ticks of a recording to export; ticks that are not in the recording are left out.
+/// Which ticks of a recording to export. Ticks that the recording does not contain are skipped.
 struct TickRange {
   std::uint64_t first = 0;
   std::uint64_t last = ~std::uint64_t{0};
 };
 
-/// Calls `see(record)` for each tick of the range that the recording holds.
+/// Calls `see(record)` for each tick of the range that the recording contains.
 template <typename See>
 Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
   const std::uint64_t last = std::min(range.last, recording.last_tick());
@@ -27,20 +27,20 @@ Result<void> ForEachTick(Reader& recording, TickRange range, See see) {
   return {};
 }
 
-/// A table with a row for each agent and tick, in a form that spreadsheets and data frames read directly: a line of
-/// names, then tick, time_s, agent, position, velocity, speed, heading, health, command, decision, and a column for
-/// each percept that any agent has in the range, with its value in that tick (empty: none).
+/// Writes a CSV table with a row for each agent and tick, which spreadsheets and data frames read directly. The first
+/// line has the names of the columns: tick, time_s, agent, position, velocity, speed, heading, health, command,
+/// decision, and a column for each percept that any agent has in the range. The cell of a percept is empty if the agent
+/// does not have it.
 Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out);
 
-/// The same and everything else in the recording, as one JSON object per line: one for the recording, then one per
-/// tick.
+/// Writes the entire recording as one JSON object per line: one for the recording, then one per tick.
 Result<void> ExportJson(Reader& recording, TickRange range, std::ostream& out);
 
-/// A part of a recording as a recording of its own, with all earlier inputs, so that you can verify and resume it like
-/// the whole. Fails if the file cannot be written or no tick is in the range.
+/// Writes a part of a recording as a recording of its own. It contains all earlier inputs, so that it can be verified
+/// and resumed. Fails if the file cannot be written or no tick is in the range.
 Result<void> ExportRecording(Reader& recording, TickRange range, const std::filesystem::path& file);
 
-/// What happened, for people to read: inputs, events, percepts, decisions and commands, tick by tick.
+/// Prints inputs, events, percepts, decisions and commands tick by tick, for people to read.
 Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out);
 
 }  // namespace soarbox::record

@@ -13,7 +13,7 @@
 namespace soarbox::record {
 namespace {
 
-/// A cell of the table: quoted if it holds what separates cells (RFC 4180).
+/// A cell of the table; quoted if it contains separators (RFC 4180).
 std::string CsvCell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -35,7 +35,7 @@ std::string LastDecision(const mind::EventLog& events) {
 }  // namespace
 
 Result<void> ExportCsv(Reader& recording, TickRange range, std::ostream& out) {
-  // Which percepts there are: a first pass. What was perceived before the range is known in it.
+  // The first pass collects the names of percepts. Percepts from before the range are also valid in it.
   std::set<std::string> names;
   std::map<std::string, PerceptValues> perceived;
   const TickRange before_too{recording.first_tick(), range.last};

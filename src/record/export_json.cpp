@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Texts of scenarios may hold any bytes; what is no UTF-8 is replaced.
+/// Texts of scenarios can contain any bytes; invalid UTF-8 is replaced.
 std::string Line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -58,7 +58,8 @@ std::string BlockEncoder::Encode(BlockFrame frame, std::string_view payload) {
   const std::size_t bound = ZSTD_compressBound(payload.size());
   const auto buffer = std::make_unique_for_overwrite<char[]>(bound);
   const std::size_t size = ZSTD_compress2(context_.get(), buffer.get(), bound, payload.data(), payload.size());
-  // Into a buffer of this size nothing but a lack of memory can fail; an empty block is then refused by every reader.
+  // With a buffer of this size, compression can only fail for lack of memory. Every reader then refuses the empty
+  // block.
   const std::string_view compressed(buffer.get(), ZSTD_isError(size) != 0 ? 0 : size);
   frame.compressed_bytes = static_cast<std::uint32_t>(compressed.size());
   frame.plain_bytes = static_cast<std::uint32_t>(payload.size());
@@ -89,7 +90,7 @@ bool DecodeFrame(std::string_view bytes, BlockFrame& frame) {
 
 bool DecodePayload(const BlockFrame& frame, std::string_view compressed, std::string& payload) {
   if (CheckOfPayload(compressed) != frame.payload_check) return false;
-  // The size stands in zstd's frame too; both must say the same, so that a forged one cannot ask for more.
+  // The size is also in zstd's frame. Both must be equal, so that a forged size cannot cause a larger allocation.
   if (ZSTD_getFrameContentSize(compressed.data(), compressed.size()) != frame.plain_bytes) return false;
   payload.resize(frame.plain_bytes);
   const std::size_t size = ZSTD_decompress(payload.data(), payload.size(), compressed.data(), compressed.size());

@@ -78,7 +78,7 @@ Result<Header> DecodeHeader(std::string_view bytes) {
   Header header;
   ByteReader in(bytes);
   for (std::string* text : {&header.build, &header.scenario, &header.folder}) *text = in.Text();
-  constexpr std::size_t kMostFolders = 1'000;  // Far more than anybody gives.
+  constexpr std::size_t kMostFolders = 1'000;  // Far more than users specify.
   const std::size_t folders = in.Count();
   if (folders > kMostFolders) in.Fail();
   header.extra_folders.resize(in.failed() ? 0 : folders);
@@ -102,7 +102,7 @@ Result<Header> DecodeHeader(std::string_view bytes) {
     file.content = in.Text();
   }
   header.memory_mb = in.Number();
-  constexpr std::size_t kMostReplaced = 10'000;  // As many as agents.
+  constexpr std::size_t kMostReplaced = 10'000;  // One per agent.
   const std::size_t replaced = in.Count(2);
   if (replaced > kMostReplaced) in.Fail();
   header.replaced_rules.resize(in.failed() ? 0 : replaced);

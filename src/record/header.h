@@ -17,38 +17,38 @@
 
 namespace soarbox::record {
 
-/// What a recording was made from: enough to run it again.
+/// What a run was made from. It is sufficient to run it again.
 struct Header {
   std::string build;     ///< The program that made it (BuildId()).
-  std::string scenario;  ///< As the user named it, from `folder`.
+  std::string scenario;  ///< As the user named it, relative to `folder`.
   std::string folder;    ///< The working directory of the run, absolute.
   std::vector<std::string> extra_folders;
-  std::uint64_t scenario_digest = 0;  ///< Of the scenario's files (ReadScenarioFiles).
+  std::uint64_t scenario_digest = 0;  ///< Digest of the scenario's files (ReadScenarioFiles).
   std::uint64_t seed = 1;
   std::uint32_t screen_width_px = 1280;
   std::uint32_t screen_height_px = 720;
   double step_s = 1.0 / 30;  ///< Simulated seconds per tick.
   Level level = Level::kDecisions;
-  bool own_kernel = true;         ///< False: minds ran in a kernel that is not ours, which reports less.
-  std::vector<KeptFile> files;    ///< The files it was made from, as they were then; empty if they were not kept.
-  std::string branched_from;      ///< The recording of the run that this one branched from; empty: none.
-  std::uint64_t branch_tick = 0;  ///< The last tick that both have.
+  bool own_kernel = true;         ///< False: minds ran in another kernel, which reports less.
+  std::vector<KeptFile> files;    ///< The files of the run as they were then; empty if they were not kept.
+  std::string branched_from;      ///< The recording of the run from which this one branched; empty if it did not.
+  std::uint64_t branch_tick = 0;  ///< The last tick that both have in common.
   /// Rules that replaced those of agents: agent's name, file.
   std::vector<std::pair<std::string, std::string>> replaced_rules;
-  std::uint64_t memory_mb = sim::SimulationSettings{}.limits.memory_bytes >> 20;  ///< Memory that the world might use.
+  std::uint64_t memory_mb = sim::SimulationSettings{}.limits.memory_bytes >> 20;  ///< Memory limit of the world.
 };
 
-/// The header for a run of this scenario, made with these settings from the current folder. `scenario` is the
-/// scenario's name, and `extra_folders` is empty; a caller that knows what the user typed sets both.
+/// The header for a run of this scenario, created with these settings from the current folder. `scenario` is set to the
+/// scenario's name, and `extra_folders` stays empty; a caller that has the user's input sets both.
 Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& settings, double step_s, Level level);
 
-/// The header's block, without its frame (format.h).
+/// The payload of the header's block (format.h).
 std::string EncodeHeader(const Header& header);
 Result<Header> DecodeHeader(std::string_view bytes);
 
-/// Identifies this program: its version and the linker's hash of it. Two builds with one id behave alike.
+/// Identifies this program: its version and the linker's hash of it. Two builds with the same id behave alike.
 std::string BuildId();
-/// Makes it that of another program that was built with this one. Before anything asks for it.
+/// Replaces the id by that of another program that was built together with this one. Call it before BuildId.
 void SetBuildId(std::string id);
 
 /// "world", "decisions", "all".

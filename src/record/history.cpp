@@ -61,7 +61,7 @@ Result<const TickRecord*> History::At(std::uint64_t tick) {
   }
   if (cursor_.Has(tick))
     if (const TickRecord* record = cursor_.At(tick)) return record;
-  Diagnostic problem = NotThere(*this, tick);  // Only a lack of memory while it was kept leads here.
+  Diagnostic problem = NotThere(*this, tick);  // Happens only if memory ran out while it was stored.
   problem.message = "the record of tick " + std::to_string(tick) + " is lost";
   return problem;
 }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostFiles = 2000;
-constexpr std::size_t kMostLookedAt = 20'000;  // The folder may be somebody's home.
+constexpr std::size_t kMostLookedAt = 20'000;  // The folder may be a home directory.
 constexpr int kDeepest = 8;
 
 bool IsScriptName(std::string_view name) {
@@ -53,7 +53,7 @@ Diagnostic CannotRestore(const std::string& why) {
   return NewProblem("the files that this run was made from cannot be restored: " + why);
 }
 
-/// Goes with all that is in it.
+/// A folder that is removed with its contents.
 class PassingFolder {
  public:
   explicit PassingFolder(fs::path path) : path_(std::move(path)) {}
@@ -69,7 +69,7 @@ class PassingFolder {
   fs::path path_;
 };
 
-/// True for names that stay below the folder that they are looked for in.
+/// Whether a relative path stays below its folder.
 bool IsInside(const fs::path& name) {
   return !name.empty() && name.is_relative() && name.has_filename() &&
          std::none_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".." || part == "."; });
@@ -87,7 +87,7 @@ Result<void> Restore(const KeptFile& kept, const fs::path& folder) {
   return {};
 }
 
-/// The path as it is below another folder; itself if it does not lie below `from`.
+/// The path relative to `from`, below `to`; unchanged if it is not below `from`.
 fs::path Moved(const fs::path& path, const fs::path& from, const fs::path& to) {
   if (path.empty()) return path;
   const fs::path inside = path.lexically_normal().lexically_relative(from.lexically_normal());
@@ -105,7 +105,7 @@ void AddTo(world::StateHash& hash, std::uint32_t folder, std::string_view name, 
   hash.Add(content);
 }
 
-/// What the scenario itself names, wherever it is.
+/// Files that the scenario names, in any folder.
 void AddNamedFiles(const sim::Scenario& scenario, world::StateHash& hash) {
   for (const fs::path& file : {scenario.script, scenario.definition, scenario.rules})
     if (!file.empty()) hash.Add(std::string_view(ReadText(file).value_or("")));
@@ -140,7 +140,7 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
       std::error_code error;
       const std::uintmax_t size = fs::file_size(file, error);
       bytes += error ? 0 : size;
-      // What nobody keeps need not be read, however large it says that it is.
+      // Files that are too large to keep are not read.
       kept.content = bytes <= kMostKeptBytes ? ReadText(file).value_or("") : std::to_string(size);
       AddTo(hash, folder, kept.name, kept.content);
       if (bytes <= kMostKeptBytes) all.files.push_back(std::move(kept));
@@ -168,7 +168,7 @@ ScenarioFiles ReadScenarioFiles(const sim::Scenario& scenario) {
 
 namespace {
 
-/// Those of each folder in a folder named after its number.
+/// Writes the files of each folder to a folder named by its number.
 Result<std::shared_ptr<const PassingFolder>> RestoreAll(const std::vector<KeptFile>& files, std::size_t folders) {
   if (files.empty()) return CannotRestore("they were not kept");
   std::error_code error;
@@ -221,8 +221,8 @@ Result<sim::Scenario> ScenarioFromKeptFiles(const Header& header, const sim::Dat
   const fs::path own = folder / "0", then = fs::path(header.folder) / header.scenario;
   std::vector<fs::path> extra;
   for (std::size_t i = 1; i <= header.extra_folders.size(); ++i) extra.push_back(folder / std::to_string(i));
-  // The name was that of a file, perhaps without its ending, or of the folder. The digest tells which, unless what
-  // comes with the program is another one now.
+  // The name was that of a file, possibly without its extension, or of a folder. The digest identifies it, unless files
+  // that come with the program have changed.
   const std::string last = (then.has_filename() ? then : then.parent_path()).filename().string();
   Result<sim::Scenario> best = CannotRestore("no scenario is among them");
   for (const bool is_file : {true, false}) {

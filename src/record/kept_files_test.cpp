@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Recordings keep what a run was made from, so that it can be gone on with whatever became of the files.
+// Recordings keep the files of a run, so that it can be continued even if the files have changed.
 #include "record/kept_files.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ void Put(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// A world of one agent, whose rules source a neighbour's.
+/// A world with one agent, whose rules source those of a neighbour.
 class KeptFilesTest : public testing::Test, protected NotedRun {
  protected:
   using NotedRun::Run;  // Not the one of testing::Test.
@@ -125,7 +125,7 @@ TEST_F(KeptFilesTest, ARunIsGoneOnWithAsItWasWhateverBecameOfItsFiles) {
   }
   EXPECT_FALSE(futures.comparison().difference);
   EXPECT_EQ(futures.comparison().last_tick, 20u);
-  // Whoever edits is led to the user's own file, not to the copy.
+  // Editing opens the user's own file, not the copy.
   for (const sim::WatchedFile& file : again->Files())
     EXPECT_EQ(file.file.string().find("soarbox-run-"), std::string::npos) << file.file;
 }
@@ -137,7 +137,7 @@ TEST_F(KeptFilesTest, WhatWasEditedSinceComesOnTop) {
   fs::last_write_time(folder() / "more" / "walk.soar", fs::file_time_type::clock::now() + std::chrono::hours(1));
   EXPECT_FALSE(edits.Poll().empty());
   Run(10);
-  // Before the edit: the old rule runs, and the edit comes again. After it: it is there already.
+  // Before the edit: the old rule runs, and the edit is applied again. After it: the edit is included.
   for (const std::uint64_t tick : {5u, 15u}) {
     const Result<std::unique_ptr<Branch>> branch = Arrive(tick);
     ASSERT_TRUE(branch) << Format(branch.error());
@@ -167,7 +167,7 @@ TEST_F(KeptFilesTest, CopiesGoWithTheLastWhoNeedsThem) {
 }
 
 TEST_F(KeptFilesTest, ARunIsGoneOnWithWhenItsScenarioIsThereNoMore) {
-  // By the file, by its name without the ending, and from the folder where it was run.
+  // By the file, by its name without the extension, and from the folder of the run.
   for (const auto& [name, from] : {std::pair{(folder() / "scout.soar").string(), fs::path()},
                                    {(folder() / "scout").string(), fs::path()},
                                    {std::string("scout.soar"), folder()}}) {

@@ -5,8 +5,8 @@
 
 namespace soarbox::record {
 
-/// What identifies this program, in hexadecimal: in ELF the linker's note (ld --build-id), in WebAssembly a digest of
-/// the module. Empty if there is none.
+/// A hexadecimal id of this program: the linker's note in ELF (ld --build-id), a digest of the module in WebAssembly.
+/// Empty if there is none.
 std::string LinkersId();
 
 }  // namespace soarbox::record

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// WebAssembly has no linker's note: the first 160 bits of the module's SHA-256, if JavaScript's side knows them
-// (cmake/wasm/node.js).
+// WebAssembly has no linker's note. The id is the first 160 bits of the module's SHA-256, if the JavaScript code
+// provides them (cmake/wasm/node.js).
 #include <emscripten.h>
 
 #include <cstdlib>

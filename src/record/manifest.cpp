@@ -23,7 +23,7 @@ Origin& OriginOfProgram() {
   return origin;
 }
 
-/// What made the recording, when and where.
+/// Which program made the recording, when and where.
 void AddProgram(const std::string& build, const std::string& folder, OrderedJson& made) {
   const Origin& origin = TheOrigin();
   made["program"] = "soarbox " + build.substr(0, build.find(' '));
@@ -38,7 +38,7 @@ void AddProgram(const std::string& build, const std::string& folder, OrderedJson
   made["began"] = NowText();
 }
 
-/// The files that the recording holds: their folder and name, and the digest of their content.
+/// The files in the recording: folder, name, and digest of the content.
 void AddKeptFiles(const sim::Scenario& scenario, const Header& header, OrderedJson& digests) {
   for (const KeptFile& file : header.files) {
     const fs::path folder = file.folder == 0 ? fs::path() : scenario.Original(scenario.rule_folders[file.folder]);
@@ -61,7 +61,7 @@ bool IsBelow(const fs::path& file, const fs::path& folder) {
   return !inside.empty() && *inside.begin() != "..";
 }
 
-/// Files that the scenario names and that lie elsewhere, or that are too large to be held.
+/// Files that the scenario names and that are in other folders, or are too large to keep.
 void AddNamedFiles(const sim::Scenario& scenario, OrderedJson& digests) {
   std::vector<fs::path> named = {scenario.script, scenario.definition, scenario.rules};
   for (const auto& [agent, file] : scenario.replaced_rules) named.push_back(file);
@@ -75,7 +75,7 @@ void AddNamedFiles(const sim::Scenario& scenario, OrderedJson& digests) {
   }
 }
 
-/// One digest of the scripts and rules that come with the program: of the names and digests of all files.
+/// A digest of the names and contents of all scripts and rules in a folder of the program.
 std::string DigestOfFolder(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -92,7 +92,7 @@ std::string DigestOfFolder(const fs::path& folder) {
 
 void AddLibrary(const sim::Scenario& scenario, OrderedJson& made) {
   for (const fs::path& folder : LibraryFolders(scenario)) {
-    // Where the program is installed says nothing about what it is.
+    // The location of the installation is not significant.
     const fs::path normal = (folder / "").lexically_normal().parent_path();
     made["library_sha256"][(normal.parent_path().filename() / normal.filename()).generic_string()] =
         DigestOfFolder(folder);
@@ -153,7 +153,7 @@ std::string ManifestIn(const fs::path& recording) {
   constexpr std::uint32_t kMostBytes = 4u << 20;
   std::ifstream in(recording, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(kMagic.size()));
-  // It follows the header.
+  // The manifest follows the header.
   for (std::string bytes(kFrameBytes, '\0'); in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));) {
     BlockFrame frame;
     if (!DecodeFrame(bytes, frame) || frame.kind == BlockKind::kTicks || frame.compressed_bytes > kMostCompressedBytes)

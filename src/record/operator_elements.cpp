@@ -8,7 +8,7 @@
 namespace soarbox::record {
 namespace {
 
-/// By identifier, the elements of each object as "^attribute value".
+/// The elements of each object as "^attribute value", by identifier.
 using Elements = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 void Follow(const mind::EventLog& events, Elements& held) {

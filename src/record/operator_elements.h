@@ -9,8 +9,8 @@
 
 namespace soarbox::record {
 
-/// What the last operator that an agent selected in a tick consisted of: "O13 ^name report ^about blue-3". Empty if it
-/// selected none, or if the recording holds no elements (Level::kAll has them). Reads all ticks up to that one.
+/// The elements of the last operator that an agent selected in a tick: "O13 ^name report ^about blue-3". Empty if it
+/// selected none, or if the recording contains no elements (it needs Level::kAll). Reads all ticks up to that one.
 Result<std::string> ElementsOfOperator(TickSource& recording, std::string_view agent, std::uint64_t tick);
 
 }  // namespace soarbox::record

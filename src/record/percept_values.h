@@ -11,11 +11,11 @@
 
 namespace soarbox::record {
 
-/// A constant percept: a word, an integer or a float.
+/// The value of a constant percept: a word, an integer or a float.
 using PerceptValue = std::variant<std::string, std::int64_t, double>;
 std::string TextOf(const PerceptValue& value);
 
-/// A mind's percepts after its changes, by path ("self.speed", "agent#3.range").
+/// The percepts of a mind at a moment, by path ("self.speed", "agent#3.range").
 using PerceptValues = std::map<std::string, PerceptValue, std::less<>>;
 
 /// Applies the changes of a tick. Removing a percept removes everything below it.

@@ -8,7 +8,7 @@
 namespace soarbox::record {
 namespace {
 
-/// With blanks in front, if there is something.
+/// The remark with leading blanks, if it is not empty.
 std::string Aside(const std::string& remark) {
   return remark.empty() ? remark : "  " + remark;
 }
@@ -40,7 +40,7 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
     for (const std::string& input : record.inputs) out << "    input  " << sim::ShownInput(input) << '\n';
     for (const MindRecord& mind : record.minds) PrintMind(mind, out);
     for (const sim::RunEvent& event : record.events) {
-      // Commands stand with their minds already.
+      // Commands are printed with their minds.
       if (event.kind == sim::EventKind::kCommand && !record.minds.empty()) continue;
       out << "    " << (event.agent.empty() ? "world" : event.agent) << "  " << sim::EventName(event.kind);
       for (const std::string* text : {&event.news, &event.text, &event.parameters})

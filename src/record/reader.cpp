@@ -42,7 +42,7 @@ Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
     return problem;
   }
   if (IsClientLog(file)) {
-    // It becomes a recording, in a file that goes with the reader, which holds it open.
+    // A client's log is converted to a recording in a temporary file, which the reader keeps open.
     std::string name = (fs::temp_directory_path(error) / "soarbox-recording-XXXXXX").string();
     const int made = mkstemp(name.data());
     if (made < 0) return ProblemIn(name, std::string("this file cannot be made: ") + std::strerror(errno));
@@ -116,7 +116,7 @@ Result<void> Reader::ReadFrames() {
         blocks_.push_back(block);
         break;
       default:
-        break;  // A kind that a later minor change added.
+        break;  // A kind that a later version added.
     }
   }
   Diagnostic problem;
@@ -171,7 +171,7 @@ Result<std::vector<TickInputs>> Reader::Inputs() {
       ReadInputs(in, entry.tick, entry.inputs);
       const bool is_next = all.empty() || entry.tick > all.back().tick;
       if (!is_next) in.Fail();
-      // They are written before their ticks, which may be missing after a kill.
+      // Inputs are written before their ticks, which may be missing after a kill.
       if (!in.failed() && entry.tick <= last_tick()) all.push_back(std::move(entry));
     }
     if (in.failed()) return Damaged(block.payload_at, "this block is damaged");

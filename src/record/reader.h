@@ -17,10 +17,10 @@ namespace soarbox::record {
 /// Whether a file begins like a recording.
 bool IsRecording(const std::filesystem::path& file);
 
-/// A recording on disk with random access. Opening reads only the blocks' frames; going to a tick reads its block. The
-/// file may hold any bytes: a file that is not a recording, or a damaged part, gives an error that says where.
+/// Reads a recording on disk, with random access. Opening reads only the frames of the blocks; going to a tick reads
+/// its block. The file may contain any bytes. If it is not a recording, or a part is damaged, the error says where.
 ///
-/// One thread at a time; the file must not shrink meanwhile.
+/// Not thread-safe. The file must not become shorter meanwhile.
 class Reader final : public TickSource {
  public:
   static Result<std::unique_ptr<Reader>> Open(const std::filesystem::path& file);
@@ -29,14 +29,15 @@ class Reader final : public TickSource {
   std::string name() const override { return path_.string(); }
   const std::filesystem::path& file() const { return path_; }
   std::uint64_t bytes() const { return bytes_; }
-  /// A bounded recording does not start at tick 0.
+  /// May be greater than 0 in a bounded recording.
   std::uint64_t first_tick() const override { return blocks_.front().frame.first_tick; }
   std::uint64_t last_tick() const override { return blocks_.back().frame.first_tick + blocks_.back().frame.ticks - 1; }
-  /// Not empty if the file ends within a block, or if bytes that are no block follow: the program was killed.
+  /// Not empty if the file ends within a block, or if bytes after the last block are not a block. The program was then
+  /// killed.
   const std::string& ending() const { return ending_; }
 
   Result<const TickRecord*> At(std::uint64_t tick) override;
-  /// Reads the whole file.
+  /// Reads the entire file.
   Result<std::vector<TickInputs>> Inputs() override;
 
  private:
@@ -54,7 +55,7 @@ class Reader final : public TickSource {
   std::ifstream in_;
   std::uint64_t bytes_ = 0;
   Header header_;
-  std::vector<Block> blocks_;  ///< Of ticks, in order.
+  std::vector<Block> blocks_;  ///< Blocks of ticks, in order.
   std::vector<Block> inputs_;
   std::string ending_;
   BlockCursor cursor_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a recording tells of why operators were selected, with minds that run.
+// Recorded reasons for selections of operators, with running minds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ mind::EventLog MindOf(const TickRecord& record) {
   return record.minds.empty() ? mind::EventLog() : record.minds[0].events;
 }
 
-/// What an agent with these rules decides first, after a command, if there is one.
+/// The first decisions of an agent with these rules, optionally after a command.
 tell::MindWords FirstDecisions(const std::string& rules, const std::string& command) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "scout.soar") << rules;
@@ -48,7 +48,7 @@ constexpr const char* kEither = R"(sp {scout*either
    (<other> ^name other)
 })";
 
-/// a is better than b, b is better than a, and nothing speaks of c.
+/// a is better than b, b is better than a, and no preference mentions c.
 constexpr const char* kCircle = R"(sp {scout*propose
    (state <s> ^superstate nil ^io.input-link.self)
 -->
@@ -78,7 +78,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
   EXPECT_EQ(
       free.reasons[0],
       "chosen by chance, with a probability of 50 %, among 2 indifferent operators; proposed by rule scout*either");
-  // The other one has the number before or behind; there is no operator with the third.
+  // The other operator has the number before or after it; there is no operator with the third number.
   int number = 0;
   ASSERT_EQ(std::sscanf(free.decisions[0].c_str(), "O: O%d", &number), 1) << free.decisions[0];
   int forced = 0;

@@ -19,7 +19,7 @@ void ObserveWorld(const sim::Simulation& simulation, sim::EventList events, Tick
   record.events = std::move(events);
 }
 
-/// What minds did, as far as this level tells it. The memory of records that are there serves again.
+/// Copies what minds did, for this level. Reuses the memory of existing records.
 void ObserveMinds(const sim::Simulation& simulation, Level level, std::vector<MindRecord>& minds) {
   std::size_t count = 0;
   for (std::size_t i = 0; level != Level::kWorld && i < simulation.soar_agents(); ++i) {
@@ -45,12 +45,12 @@ Recorder::Recorder(std::unique_ptr<Writer> writer, Level level) : writer_(std::m
   try {
     thread_ = std::thread([this] { Write(); });
   } catch (const std::system_error&) {
-    // Too many threads, or a platform without threads.
+    // There are too many threads, or the platform has no threads.
   }
 }
 
 Recorder::~Recorder() {
-  (void)Finish();  // Nobody is left to be told.
+  (void)Finish();  // There is no caller to report an error to.
 }
 
 void KeepLevel(TickRecord& record, Level level) {
@@ -91,7 +91,7 @@ Result<void> Recorder::Take(TickRecord record) {
 
 Result<void> Recorder::Push(TickRecord tick) {
   if (!thread_.joinable()) Write(tick);
-  // A run that is faster than the disk waits for it here.
+  // A run that is faster than the disk waits here.
   constexpr std::size_t kMostWaiting = 120;
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return waiting_.size() < kMostWaiting || failure_; });
@@ -123,9 +123,9 @@ Result<void> Recorder::Finish() {
   return {};
 }
 
-/// Writes one tick, and clears it so that its memory can be used again.
+/// Writes one tick, and clears it so that its memory can be reused.
 void Recorder::Write(TickRecord& tick) {
-  // A window notes more of the agent that is selected than its recording is to hold.
+  // A window records more details of the selected agent than its recording should contain.
   KeepLevel(tick, level_);
   const Result<void> added = writer_->AddAndSwap(tick);
   if (added) return tick.events.clear();
@@ -138,7 +138,7 @@ void Recorder::Flush() {
   if (const Result<void> flushed = writer_->Flush(); !flushed) failure_ = flushed.error();
 }
 
-/// The writing thread. Ticks that wait are taken all at once, so that the run is seldom disturbed.
+/// The writing thread. It takes all waiting ticks at once, so that it rarely blocks the run.
 void Recorder::Write() {
   std::deque<TickRecord> taken;
   while (true) {
@@ -150,7 +150,7 @@ void Recorder::Write() {
     }
     changed_.notify_all();
     for (TickRecord& tick : taken) {
-      // Cleared here, so that the run's thread need not.
+      // Cleared here, so that the run's thread does not have to.
       Write(tick);
       if (failure_) break;
     }

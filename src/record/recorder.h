@@ -16,31 +16,30 @@
 
 namespace soarbox::record {
 
-/// Records the tick that a simulation has just finished, or its set-up if it has made none. `events` are those of the
-/// tick (Simulation::TakeEvents returns them only once).
+/// Fills `record` with the tick that a simulation has just finished, or with its set-up before the first tick. `events`
+/// are those of the tick, because Simulation::TakeEvents returns them only once.
 void Observe(const sim::Simulation& simulation, sim::EventList events, Level level, TickRecord& record);
 
-/// Leaves out what a recording of this level does not hold.
+/// Removes data that a recording of this level does not contain.
 void KeepLevel(TickRecord& record, Level level);
 
-/// Writes each tick of a run to a file. The run's thread only notes the tick; another thread writes it. If no thread
-/// can be started, the run's thread writes it.
+/// Writes each tick of a run to a file. The thread of the run only copies the tick; another thread writes it. If no
+/// thread can be started, the thread of the run writes it.
 class Recorder {
  public:
   Recorder(std::unique_ptr<Writer> writer, Level level);
-  /// Writes what is waiting.
+  /// Writes the remaining ticks.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Call after the set-up and after each tick. A problem (a full disk) is reported once, perhaps a little later; the
-  /// run continues without a recording. `seen`: what a caller has already observed of this tick; it is then not
-  /// observed again.
+  /// Call it after the set-up and after each tick. A problem, such as a full disk, is returned once, perhaps some ticks
+  /// later; the run then continues without a recording. `seen`: a record of this tick, if the caller has already called
+  /// Observe.
   Result<void> Take(const sim::Simulation& simulation, sim::EventList events, const TickRecord* seen = nullptr);
-  /// The same for a tick whose record exists.
+  /// Records a tick that the caller has observed.
   Result<void> Take(TickRecord record);
-  /// Ends the recording. The file is then complete, or a problem that was not yet reported is returned. Add nothing
-  /// after this.
+  /// Ends the recording. Returns a problem that was not yet returned. Do not call Take afterwards.
   Result<void> Finish();
 
  private:
@@ -50,20 +49,20 @@ class Recorder {
   TickRecord Blank();
   Result<void> Push(TickRecord tick);
 
-  std::unique_ptr<Writer> writer_;  ///< The writing thread's.
+  std::unique_ptr<Writer> writer_;  ///< Used only by the writing thread.
   Level level_;
-  bool is_told_ = false;  ///< The failure has been reported.
+  bool is_told_ = false;  ///< The failure was returned to the caller.
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<TickRecord> waiting_;   ///< For the writing thread.
-  std::vector<TickRecord> written_;  ///< Written records, whose memory is used again.
-  bool is_over_ = false;             ///< Nothing more comes.
+  std::deque<TickRecord> waiting_;   ///< Ticks that are to be written.
+  std::vector<TickRecord> written_;  ///< Records that were written; their memory is reused.
+  bool is_over_ = false;             ///< No more ticks will be added.
   std::optional<Diagnostic> failure_;
-  std::thread thread_;  ///< Not joinable: the run's thread writes.
+  std::thread thread_;  ///< Not joinable if the thread of the run writes.
 };
 
-/// The detail to ask of minds (Simulation settings) for a complete recording of this level.
+/// The detail that minds must record for a recording of this level (SimulationSettings).
 sim::MindDetail DetailOf(Level level);
 
 }  // namespace soarbox::record

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file in a folder of its own that goes with the test.
+/// A file in a folder that is removed with the test.
 class RecordingTest : public testing::Test {
  protected:
   fs::path file() const { return folder() / "run.soarrec"; }
@@ -153,7 +153,7 @@ TEST_F(RecordingTest, AChangedBitAnywhereIsTold) {
 TEST_F(RecordingTest, WhatCameInIsReadWithoutTheTicks) {
   const std::vector<TickRecord> ticks = SomeTicks(300);
   Write(file(), ticks, {.ticks_per_block = 10});
-  // A block of ticks in the middle is of no use; all that came in is still known.
+  // A block of ticks in the middle is damaged; all inputs are still readable.
   std::string content = Content(file());
   for (std::size_t at = kMagic.size(), blocks = 0; at < content.size(); ++blocks) {
     BlockFrame frame;
@@ -219,7 +219,8 @@ TEST_F(RecordingTest, OtherFormatsAreRefusedByNumber) {
   }
 }
 
-/// Agents of all kinds: with bodies that stand where they do or elsewhere, in any order, that come, go and turn.
+/// Agents of all kinds, in any order: with bodies at their position or elsewhere, that are created, removed and
+/// rotated.
 TEST_F(RecordingTest, AgentsAreKeptWhereTheyStandWhateverTheirBodiesDo) {
   std::mt19937 random(9);
   std::vector<TickRecord> ticks = SomeTicks(200);
@@ -273,7 +274,7 @@ TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {
       if (random() % 2 == 0) part.time_s += 1 / 30.0f;
     world::DrawableSnapshot& drawable = tick.scene.drawables.Edit(tick.scene.drawables.Find(0));
     drawable.bones = world::BodyBones(pose);
-    if (random() % 12 == 0) drawable.bones = drawable.bones.value();  // As an older recording has them.
+    if (random() % 12 == 0) drawable.bones = drawable.bones.value();  // Without a pose.
     if (random() % 12 == 0) drawable.bones = {};
   }
   Write(file(), ticks, {.ticks_per_block = 30});
@@ -302,7 +303,7 @@ TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      // It writes on and on, until it is killed.
+      // Writes continuously until it is killed.
       Result<std::unique_ptr<Writer>> writer = Writer::Create(file(), SomeHeader(), {.ticks_per_block = 5});
       TickRecord tick;
       for (std::uint64_t number = 0; writer; ++number) {
@@ -312,7 +313,7 @@ TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
       }
       _exit(1);
     }
-    // It is killed at some moment after it has come so far; nobody waits longer than two seconds.
+    // It is killed at a random moment after it has written a certain size, or after two seconds.
     const std::uintmax_t far = random() % 30'000;
     std::error_code error;
     for (int waits = 0; waits < 10'000; ++waits, usleep(200))

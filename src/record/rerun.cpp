@@ -23,15 +23,15 @@ Diagnostic Warning(const TickSource& recording, std::string message, std::string
   return warning;
 }
 
-/// The scenario's name as it must be looked for from here: relative names were relative to the run's folder.
+/// The scenario's name relative to the current folder. Relative names were relative to the run's folder.
 std::string NameFromHere(const Header& header, const std::string& name) {
   std::error_code error;
   const fs::path there = fs::path(header.folder) / name;
   return fs::exists(there, error) ? there.string() : name;
 }
 
-/// The scenario as it is on disk now. The folders that were given with --path are a recording's word only, which may
-/// be a stranger's: what it keeps of them is all that is read of them.
+/// The scenario as it is on the disk now. Folders given with --path come only from the recording, possibly by a
+/// stranger. Therefore, only the files that the recording keeps are used for them.
 Result<sim::Scenario> FoundOnDisk(const TickSource& recording, const sim::DataFolders& data,
                                   std::vector<Diagnostic>& warnings) {
   const Header& header = recording.header();
@@ -52,7 +52,7 @@ Result<sim::Scenario> FoundOnDisk(const TickSource& recording, const sim::DataFo
   return scenario;
 }
 
-/// The same with the rules that took the place of others.
+/// The same, with replacement rules.
 Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolders& data,
                                std::vector<Diagnostic>& warnings) {
   Result<sim::Scenario> scenario = FoundOnDisk(recording, data, warnings);
@@ -63,7 +63,7 @@ Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolde
   return scenario;
 }
 
-/// Runs on until the end of a tick; `see` is shown each record and says whether to go on.
+/// Runs to the end of a tick. Passes each record to `see`, which returns whether to continue.
 template <typename See>
 bool RunTo(sim::Simulation& simulation, std::uint64_t last_tick, Level level, const Progress& progress, See see) {
   TickRecord record;
@@ -113,7 +113,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const
   settings.screen_width_px = static_cast<int>(header.screen_width_px);
   settings.screen_height_px = static_cast<int>(header.screen_height_px);
   settings.soar.threads = rerun.threads;
-  // A recording is a stranger's: it may ask for more than is usual, but not for all that there is.
+  // The recording may come from a stranger. It may use more memory than usual, but not all memory.
   constexpr std::uint64_t kMostMemory_mb = 16'384;
   settings.limits.memory_bytes = static_cast<std::size_t>(std::min(header.memory_mb, kMostMemory_mb)) << 20;
   Result<Rerun> made = Restart(recording, *scenario, settings, rerun);
@@ -148,7 +148,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   }
   sim::SimulationSettings settings = given;
   settings.soar.seed = settings.seed;
-  settings.soar.port = 0;  // The port is the running world's.
+  settings.soar.port = 0;  // The port is used by the running world.
   settings.soar.remote_host.clear();
   settings.mind_detail = DetailOf(header.level);
   Result<std::unique_ptr<sim::Simulation>> made = sim::Simulation::Create(scenario, settings);
@@ -158,7 +158,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   const Result<std::vector<TickInputs>> inputs = recording.Inputs();
   if (!inputs) return inputs.error();
   for (const TickInputs& entry : *inputs) {
-    // A recorded client goes on doing what it did, whatever becomes of the run.
+    // A recorded client repeats all its actions, whatever the run does.
     std::string text;
     for (const std::string& line : entry.inputs)
       if (entry.tick <= how.last_tick || line.starts_with(std::to_string(entry.tick) + " command \"\" "))

@@ -46,7 +46,7 @@ void Put(ByteWriter& out, const Color& value) {
 template <typename T>
 requires std::is_integral_v<T> || std::is_enum_v<T>
 void Put(ByteWriter& out, T value) {
-  // Negative numbers are few (layers of panels) and take ten bytes.
+  // Negative numbers are rare (layers of panels) and use ten bytes.
   out.Number(static_cast<std::uint64_t>(value));
 }
 template <typename T, std::size_t N>
@@ -84,7 +84,7 @@ void Get(ByteReader& in, Color& value) {
   for (float* part : {&value.r, &value.g, &value.b, &value.a}) *part = in.Float();
 }
 
-/// How many values an enumeration of the scene has: readers index tables with them.
+/// Number of values of an enumeration in a scene. Readers check it, because they use values as indices.
 constexpr std::uint64_t ValuesOf(world::ShapeKind) {
   return static_cast<std::uint64_t>(world::ShapeKind::kSphere) + 1;
 }
@@ -124,7 +124,7 @@ void Get(ByteReader& in, T& value) {
 template <typename T>
 bool Same(const T& a, const T& b);
 
-/// Bit for bit, so that -0 and NaN replay as they were.
+/// Compares bit for bit, so that -0 and NaN replay exactly.
 std::uint32_t BitsOf(float number) {
   return std::bit_cast<std::uint32_t>(number);
 }
@@ -157,9 +157,9 @@ bool Same(const T& a, const T& b) {
   }
 }
 
-/// Places and turns move a little only: of each part, the highest bytes mostly are those of before. One byte says with
-/// two bits per part, lowest first, how much follows: 0 nothing, it is the same, 1 its two lowest bytes, 2 three, 3
-/// all.
+/// Positions and rotations change slightly, so the highest bytes of each component are usually the same. One byte with
+/// two bits per component, lowest first, says what follows: 0 nothing (unchanged), 1 the two lowest bytes, 2 three
+/// bytes, 3 all four.
 template <typename T>
 constexpr bool kIsMoved = std::is_same_v<T, Vec3> || std::is_same_v<T, Quat>;
 
@@ -201,7 +201,7 @@ void GetMoved(ByteReader& in, T& value) {
   if (kinds != 0) in.Fail();
 }
 
-/// What is expected of an entry: that it is as before.
+/// The default expectation: an entry is unchanged.
 template <typename T>
 struct Expected {
   const T& before;
@@ -211,8 +211,8 @@ struct Expected {
   }
 };
 
-/// One bit per member that differs from what is expected. `same_texts`: those of its members that are texts are known
-/// to be the same.
+/// One bit per member that differs from the expectation. `same_texts`: members that are texts are known to be
+/// unchanged.
 template <HasFields T, typename E>
 std::uint64_t Differences(const E& expected, const T& now, bool same_texts = false) {
   std::uint64_t mask = 0;
@@ -265,7 +265,8 @@ void GetMembers(ByteReader& in, T& value) {
   if (mask != 0) in.Fail();
 }
 
-// A list is a sequence of steps along the earlier list: so many stay as they are, then one changes, goes, or comes.
+// A list is a sequence of steps along the earlier list: a number of unchanged entries, followed by one that changed,
+// was removed or is new.
 enum class Step : std::uint8_t { kEnd, kChanged, kGone, kNew };
 
 template <HasFields T>
@@ -282,7 +283,7 @@ class StepWriter {
     out_.Number(value.id);
     PutMembers(out_, Differences(expected, value), expected, value);
   }
-  /// The same entry, as expected or not.
+  /// An entry that exists in both lists, whether it changed or not.
   template <typename E>
   void Next(const E& expected, const T& value, bool same_texts = false) {
     const std::uint64_t mask = Differences(expected, value, same_texts);
@@ -302,8 +303,8 @@ class StepWriter {
   std::size_t unchanged_ = 0;
 };
 
-/// What is expected of agents, whose ids ascend: that they stand where the first drawable that belongs to them stands
-/// now, no higher or lower than before, and look where it does; else that they are as before.
+/// The expectation for agents, whose ids ascend. They have the horizontal position and the direction of their first
+/// drawable, and the same height as before. If they have no drawable, they are unchanged.
 class Followed {
  public:
   Followed(const world::SceneSnapshot& scene) {
@@ -316,7 +317,7 @@ class Followed {
     if (next_ == bodies_.size() || bodies_[next_]->owner_id != agent) return;
     const world::DrawableSnapshot& body = *bodies_[next_];
     position = {body.position.x, position.y, body.position.z};
-    // (What is no turn has no such bits on all machines.)
+    // Quaternions that are not finite give different bits on different machines.
     if (const Vec3 ahead = Rotate(body.orientation, {0, 0, 1}); world::IsFinite(ahead)) forward = ahead;
   }
 
@@ -342,15 +343,14 @@ struct Expected<world::AgentSnapshot> {
   }
 };
 
-/// `expect(earlier)`: what is expected of an entry; `same_texts(earlier, value)`: whether it is known that its texts
-/// are those of before.
+/// `expect(earlier)`: the expected entry. `same_texts(earlier, value)`: whether its texts are known to be unchanged.
 template <HasFields T, typename Expect, typename SameTexts>
 void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now, Expect&& expect,
                SameTexts&& same_texts) {
   StepWriter<T> steps(out);
   std::size_t old = 0;
   for (const T& value : now) {
-    // Ids ascend in both lists; what is in front of this id has gone.
+    // Ids ascend in both lists. Entries before this id were removed.
     for (; old < before.size() && before[old].id < value.id; ++old) steps.Gone();
     if (old < before.size() && before[old].id == value.id) {
       steps.Next(expect(before[old]), value, same_texts(before[old], value));
@@ -404,7 +404,7 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
   }
 }
 
-/// Blocks that both lists share hold the same.
+/// Blocks that both lists share are equal.
 template <HasFields T>
 void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>& now) {
   StepWriter<T> steps(out);
@@ -431,7 +431,7 @@ void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>
   steps.End();
 }
 
-/// In place, so that blocks that stay as they are stay shared.
+/// Changes the list in place, so that unchanged blocks stay shared.
 template <HasFields T>
 void ReadList(ByteReader& in, SharedList<T>& list) {
   typename SharedList<T>::Place at;
@@ -470,7 +470,8 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
   }
 }
 
-/// Lists of things without ids, which last for one tick: each differs from the one at its place in the tick before.
+/// Lists of items without ids, which exist for one tick. Each item is compared with the one at the same index in the
+/// tick before.
 template <HasFields T>
 void WritePlain(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
   static const T kNothing;

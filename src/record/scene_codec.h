@@ -7,11 +7,11 @@
 
 namespace soarbox::record {
 
-/// Writes a scene as its difference from an earlier one; with an empty earlier scene it is complete in itself.
+/// Writes a scene as its difference from an earlier one. If the earlier scene is empty, the output is complete.
 void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now);
 
-/// Turns the earlier scene into the later one. If the bytes make no sense, `in` has failed and the scene is useless.
-/// In either case, memory stays below a multiple of the bytes read and of `scene`.
+/// Reads a difference and applies it to `scene`. If the bytes are invalid, `in` has failed and the scene is undefined.
+/// In either case, memory is limited to a multiple of the bytes read plus the size of `scene`.
 void ReadScene(ByteReader& in, world::SceneSnapshot& scene);
 
 }  // namespace soarbox::record

@@ -7,8 +7,8 @@
 
 namespace soarbox::record {
 
-/// The members of the parts of a scene, in the order in which a recording stores them, without the id that names the
-/// part. To record a new member of a snapshot, add it at the end of its list here and raise the format's version.
+/// The members of the parts of a scene, in the order in which a recording stores them, without the id of the part. To
+/// record a new member of a snapshot, add it at the end of its list and increment the version of the format.
 constexpr auto FieldsOf(const world::DrawableSnapshot&) {
   using T = world::DrawableSnapshot;
   return std::tuple(&T::owner_id, &T::belongs_to_agent, &T::shape, &T::mesh, &T::material, &T::size,
@@ -42,7 +42,7 @@ constexpr auto FieldsOf(const world::SoundSnapshot&) {
   using T = world::SoundSnapshot;
   return std::tuple(&T::file, &T::time_s, &T::volume, &T::in_world, &T::position);
 }
-/// The members that a scene has once.
+/// The members of the scene itself.
 constexpr auto FieldsOf(const world::SceneSnapshot&) {
   using T = world::SceneSnapshot;
   return std::tuple(&T::time_s, &T::markup_palette, &T::ambient, &T::sky, &T::sky_rotation_deg, &T::camera_moves,

@@ -58,7 +58,7 @@ std::string Sha256(std::string_view bytes) {
   State state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   std::size_t at = 0;
   for (; at + kBlock <= bytes.size(); at += kBlock) AddBlock(bytes.substr(at, kBlock), state);
-  // A one, zeros, and the length in bits: to the end of a block.
+  // Padding to the end of a block: a 1 bit, zeros, and the length in bits.
   std::string rest(bytes.substr(at));
   rest += '\x80';
   while (rest.size() % kBlock != kBlock - 8) rest += '\0';
@@ -78,7 +78,7 @@ std::string Sha256OfFile(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream content;
   if (!in || !(content << in.rdbuf())) {
-    // An empty file is read as a failure, too.
+    // Reading an empty file also fails.
     std::error_code error;
     if (!in.is_open() || std::filesystem::file_size(file, error) != 0 || error) return {};
   }

@@ -10,13 +10,13 @@
 
 namespace soarbox::record {
 
-/// For tests: where the project's own scenarios and media are.
+/// For tests: the folders of the project's scenarios and media.
 inline sim::DataFolders Data() {
   const std::string root = SOARBOX_SOURCE_DIR;
   return {root + "/scenarios", root + "/media"};
 }
 
-/// For tests: a run with its history, as a window keeps one. Fill in its parts, then note tick 0.
+/// For tests: a run with its history, as a window has one. Set its members, then call Note for tick 0.
 struct NotedRun {
   void Note() {
     TickRecord record;

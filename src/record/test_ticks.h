@@ -47,7 +47,7 @@ inline Header SomeHeader() {
   return header;
 }
 
-/// Ticks of an invented world in which bodies come, move and go, and things happen now and then.
+/// Ticks of a random world in which bodies are created, moved and removed, and events occur.
 inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed = 1) {
   std::mt19937 random(seed);
   const auto chance = [&](unsigned one_in) { return random() % one_in == 0; };
@@ -116,7 +116,7 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
   return ticks;
 }
 
-/// Everything in a record, as bytes that are complete in themselves.
+/// All data of a record as bytes.
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
   ByteWriter out(bytes);

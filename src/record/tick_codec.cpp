@@ -69,9 +69,9 @@ void ReadEvent(ByteReader& in, sim::RunEvent& event) {
   for (float* value : {&event.perceived, &event.position.x, &event.position.y, &event.position.z}) *value = in.Float();
 }
 
-/// Minds as their differences from the tick before, in which they mostly stand in the same order: a number of twice how
-/// many of its minds are passed over plus 1, or 0 and the agent's name for one that it does not have, plus 1 if the
-/// mind is from words; then its events.
+/// Writes minds as their differences from the tick before, in which they usually have the same order. For each mind: 1
+/// plus the number of earlier minds to skip, or 0 and the agent's name for one that is not in the tick before. Then its
+/// events.
 void WriteMinds(ByteWriter& out, const std::vector<MindRecord>& before, const std::vector<MindRecord>& now) {
   constexpr std::size_t kMostPassed = 200;
   out.Number(now.size());
@@ -133,7 +133,7 @@ void ReadTick(ByteReader& in, TickRecord& record) {
   ReadTexts(in, record.inputs);
   ReadScene(in, record.scene);
   record.scene.tick = record.tick;
-  // An event takes 15 bytes at least, a mind 3.
+  // An event uses at least 15 bytes, a mind 3.
   record.events.assign(in.CountOf(sizeof(sim::RunEvent), 15), {});
   for (sim::RunEvent& event : record.events) ReadEvent(in, event);
   ReadMinds(in, record.minds);

@@ -11,13 +11,13 @@
 
 namespace soarbox::record {
 
-/// Writes a tick as its difference from the one before; with an empty one before it, it is complete in itself.
+/// Writes a tick as its difference from the one before. If that is empty, the output is complete.
 void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now);
 
-/// Turns the record of one tick into that of the next. If the bytes make no sense, `in` has failed.
+/// Reads a difference and applies it to `record`. If the bytes are invalid, `in` has failed.
 void ReadTick(ByteReader& in, TickRecord& record);
 
-/// The inputs before a tick, kept when a bounded recording drops the tick's frames.
+/// Writes the inputs before a tick. They are kept when a bounded recording drops the tick.
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs);
 void ReadInputs(ByteReader& in, std::uint64_t& tick, std::vector<std::string>& inputs);
 

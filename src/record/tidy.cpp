@@ -25,7 +25,7 @@ Cell Of(std::string_view text) {
   return text.empty() ? Cell() : Cell(std::string(text));
 }
 
-/// What a mind is doing, from the events so far: its stack of states, and the operator of each.
+/// The goal stack of a mind according to the events so far, with the operator of each state.
 class MindState {
  public:
   void See(const mind::EventLog& events) {
@@ -51,7 +51,7 @@ class MindState {
   void KeepLevels(int count) {
     operators_.resize(std::min<std::size_t>(operators_.size(), static_cast<std::size_t>(std::max(count, 0))));
   }
-  /// The operator of a state; those below it are gone.
+  /// The operator of a state. Removes the states below it.
   std::string& Level(int level) {
     const int sound = std::clamp(level, 1, static_cast<int>(mind::kDeepestLevel));
     KeepLevels(sound);
@@ -105,7 +105,7 @@ class Rows {
                        {tick, time, agent, {"percept", kText}, {"change", kText}, {"value"}, {"word", kText}});
   }
 
-  /// `is_in_range`: earlier ticks only tell what minds do.
+  /// `is_in_range`: false for earlier ticks, which only update the states of minds.
   void See(const TickRecord& record, bool is_in_range) {
     for (auto& [agent, mind] : minds_) mind.Pass();
     for (const MindRecord& mind : record.minds) minds_[mind.agent].See(mind.events);

@@ -6,19 +6,19 @@
 
 namespace soarbox::record {
 
-/// How many rows each table of TidyTables got.
+/// Number of rows in each table of TidyTables.
 struct TidyCounts {
   std::size_t agents = 0, events = 0, percepts = 0;
 };
 
-/// A recording as three tables in long form:
+/// Writes a recording as three tables in long form:
 ///
-/// * `agents`: a row per agent and tick: place, speed, health, command, operator, depth of its goal stack
+/// * `agents`: a row per agent and tick: position, speed, health, command, operator, depth of its goal stack
 /// * `events`: a row per event, of the world and of minds
 /// * `percepts`: a row for each change of a percept; a percept keeps its value until its next row
 Result<TidyCounts> TidyTables(Reader& recording, TickRange range, TableSink& sink);
 
-/// What the recording was made from and with: its header and its manifest.
+/// What the recording was made from and with: the data of its header and its manifest.
 Metadata MetadataOf(const Reader& recording);
 
 }  // namespace soarbox::record

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A recording holds what ran, byte by byte; and whatever does not agree with it is found and named.
+// A recording contains the run, byte for byte; every difference from it is found and reported.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using Change = std::function<void(TickRecord&)>;
 using Meddle = std::function<void(sim::Simulation&)>;
 
-/// Runs a scenario and records it; `change` changes what is recorded, `meddle` the run.
+/// Runs a scenario and records it; `change` modifies the recorded data, `meddle` the run.
 std::vector<TickRecord> RunAndRecord(const std::filesystem::path& file, const std::string& name, int ticks,
                                      const Change& change = {}, const Meddle& meddle = {}) {
   const sim::Scenario scenario = sim::FindScenario(name, Data()).value();
@@ -55,7 +55,8 @@ Verdict VerdictOn(const std::filesystem::path& file, int threads = 1) {
   return *verdict;
 }
 
-/// The file holds each tick as it ran, and so does the run once more, with so many threads.
+/// Checks that the file contains each tick as it ran, and that repeated runs with other numbers of threads are the
+/// same.
 void ExpectEqualBytes(const std::string& name, std::uint64_t ticks, std::vector<int> thread_counts) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path() / "run";
@@ -82,7 +83,7 @@ TEST(Verify, ARecordingIsTheRunByteByByteAndSoIsTheRunOnceMore) {
   for (const char* name : {"crowd/crowd_10.lua", "soar_skirmish"}) ExpectEqualBytes(name, 24, {1, 4});
 }
 
-// Where the kernel's invariants are checked after each phase, a tick of a fight takes more than a second.
+// If the kernel's invariants are checked after each phase, a tick of a fight takes more than a second.
 #ifdef SOARBOX_CHECK_INVARIANTS
 constexpr int kTicksOfEach = 20;
 #else
@@ -114,7 +115,7 @@ TEST(Verify, OneBitOfAStateIsFoundAndNamed) {
   EXPECT_EQ(verdict.difference->element, "the state's hash");
 }
 
-/// Changes an event, if it is of this kind.
+/// Changes an event of this kind.
 template <typename Kind, typename Change>
 std::function<bool(mind::Event&)> ChangeOf(Change change) {
   return [change](mind::Event& event) {
@@ -124,7 +125,7 @@ std::function<bool(mind::Event&)> ChangeOf(Change change) {
   };
 }
 
-/// Changes the first event that can be.
+/// Changes the first event that can be changed.
 bool ChangeOne(mind::EventLog& events, const std::function<bool(mind::Event&)>& change) {
   mind::EventLog changed;
   bool is_changed = false;
@@ -177,7 +178,7 @@ TEST(Verify, WhatIsSeenOrThoughtOtherwiseIsNamedWithItsAgent) {
 TEST(Verify, OneRandomNumberIsFound) {
   const ScratchFolder scratch;
   const std::filesystem::path file = scratch.path() / "run";
-  // Somebody draws one number more than the recording knows of.
+  // One random number is drawn that the recording does not contain.
   RunAndRecord(
       file, "crowd/crowd_10.lua", 15, [](TickRecord& record) { record.inputs.clear(); },
       [](sim::Simulation& simulation) {

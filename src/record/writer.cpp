@@ -25,7 +25,7 @@ Writer::Writer(File file, fs::path path, const Header& header, const WriterSetti
 }
 
 Writer::~Writer() {
-  (void)Flush();  // Nobody is left to be told.
+  (void)Flush();  // There is no caller to report an error to.
 }
 
 Result<std::unique_ptr<Writer>> Writer::Create(const fs::path& path, const Header& header,
@@ -86,7 +86,7 @@ Result<void> Writer::WriteInputsSoFar() {
 Result<void> Writer::Flush() {
   if (failure_) return *failure_;
   if (builder_.empty()) return {};
-  // The inputs first: ticks that stand in the file have theirs there too.
+  // Inputs come first, so that the inputs of all ticks in the file are also in it.
   if (const Result<void> written = WriteInputsSoFar(); !written) return written;
   const EncodedBlock block = builder_.Take();
   blocks_.push_back({bytes_, block.bytes.size()});
@@ -95,8 +95,8 @@ Result<void> Writer::Flush() {
   return {};
 }
 
-/// Writes a new file with what stays and puts it in the place of the old one, so that at each moment one of them is
-/// whole. All inputs stay: with them the run can be simulated again from its beginning.
+/// Writes the remaining blocks to a new file and then replaces the old one, so that one complete file always exists.
+/// All inputs are kept, because they are needed to simulate the run again from its beginning.
 Result<void> Writer::DropOlderHalf() {
   const fs::path next = path_.string() + ".next";
   File old = std::exchange(file_, File(std::fopen(next.c_str(), "w+b")));

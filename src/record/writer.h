@@ -18,32 +18,34 @@
 namespace soarbox::record {
 
 struct WriterSettings {
-  std::uint32_t ticks_per_block = 30;  ///< The most ticks that are lost when the program is killed.
-  std::uint64_t limit_bytes = 0;       ///< 0: none. At the limit the older half of the frames goes; all inputs stay.
-  std::string manifest = {};           ///< ManifestOf (manifest.h), kept in a block of its own; empty: none.
+  std::uint32_t ticks_per_block = 30;  ///< Maximum number of ticks that are lost if the program is killed.
+  std::uint64_t limit_bytes = 0;       ///< Maximum size of the file; 0: no limit. At the limit, the older half of the
+                                       ///< ticks is dropped; all inputs stay.
+  std::string manifest = {};           ///< The manifest (ManifestOf in manifest.h), stored in a separate block; empty:
+                                       ///< none.
 };
 
-/// Writes a recording, block by block. A written block never changes, so you can read the file meanwhile, and a program
-/// that is killed leaves all complete blocks.
+/// Writes a recording, block by block. A block that was written never changes, so the file can be read meanwhile. A
+/// program that is killed leaves all complete blocks.
 ///
-/// One thread at a time. The destructor writes what is waiting.
+/// Not thread-safe. The destructor writes the remaining ticks.
 class Writer {
  public:
-  /// Creates the file, replacing an old one. Fails if it cannot be made or written; the error names it.
+  /// Creates the file; replaces an existing one. Fails if it cannot be created or written; the error names it.
   static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file, const Header& header,
                                                 const WriterSettings& settings = {});
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Adds the next tick. Fails when the disk is full or the like. The recording then ends with the last complete block
-  /// and accepts nothing more; each further call returns the same error.
+  /// Adds the next tick. Fails if the disk is full or a similar error occurs. The recording then ends with the last
+  /// complete block; each further call returns the same error.
   Result<void> Add(const TickRecord& tick);
-  /// The same; `tick` is then an earlier one, whose memory may serve again.
+  /// The same. On return, `tick` contains an earlier tick, whose memory the caller can reuse.
   Result<void> AddAndSwap(TickRecord& tick);
-  /// For a recording that does not start at tick 0: the inputs before its first tick. Call before the first Add.
+  /// For a recording that begins after tick 0: writes the inputs before its first tick. Call it before the first Add.
   Result<void> AddEarlierInputs(const std::vector<TickInputs>& earlier);
-  /// Writes the ticks of the unfinished block.
+  /// Writes the ticks of the incomplete block.
   Result<void> Flush();
 
   std::uint64_t bytes() const { return bytes_; }
@@ -66,15 +68,16 @@ class Writer {
 
   File file_;
   std::filesystem::path path_;
-  std::string header_block_;  ///< With the manifest.
+  std::string header_block_;  ///< Includes the manifest's block.
   WriterSettings settings_;
   std::uint64_t bytes_ = 0;
   std::optional<Diagnostic> failure_;
 
   BlockBuilder builder_;
-  std::string new_inputs_;    ///< Of the ticks of the current block.
-  std::deque<Block> blocks_;  ///< Of ticks, on disk.
-  std::string all_inputs_;    ///< Of a bounded recording, those of all ticks on disk, for when it drops some.
+  std::string new_inputs_;    ///< Inputs of the ticks of the current block.
+  std::deque<Block> blocks_;  ///< Blocks of ticks in the file.
+  std::string all_inputs_;    ///< For a bounded recording: inputs of all ticks in the file, needed when ticks are
+                              ///< dropped.
 };
 
 }  // namespace soarbox::record

@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRuns = 50;
-/// Of the page of one recording; of one of several, which has no run in 3D.
+/// Maximum size of the page of one recording, and for each run of a page of several, which has no 3D view.
 constexpr std::size_t kMostBytes = 10'000'000, kMostBytesOfEach = 9'000'000;
-/// What is told of a run gets that much, however much room the run in 3D takes: some 6 MB at most.
+/// Minimum size for the data of a run, regardless of the 3D view, which uses at most about 6 MB.
 constexpr std::size_t kLeastBytes = 2'000'000;
-constexpr std::size_t kPlainBytes = 400'000;  ///< For readers without scripts: rarely more.
+constexpr std::size_t kPlainBytes = 400'000;  ///< For readers without scripts; rarely more is needed.
 
-/// What stands on the page for readers without scripts: title, checks and key moments.
+/// The part of the page for readers without scripts: title, checks and key moments.
 std::string PlainBody(const Json& data) {
   std::string body =
       "<h1>" + EscapeHtml(data.value("title", "")) + "</h1>\n<p>" + EscapeHtml(data.value("verdict", "")) + "</p>\n";
@@ -107,7 +107,7 @@ std::string EscapeHtml(std::string_view text) {
       case '\'':
         safe += "&#39;";
         break;
-      case '{':  // The page's own marks are in braces.
+      case '{':  // The page's own placeholders are in braces.
         safe += "&#123;";
         break;
       default:

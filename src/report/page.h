@@ -14,35 +14,35 @@
 
 namespace soarbox::report {
 
-/// What a page is made from in addition to its data: as npm builds it from web/.
+/// The files from which a page is built, in addition to its data. npm builds them from web/.
 struct PageTexts {
-  std::string page;    ///< With a place for the data, and for what else FillIn puts into it.
-  std::string script;  ///< Shows the data.
-  std::string scene;   ///< Shows a recorded run in 3D above it.
+  std::string page;    ///< A template with places for the data and other texts (FillIn).
+  std::string script;  ///< Displays the data.
+  std::string scene;   ///< Displays a recorded run in 3D.
 };
 
-/// A recorded run in 3D, as JSON for the script that shows it.
+/// Returns a recorded run in 3D, as JSON for PageTexts::scene.
 using RecordedRun = std::function<Result<std::string>(const std::filesystem::path& recording)>;
 
-/// One page about a recording, a folder of recordings or a sweep's folder, as one file that needs nothing else: texts
-/// reach it as data only, and it runs no script but its own. That of one recording shows its run in 3D, too; it takes
-/// 10 MB at most.
+/// Builds a page about a recording, a folder of recordings or a sweep's folder, as a single file without other
+/// resources. Texts are included only as data, and the page executes only its own scripts. The page of a single
+/// recording also shows its run in 3D, which uses at most 10 MB.
 Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data, const PageTexts& texts,
                              const RecordedRun& recorded_run);
 
-/// The data of a recorded run, as JSON: the run is simulated again, so that every mind can be asked. `mission`: judged
-/// by these checks; empty: by those of its scenario, if it has any. `most_bytes`: what it may take in a page, at least
-/// a million; it says what that leaves out.
+/// The data of a recorded run, as JSON. The run is simulated again, so that all minds can be queried. It is judged by
+/// the checks of its scenario, if there are any. `most_bytes`: maximum size in the page, at least a million. The data
+/// say what was left out.
 Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data,
                             std::size_t most_bytes);
-/// The data of a sweep, from what its folder holds.
+/// The data of a sweep, from its folder.
 Result<std::string> SweepData(const std::filesystem::path& folder, const sim::DataFolders& data);
 
-/// JSON that may stand inside an HTML script element: no character of it ends the element or begins another.
+/// Escapes JSON for an HTML script element, so that no character sequence ends the element or begins another.
 std::string ForScriptElement(std::string_view json);
-/// A template with a text in place of each {{name}}; what is in the texts stays as it is.
+/// Replaces each {{name}} in a template by a text. The texts themselves are not changed.
 std::string FillIn(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> texts);
-/// Text that stands for itself in HTML.
+/// Escapes a text for HTML.
 std::string EscapeHtml(std::string_view text);
 
 }  // namespace soarbox::report

@@ -24,7 +24,7 @@ constexpr float kWidth = 720, kRow = 46, kLetter = 7.2f;
 constexpr Ink kText{0.10f, 0.11f, 0.13f, 1}, kQuiet{0.38f, 0.40f, 0.44f, 1}, kLine{0.84f, 0.85f, 0.87f, 1},
     kMark{0.05f, 0.36f, 0.66f, 1}, kDot{0.05f, 0.36f, 0.66f, 0.35f}, kThing{0.78f, 0.79f, 0.81f, 1};
 
-/// Told apart in lightness, too.
+/// Colours that also differ in lightness.
 Ink ColorOf(std::size_t index) {
   constexpr std::array<Ink, 8> kColors = {{{0.05f, 0.36f, 0.66f, 1},
                                            {0.85f, 0.37f, 0.01f, 1},
@@ -43,7 +43,7 @@ std::string Digits(double number) {
   return text;
 }
 
-/// A text that fits into so many px.
+/// Truncates a text to a width in px.
 std::string Cut(std::string text, float width) {
   const auto most = static_cast<std::size_t>(std::max(4.0f, width / kLetter));
   if (text.size() <= most) return text;
@@ -56,7 +56,7 @@ void Write(Drawing& drawing, float x, float y, std::string words, Anchor anchor 
   drawing.shapes.emplace_back(Drawing::Text{x, y, size, anchor, ink, std::move(words)});
 }
 
-/// From numbers to places on one axis of a drawing.
+/// Converts numbers to positions on an axis.
 class Scale {
  public:
   Scale(double low, double high, float from, float to) : low_(low), high_(high), from_(from), to_(to) {
@@ -65,7 +65,7 @@ class Scale {
   float operator()(double value) const {
     return from_ + static_cast<float>((value - low_) / (high_ - low_)) * (to_ - from_);
   }
-  /// Round numbers on the axis: steps of 1, 2 or 5 times a power of ten.
+  /// Round numbers on the axis: multiples of 1, 2 or 5 times a power of ten.
   std::vector<double> Ticks(int about) const {
     const double rough = (high_ - low_) / about, power = std::pow(10, std::floor(std::log10(rough)));
     const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
@@ -80,7 +80,7 @@ class Scale {
   float from_, to_;
 };
 
-/// Names at the left, an axis below, a line for each round number.
+/// Names on the left, an axis at the bottom, and a line for each round number.
 struct Frame {
   float left, right, top, bottom;
   Scale x;
@@ -120,7 +120,7 @@ void WriteNames(Drawing& drawing, const Frame& frame, const std::vector<std::str
     Write(drawing, 12, frame.top + kRow * (static_cast<float>(i) + 0.5f) + 4, Cut(names[i], frame.left - 18));
 }
 
-/// A mark with a line from the low end to the high one.
+/// Draws a mark for the middle and a line from low to high.
 void DrawInterval(Drawing& drawing, const Frame& frame, float y, double low, double middle, double high, Ink ink) {
   drawing.Line(frame.x(low), y, frame.x(high), y, 2, ink);
   for (const double end : {low, high}) drawing.Line(frame.x(end), y - 4, frame.x(end), y + 4, 2, ink);
@@ -141,7 +141,7 @@ std::vector<double> Numbers(const Json& list) {
   return numbers;
 }
 
-/// The name of a plot as the name of a file.
+/// Converts the name of a plot to a file name.
 std::string FileName(const char* kind, const std::string& of) {
   std::string name = kind;
   if (!of.empty()) name += "-" + of;
@@ -155,7 +155,7 @@ std::string FileName(const char* kind, const std::string& of) {
   return name;
 }
 
-/// How often runs of each variant passed, or a check came true, with Wilson's intervals.
+/// The rate of passed runs of each variant, or of a check, with Wilson's intervals.
 Plot RatesPlot(const Json& variants, const std::string& name, std::optional<std::size_t> check) {
   const std::vector<std::string> names = NamesOf(variants, "name");
   Drawing drawing =
@@ -180,10 +180,10 @@ double Quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// Each run as a dot; many runs as a box from the first quarter to the third, and a line from 5 % to 95 %.
+/// Draws each run as a dot; many runs as a box from the first to the third quartile, and a line from 5 % to 95 %.
 void DrawRuns(Drawing& drawing, const Frame& frame, float y, std::vector<double> values) {
   if (values.size() <= kMostDots) {
-    // Dots that would hide each other are moved up and down, in turns.
+    // Overlapping dots are moved alternately up and down.
     for (std::size_t i = 0; i < values.size(); ++i)
       drawing.shapes.emplace_back(
           Drawing::Disc{frame.x(values[i]), y + static_cast<float>(i % 5) * 2.2f - 4.4f, 3, kDot});
@@ -224,7 +224,7 @@ Plot DistributionPlot(const Json& metric, const std::vector<std::string>& names)
   return {FileName("distribution", name), std::move(drawing)};
 }
 
-/// How many runs of each variant have a value of each part of the axis.
+/// Number of runs of each variant for each interval of the axis.
 Plot HistogramPlot(const Json& metric, const std::vector<std::string>& names) {
   const std::string name = metric.value("name", "");
   Drawing drawing = Rows(name + ": number of runs", names);
@@ -238,7 +238,7 @@ Plot HistogramPlot(const Json& metric, const std::vector<std::string>& names) {
       high = std::max(high, value);
     }
   }
-  // Sturges' rule, twice as fine.
+  // Sturges' rule with twice as many bins.
   const auto bins =
       static_cast<std::size_t>(std::clamp(2 * (1 + std::ceil(std::log2(static_cast<double>(most_runs)))), 5.0, 40.0));
   const double width = high > low ? (high - low) / static_cast<double>(bins) : 1;
@@ -280,7 +280,7 @@ std::optional<Plot> DifferencesPlot(const Json& metric, const std::string& first
     low = std::min(low, each.value("low", 0.0));
     high = std::max(high, each.value("high", 0.0));
   }
-  // Room for the probabilities at the right.
+  // Leaves room for the probabilities on the right.
   const Frame frame = FrameOf(drawing, names, low, high + (high - low) * 0.3);
   DrawAxis(drawing, frame);
   drawing.Line(frame.x(0), frame.top, frame.x(0), frame.bottom, 1.5f, kQuiet);
@@ -333,7 +333,7 @@ std::vector<Plot> SweepPlots(const Json& data) {
   return plots;
 }
 
-/// The values of a series of an agent, which is kept as differences.
+/// The values of a series of an agent, which is stored as differences.
 std::vector<double> SeriesOf(const Json& agent, const char* key, double unit) {
   std::vector<double> values = Numbers(agent.value(key, Json::array()));
   double sum = 0;
@@ -352,7 +352,7 @@ void WriteLegend(Drawing& drawing, const std::vector<std::string>& names, float 
   }
 }
 
-/// A number of all agents over time.
+/// A quantity of all agents over time.
 Plot CurvesPlot(const Json& data, const char* key, double unit, const std::string& title, const char* name) {
   const std::vector<double> times = Numbers(data["times"]);
   Drawing drawing;
@@ -390,7 +390,7 @@ Plot CurvesPlot(const Json& data, const char* key, double unit, const std::strin
   return {name, std::move(drawing)};
 }
 
-/// Where everybody went: x to the right, z down.
+/// The paths of all agents; x to the right, z down.
 Plot MapPlot(const Json& data) {
   double x0 = std::numeric_limits<double>::max(), x1 = -x0, z0 = x0, z1 = -x0;
   std::vector<std::pair<std::vector<double>, std::vector<double>>> ways;
@@ -421,7 +421,7 @@ Plot MapPlot(const Json& data) {
       drawing.shapes.emplace_back(Drawing::Disc{cx, cy, w / 2, kThing});
       continue;
     }
-    // A turned box as a thick line through its middle.
+    // A rotated box is drawn as a thick line through its centre.
     const double turn = -thing.value("turn", 0.0) * std::numbers::pi / 180;
     if (std::abs(std::sin(2 * turn)) < 0.01) {
       const bool is_across = std::abs(std::sin(turn)) > 0.5;
@@ -449,7 +449,7 @@ Plot MapPlot(const Json& data) {
     drawing.shapes.emplace_back(Drawing::Disc{last.first, last.second, 5, ColorOf(i)});
     if (i < kMostCurves) Write(drawing, last.first + 8, last.second + 4, names[i], Anchor::kStart, kText, 11);
   }
-  // A bar whose length is a round number of metres.
+  // A scale bar with a round length in metres.
   const double bar = Scale(0, side, 0, 1).Ticks(5)[1];
   const float from = 20, y = drawing.height - 14;
   drawing.Line(from, y, from + static_cast<float>(bar) * metre, y, 2, kText);

@@ -8,7 +8,7 @@
 
 namespace soarbox::report {
 
-/// A plot, and a name for its file without an ending.
+/// A plot, and a name for its file without an extension.
 struct Plot {
   std::string name;
   picture::Drawing drawing;
@@ -16,8 +16,9 @@ struct Plot {
 
 /// The plots of a report, from its data (RunData, SweepData).
 ///
-/// Of a sweep: rates with their intervals; of each number, its distribution, a histogram, and the differences from the
-/// first variant; ratings of a tournament. Of a run: a map with everybody's path, and health and speed over time.
+/// For a sweep: rates with their intervals; for each number, its distribution, a histogram, and the differences from
+/// the first variant; ratings of a tournament. For a run: a map with the paths of all agents, and health and speed over
+/// time.
 std::vector<Plot> PlotsOf(const std::string& data);
 
 }  // namespace soarbox::report

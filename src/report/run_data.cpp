@@ -25,17 +25,17 @@ using Json = nlohmann::ordered_json;
 constexpr double kWay_Hz = 5;
 constexpr std::size_t kMostMoments = 12;
 constexpr std::size_t kMostSamples = 18'000;  ///< An hour at 5 Hz.
-/// What is kept while the run goes by; half as much goes on when there is more.
+/// Maximum number of items kept during the run; above it, every second one is removed.
 constexpr std::size_t kMostKept = 400'000;
-constexpr std::size_t kMostGaps = 1'000;  ///< As moments to choose from.
+constexpr std::size_t kMostGaps = 1'000;  ///< Maximum number of moments to choose from.
 constexpr std::size_t kLargestText = 240, kLargestName = 80, kMostReasonLines = 60;
 
-/// What is told of one run. A run that would take more bytes than there is room for gets half of it, and half again.
+/// Limits for the data of a run. They are halved until the data fit into the page.
 struct Budget {
-  std::size_t samples = 181'000;  ///< Of all agents together: an hour of ten, with its ends.
+  std::size_t samples = 181'000;  ///< Total of all agents: an hour of ten agents.
   std::size_t event_bytes = 2'500'000;
-  std::size_t spans = 20'000;    ///< If there are more, those too narrow to be seen are drawn together.
-  std::size_t columns = 30'000;  ///< Of the timelines of all agents together.
+  std::size_t spans = 20'000;    ///< If there are more, spans that are too narrow to be visible are merged.
+  std::size_t columns = 30'000;  ///< Total of the timelines of all agents.
   std::size_t rules = 12'000;
   std::size_t file_bytes = 1'500'000;
 
@@ -46,7 +46,7 @@ double Rounded(double value, double to) {
   return std::round(value / to) * to;
 }
 
-/// Numbers with few digits make a page half as large.
+/// Numbers with few digits halve the size of a page.
 Json Short(double value) {
   const double rounded = Rounded(value, 0.01);
   if (rounded == std::floor(rounded)) return static_cast<std::int64_t>(rounded);
@@ -57,7 +57,7 @@ std::string TimeText(double seconds) {
   return mission::SecondsText(seconds);
 }
 
-/// Collects what the page shows while the run goes by again.
+/// Collects the data of the page while the run is simulated again.
 class RunStory {
  public:
   RunStory(sim::Simulation& simulation, const mission::Mission& mission)
@@ -94,7 +94,7 @@ class RunStory {
                      [](const Json& a, const Json& b) { return a["time"] < b["time"]; });
   }
 
-  /// What the page shows, within a budget; what that leaves out is told in `thinned`.
+  /// The data of the page within a budget; `thinned` lists what was left out.
   Json Compose(bool has_mission, const Budget& budget) const {
     const mission::TickFacts& facts = gatherer_.facts();
     Json data, thinned = Json::array();
@@ -140,7 +140,7 @@ class RunStory {
     data["moments"] = moments_;
     std::size_t failed = 0, all = 0;
     for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
-      // What is to be true with some seeds says nothing of one run.
+      // A check for a number of seeds is not decided by one run.
       if (mission_.checks[i].marker || mission_.checks[i].pass) continue;
       ++all;
       failed += evaluator_.verdicts()[i].state == mission::State::kTrue ? 0 : 1;
@@ -275,7 +275,7 @@ class RunStory {
     }
   }
 
-  /// Operators as spans, impasses as moments.
+  /// Adds operators as spans, and impasses as moments.
   void Follow(const mission::TickFacts& facts, std::size_t index) {
     const mission::AgentFacts& agent = facts.agents[index];
     if (open_.size() <= index) open_.resize(index + 1);
@@ -306,7 +306,7 @@ class RunStory {
     open_[index].first.clear();
   }
 
-  /// The minds' reasons, at the moments at which checks fail.
+  /// Asks minds for reasons when checks fail.
   void Ask(const mission::TickFacts& facts) {
     if (reasons_.size() < mission_.checks.size()) reasons_.resize(mission_.checks.size());
     for (std::size_t i = 0; i < mission_.checks.size(); ++i) {
@@ -380,9 +380,9 @@ class RunStory {
   std::vector<double> times_;
   std::vector<StorySpan> spans_;
   std::vector<StoryEvent> events_;
-  std::size_t spans_lost_ = 0, events_lost_ = 0, gaps_ = 0;  ///< That were thinned while the run went by.
+  std::size_t spans_lost_ = 0, events_lost_ = 0, gaps_ = 0;  ///< Number of items that were removed during the run.
   std::vector<StoryWay> ways_;
-  std::vector<std::vector<Json>> rules_;  ///< Of each agent.
+  std::vector<std::vector<Json>> rules_;  ///< By agent.
   std::vector<Json> moments_;
   std::vector<std::pair<std::string, double>> open_;
   std::vector<std::vector<std::string>> reasons_;
@@ -390,7 +390,7 @@ class RunStory {
   bool has_shot_ = false;
 };
 
-/// What stands on the ground, for the map.
+/// Objects on the ground, for the map.
 Json Things(const sim::Simulation& simulation) {
   Json list = Json::array();
   const world::SceneSnapshot scene = simulation.Snapshot();
@@ -414,7 +414,7 @@ Json Things(const sim::Simulation& simulation) {
   return list;
 }
 
-/// The checks that the scenario has now.
+/// The present checks of the scenario.
 mission::Mission MissionOf(const record::Header& header, const sim::DataFolders& data) {
   std::error_code error;
   const fs::path scenario = fs::path(header.folder) / header.scenario;
@@ -480,7 +480,7 @@ Result<std::string> RunData(const fs::path& recording, const sim::DataFolders& d
     if (!text.empty()) texts.emplace_back(file.file.filename().string(), std::move(text));
   }
   story.Finish();
-  // Whatever the run held, the page stays small enough to be sent.
+  // Reduces the budget until the page is small enough.
   Budget budget;
   while (true) {
     Json whole = made;

@@ -33,7 +33,7 @@ Json IntervalOf(const std::vector<double>& values) {
               {"sd", mission::StandardDeviation(values)}};
 }
 
-/// All differences of a page are one family of comparisons: gives each its probability after Holm's correction.
+/// All differences on a page are one family of comparisons: adds Holm's correction to their probabilities.
 void CorrectDifferences(Json& metrics) {
   std::vector<Json*> differences;
   std::vector<double> probabilities;
@@ -71,7 +71,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   problem.file = folder.string();
   fs::path place = folder;
   if (place.filename().empty()) place = place.parent_path();
-  // The folder holds all that its rows rest on, wherever it was taken to.
+  // The folder contains everything that its rows depend on, even if it was moved.
   std::vector<Diagnostic> problems;
   const sweep::Spec spec = sweep::ReadSpec(sweep::KeptSpec(place), problems, true);
   if (!problems.empty()) return problems.front();
@@ -104,7 +104,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   std::vector<std::size_t> passed(count), judged(count), ok(count), broken(count);
   const std::vector<std::size_t> none(spec.mission.checks.size());
   std::vector<std::vector<std::size_t>> checks(count, none), decided(count, none);
-  // A kernel elsewhere may not say what a check asks for: such a run is neither good nor bad.
+  // A remote kernel may not report what a check needs. Such a run neither passes nor fails.
   const auto is_judged = [](const sweep::Row& row) { return row.result.IsJudged() || !row.result.IsUndecided(); };
   for (const sweep::Row& row : rows) {
     if (row.result.outcome != "ok") {
@@ -179,7 +179,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     }
     metrics.push_back(
         Json{{"name", name}, {"variants", std::move(by_variant)}, {"differences", std::move(differences)}});
-    // Furthest from the median of its variant.
+    // The run that is furthest from the median of its variant.
     for (std::size_t v = 0; v < count; ++v) {
       std::vector<double> of;
       for (const auto& [seed, value] : values[v]) of.push_back(value);

@@ -9,7 +9,7 @@
 namespace soarbox::report {
 namespace {
 
-/// What an event takes besides its texts: braces, keys, the time.
+/// Size of an event without its texts: braces, keys, the time.
 constexpr std::size_t kEventBytes = 36;
 
 std::size_t BytesOf(const StoryEvent& event) {
@@ -30,7 +30,7 @@ std::string CutText(std::string text, std::size_t most_bytes) {
 
 void ThinEvents(std::vector<StoryEvent>& events, std::size_t most_bytes) {
   while (true) {
-    std::map<std::string_view, std::pair<std::size_t, std::size_t>> of_kinds;  // Bytes, and how many.
+    std::map<std::string_view, std::pair<std::size_t, std::size_t>> of_kinds;  // Bytes and number of events.
     std::size_t all = 0;
     for (const StoryEvent& event : events) {
       auto& [bytes, count] = of_kinds[event.kind];

@@ -7,11 +7,11 @@
 namespace soarbox::sweep {
 namespace {
 
-/// A generator of our own: the standard library's distributions differ between implementations.
+/// Our own generator, because the standard library's distributions differ between implementations.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : state_(seed) {}
-  /// 0 to 1, without 1.
+  /// A number from 0 to 1 (excluded).
   double Share() { return static_cast<double>(Next() >> 11) * 0x1p-53; }
   /// 0 to bound - 1.
   std::size_t Below(std::size_t bound) { return static_cast<std::size_t>(Share() * static_cast<double>(bound)); }

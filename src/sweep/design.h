@@ -7,15 +7,15 @@
 
 namespace soarbox::sweep {
 
-/// Points of a cube whose sides are 0 to 1 (1 excluded), for parameters that are drawn from ranges: a row for each
-/// point, a number for each side. The same seed gives the same points on each machine.
+/// Points in a unit cube (1 excluded), for parameters that are drawn from ranges: a row for each point, a number for
+/// each dimension. The same seed gives the same points on all machines.
 using Points = std::vector<std::vector<double>>;
 
-/// Independent points. The first ones stay the same if there are more.
+/// Independent points. A larger `count` keeps the first points.
 Points RandomPoints(std::size_t count, std::size_t sides, std::uint64_t seed);
 
-/// A Latin hypercube: each side is cut into `count` equal parts, and each part holds exactly one point. All points
-/// change with their number.
+/// A Latin hypercube: each dimension is split into `count` equal intervals, and each interval contains exactly one
+/// point. A different `count` changes all points.
 Points LatinPoints(std::size_t count, std::size_t sides, std::uint64_t seed);
 
 }  // namespace soarbox::sweep

@@ -31,7 +31,7 @@ TEST(Design, TheSidesOfALatinHypercubeAreIndependent) {
   const Points points = LatinPoints(1000, 2, 1);
   double sum = 0;
   for (const std::vector<double>& point : points) sum += (point[0] - 0.5) * (point[1] - 0.5);
-  // The correlation of two even sides of 1,000 points has a standard deviation of 0.032.
+  // The correlation of two uniform dimensions with 1,000 points has a standard deviation of 0.032.
   EXPECT_LT(std::abs(sum / 1000 * 12), 0.1);
 }
 

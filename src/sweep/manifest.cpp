@@ -20,7 +20,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kName = "manifest.json";
 
-/// The SHA-256 of each file below the folder, by its path from there.
+/// The SHA-256 of each file below the folder, by its relative path.
 OrderedJson FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;

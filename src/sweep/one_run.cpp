@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Follows the sweep's own metrics through a run.
+/// Evaluates the sweep's own metrics during a run.
 class MetricWatch {
  public:
   explicit MetricWatch(const Spec& spec)
@@ -50,7 +50,7 @@ class MetricWatch {
     std::vector<std::optional<double>> values;
     for (std::size_t i = 0; i < spec_.metrics.size(); ++i) {
       const Metric& metric = spec_.metrics[i];
-      // A zero would say that there was nothing of it; here nobody could tell.
+      // If the kernel does not report the number, it must not be 0.
       const bool is_told = metric.of == Metric::Of::kTimeOf || metric.asked.conditions.empty() ||
                            metric.asked.conditions.front().row->source == mission::Source::kWorld ||
                            run.numbers.contains("firings");
@@ -79,7 +79,7 @@ class MetricWatch {
   }
 
  private:
-  /// Whether this agent has such a number at all: one without a mind takes no decisions, one without a weapon has no
+  /// Whether an agent has such a number: an agent without a mind makes no decisions, one without a weapon has no
   /// rounds, and only games have scores.
   static bool Has(const mission::AgentFacts& agent, const mission::KeyRow& row) {
     if (row.key == mission::Key::kScore) return agent.score.has_value();

@@ -10,12 +10,12 @@
 
 namespace soarbox::sweep {
 
-/// Runs a variant with a seed, for a child of a ChildPool. Returns what RowOf reads: metrics, then the result of the
-/// run. `recording` names the file of the recording, if the sweep asks for one; empty: none.
+/// Runs a variant with a seed in a child of a ChildPool. Returns the input of RowOf: metrics, then the result of the
+/// run. `recording`: file for the recording if the sweep requests one; empty: none.
 std::string Work(const Spec& spec, const ReadyVariant& variant, std::uint64_t seed,
                  const std::filesystem::path& recording);
 
-/// The row of a child that has ended.
+/// Converts the output of a child to a row.
 Row RowOf(const Plan& plan, std::size_t variant, std::uint64_t seed, int tries, mission::ChildEnd end,
           const mission::ChildLimits& limits);
 

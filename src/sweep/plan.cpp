@@ -47,7 +47,7 @@ Result<void> Write(const fs::path& file, std::string_view text) {
   return ProblemIn(file, "this file cannot be written", "is the disk full, or the folder not yours?");
 }
 
-/// The first table of this name, or the second for "NAME-2", as the world calls them; null if there is none.
+/// The first table of this name, or the second for "NAME-2", as in the world; null if there is none.
 toml::node* Named(toml::array& list, std::string_view name) {
   std::map<std::string_view, int> count;
   toml::node* found = nullptr;
@@ -62,7 +62,8 @@ toml::node* Named(toml::array& list, std::string_view name) {
   return found;
 }
 
-/// Sets "agent.scout.senses.sight" of a scenario; the entries of [[agent]] go by their names.
+/// Sets a value of a scenario by its path, "agent.scout.senses.sight". Entries of [[agent]] are identified by their
+/// names.
 bool Set(toml::table& root, std::string_view path, const toml::node& value) {
   toml::node* at = &root;
   while (true) {
@@ -86,7 +87,7 @@ bool Set(toml::table& root, std::string_view path, const toml::node& value) {
   }
 }
 
-/// Where an agent's other rules go in the copy: under their own name, unless other rules have it there already.
+/// The path of replacement rules in the copy: their own name, unless it is already in use.
 fs::path PlaceForRules(const fs::path& folder, const fs::path& file) {
   const std::optional<std::string> text = ReadText(file);
   fs::path to = folder / file.filename();
@@ -95,7 +96,8 @@ fs::path PlaceForRules(const fs::path& folder, const fs::path& file) {
   return to;
 }
 
-/// Rules that are several files have them in a folder of the same name, as Soar's editors make it: copies that, too.
+/// Rules that consist of several files have them in a folder of the same name, as Soar's editors create it. Copies this
+/// folder, too.
 Result<void> CopyProject(const fs::path& file, const fs::path& folder) {
   const fs::path from = file.parent_path() / file.stem(), to = folder / file.stem();
   std::error_code error;
@@ -114,7 +116,7 @@ Result<void> CopyProject(const fs::path& file, const fs::path& folder) {
   return {};
 }
 
-/// Changes the copy of a scenario file as the variant says.
+/// Applies the variant's changes to the copy of a scenario file.
 Result<void> Change(const fs::path& definition, const Variant& variant, const Spec& spec) {
   if (variant.rules.empty() && variant.parameters.empty() && variant.setup.empty()) return {};
   const bool is_file = definition.extension() == ".toml";
@@ -164,7 +166,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
             entry.as_table() != nullptr ? (*entry.as_table())["rules"].value_or(std::string()) : std::string();
         if (rules.empty() || done[rules]) continue;
         done[rules] = true;
-        // What a scenario names may lie anywhere; what is written lies in its copy.
+        // A scenario can name files anywhere; only files in its copy are changed.
         const fs::path file = sim::FindInFolders(rules, {folder});
         if (file.empty())
           return refuse("its rules '" + rules + "' are not in the scenario's folder",
@@ -181,7 +183,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
   return Write(definition, out.str());
 }
 
-/// Whether a folder's entry is part of the scenario: neither hidden, nor built, nor a sweep or a recording.
+/// Whether an entry of a folder belongs to the scenario: it is not hidden, not a build, a sweep or a recording.
 bool BelongsToScenario(const fs::path& entry) {
   const std::string name = entry.filename().string();
   std::error_code error;
@@ -189,8 +191,8 @@ bool BelongsToScenario(const fs::path& entry) {
          !fs::exists(entry / "sweep.id", error);
 }
 
-/// Copies the scenario's folder. What a link in it leads to is copied only if that lies in the folder, too; pipes
-/// and devices are left out.
+/// Copies the scenario's folder. Targets of links are copied only if they are in the folder, too. Pipes and devices are
+/// skipped.
 Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   const fs::path file = scenario.definition.empty() ? scenario.script : scenario.definition;
   const fs::path from = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -198,7 +200,7 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) return ProblemIn(folder, "this folder cannot be made: " + error.message());
   std::uintmax_t bytes = 0;
-  // Sweeps in the scenario's own folder are no part of it, this one above all.
+  // Sweeps in the scenario's folder do not belong to it, above all not this one.
   const std::string inside = fs::weakly_canonical(folder, error).string();
   for (fs::recursive_directory_iterator it(from, error), end; !error && it != end; it.increment(error)) {
     std::error_code unknown;
@@ -223,8 +225,8 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   return folder / file.filename();
 }
 
-/// A sweep's folder may have come from somebody else, together with its file. Nothing is written, removed or read
-/// through links, pipes and devices in it.
+/// A sweep's folder and file may come from a stranger. Nothing is written, removed or read through links, pipes and
+/// devices in the folder.
 Result<void> RefuseLinks(const fs::path& folder) {
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -237,13 +239,13 @@ Result<void> RefuseLinks(const fs::path& folder) {
   return {};
 }
 
-/// The name of a file stands in this text, so a run may read it.
+/// Whether a text contains the name of a file, so that a run may read it.
 bool Names(std::string_view text, const fs::path& file) {
   return text.find(file.filename().string()) != std::string_view::npos;
 }
 
-/// Of these rules and scripts those that a run of the scenario may read: all scripts, and the rules that the scenario,
-/// a script, or rules of this kind name. A script that puts names of rules together may read all of them.
+/// Keeps those rules and scripts that a run of the scenario may read: all scripts, and the rules that the scenario, a
+/// script or other such rules name. A script that builds names of rules may read all of them.
 void KeepWhatIsUsed(const fs::path& scenario, std::map<fs::path, std::string>& files) {
   std::vector<std::string> texts = {ReadText(scenario).value_or("")};
   for (const auto& [file, text] : files) {
@@ -263,8 +265,8 @@ void KeepWhatIsUsed(const fs::path& scenario, std::map<fs::path, std::string>& f
   files = std::move(used);
 }
 
-/// What a run of a scenario rests on: its own file, scripts below its folder, and the rules that it uses. Pages,
-/// pictures, other sweeps and the rules of other variants may come and go there.
+/// Adds the files on which a run of a scenario depends: its own file, scripts below its folder, and the rules that it
+/// uses. Other files there can change: pages, pictures, other sweeps and the rules of other variants.
 void AddFolder(const fs::path& folder, const fs::path& scenario, Digest& digest) {
   std::map<fs::path, std::string> files;
   std::error_code error;
@@ -286,21 +288,21 @@ std::string DigestOfFolder(const fs::path& folder, const fs::path& scenario) {
   return digest.Text();
 }
 
-/// Whether a row's key (KeyOf) is of this variant, whatever its digest.
+/// Whether a row's key (KeyOf) belongs to this variant, with any digest.
 bool IsOf(std::string_view key, const std::string& variant) {
   const std::size_t begin = key.find('/'), end = key.rfind('/');
   return begin != std::string_view::npos && begin < end && key.substr(begin + 1, end - begin - 1) == variant;
 }
 
-/// Whether the sweep's folder holds a run of this variant.
+/// Whether the sweep's folder contains a run of this variant.
 bool HasRows(const fs::path& folder, const std::string& variant) {
   std::vector<Diagnostic> ignored;
   const std::map<std::string, Row> rows = ReadRows(folder / "parts", ignored);
   return std::ranges::any_of(rows, [&](const auto& row) { return IsOf(row.first, variant); });
 }
 
-/// Where a variant's files lie. They are made in full beside their place, so that a sweep that is killed here begins
-/// again; what is there already must be the same.
+/// The folder of a variant's files. They are first written completely to a temporary folder, so that an interrupted
+/// sweep starts again. Existing files must be the same.
 Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::path& folder, const sim::DataFolders& data,
                          Sources sources) {
   std::error_code error;
@@ -327,7 +329,7 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
     fs::remove_all(making, error);
     return place;
   }
-  // Nobody has seen a run of it: it may be corrected.
+  // No run of it exists, so it can be replaced.
   if (!HasRows(folder, variant.name)) {
     fs::remove_all(place, error);
     fs::rename(making, place, error);
@@ -340,7 +342,7 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
       "give the changed variant another name, or name another folder with --folder");
 }
 
-/// The file that makes the copy a scenario.
+/// The scenario file of the copy.
 fs::path ScenarioFileIn(const fs::path& place, const Variant& variant, const Spec& spec) {
   std::error_code error;
   const fs::path named = fs::path(variant.scenario.empty() ? spec.scenario : variant.scenario).filename();
@@ -408,7 +410,7 @@ fs::path KeptSpec(const fs::path& folder) {
 Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& folder, bool mix) {
   const fs::path file = folder / "sweep.id";
   const std::string build = record::BuildId();
-  // The build, then a line for each variant: its digest and its name.
+  // The file has the build, then a line for each variant with its digest and name.
   std::istringstream known(ReadText(file).value_or(""));
   std::string known_build;
   std::getline(known, known_build);
@@ -436,7 +438,7 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
   }
   std::string text = (known_build.empty() ? build : known_build) + "\n";
   for (const auto& [name, digest] : digests) text += digest + " " + name + "\n";
-  // Beside its place first: other processes of this sweep may read it.
+  // Written to a temporary file first, because other processes of this sweep may read it.
   std::error_code error;
   for (const auto& [place, content] : {std::pair{file, text}, {KeptSpec(folder), spec.whole}}) {
     if (ReadText(place).value_or("") == content) continue;

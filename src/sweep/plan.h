@@ -13,76 +13,79 @@
 
 namespace soarbox::sweep {
 
-/// One variant of the scenario, expanded: a list of values has become one variant for each.
+/// One variant of the scenario. A list of values in the file is expanded to one variant for each value.
 struct Variant {
   std::string name;
-  std::string scenario;                                         ///< Its own; empty: the sweep's.
+  std::string scenario;                                         ///< The variant's own scenario; empty: that of the
+                                                                ///< sweep.
   std::vector<std::pair<std::string, std::string>> rules;       ///< Agent or file of rules, and its replacement.
   std::vector<std::pair<std::string, std::string>> parameters;  ///< "agent.scout.senses.sight" and a value, as TOML.
-  std::vector<std::string> setup;                               ///< Lines of the Soar command language, before rules.
-  std::string kernel;                                           ///< HOST:PORT of a kernel elsewhere.
+  std::vector<std::string> setup;                               ///< Lines of the Soar command language that are
+                                                                ///< executed before the rules are loaded.
+  std::string kernel;                                           ///< HOST:PORT of a remote kernel; empty: our own.
   int line = 0;
 };
 
-/// A number to measure in a run besides those that each run has.
+/// A number to measure in a run, in addition to those of every run.
 struct Metric {
   std::string name;
   enum class Of : std::uint8_t { kTimeOf, kAtEnd, kMax, kMean } of = Of::kAtEnd;
-  std::size_t check = 0;  ///< kTimeOf.
-  mission::Check asked;   ///< The others: one gauge or counter of these agents.
+  std::size_t check = 0;  ///< For kTimeOf: index of the check.
+  mission::Check asked;   ///< For the other kinds: one gauge or counter of these agents.
 };
 
-/// Who plays in a game of a tournament: agents by their number, in the order of the seats.
+/// The agents in a game of a tournament: their indices, in the order of the seats.
 using Seating = std::vector<std::size_t>;
 
-/// A sweep as its file has it.
+/// The content of a sweep file.
 struct Spec {
   std::filesystem::path file;
   std::string scenario;
   std::string record = "none";  ///< "failed", "all".
-  mission::Mission mission;     ///< Checks, seeds and seconds.
+  mission::Mission mission;     ///< Contains the checks, seeds and seconds.
   std::vector<Variant> variants;
   std::vector<Metric> metrics;
-  /// A tournament: its agents, and who plays in each variant. Its last metrics are the points of the seats.
+  /// For a tournament: its agents, and the agents in each variant. The last metrics are the points of the seats.
   std::vector<std::string> players;
   std::vector<Seating> seatings;
-  std::vector<std::string> parameters;  ///< Names of all parameters, for columns.
-  std::string whole;      ///< The spec as TOML that needs no other file: the checks of its mission are part of it.
-  std::string judgement;  ///< The part of it that every row rests on: checks and metrics.
+  std::vector<std::string> parameters;  ///< Names of all parameters, for the columns of tables.
+  std::string whole;      ///< The spec as TOML without references to other files: it includes the checks of its
+                          ///< mission.
+  std::string judgement;  ///< The checks and metrics in it, on which every row depends.
 };
 
-/// Reads it; adds everything that is wrong to the problems. `is_copy`: it is the copy that a sweep keeps in its folder,
-/// whose files of rules need not be there any more.
+/// Reads a sweep file and adds all errors to `problems`. `is_copy`: the file is the copy in a sweep's folder, whose
+/// rule files need not exist any more.
 Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy = false);
 
-/// A variant that is ready to run: its files lie below the sweep's folder, as they were when it began.
+/// A variant that is ready to run. Its files were copied to the sweep's folder when the sweep began.
 struct ReadyVariant {
   Variant variant;
   mission::LoadedMission loaded;
-  std::string argument;  ///< What `soarbox run` takes to see it.
-  std::string digest;    ///< What its rows rest on: files, checks, metrics, seconds.
+  std::string argument;  ///< The argument for `soarbox run` to watch it.
+  std::string digest;    ///< Digest of everything that its rows depend on: files, checks, metrics, seconds.
 };
 
 struct Plan {
   std::vector<ReadyVariant> variants;
 };
 
-/// Whether the files that variants are made from must still be as they were when the sweep began.
+/// Whether the source files of variants must be unchanged since the sweep began.
 enum class Sources : std::uint8_t {
   kCompare,
-  kTrust,  ///< What is in the folder counts: for tasks of a sweep that has begun, and for reports.
+  kTrust,  ///< Use the copies in the folder: for tasks of a running sweep, and for reports.
 };
-/// Writes the files of each variant below the folder, unless they are there, and finds their scenarios. `rules`:
-/// "NAME=FILE", rules that replace agents' own in all variants (sim::ReplaceRules).
+/// Writes the files of each variant to the folder, unless they exist, and finds their scenarios. `rules`: "NAME=FILE",
+/// replacements for agents' rules in all variants (sim::ReplaceRules).
 Result<Plan> MakePlan(const Spec& spec, const std::filesystem::path& folder, const sim::DataFolders& data,
                       Sources sources, const std::vector<std::string>& rules = {});
 
-/// A folder belongs to one sweep and one build: notes them there, or says how they differ from what it holds. Variants
-/// may be added. `mix`: rows of another build count, too.
+/// Reserves a folder for one sweep and one build, or fails and says how they differ from the folder's contents.
+/// Variants can be added later. `mix`: accept rows of another build.
 Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const std::filesystem::path& folder, bool mix);
-/// A word of a command line, in quotes where a shell wants them.
+/// Quotes a word for a shell if necessary.
 std::string ShellWord(const std::string& word);
-/// The spec as ClaimFolder keeps it.
+/// The file in which ClaimFolder stores the spec.
 std::filesystem::path KeptSpec(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

@@ -47,7 +47,7 @@ Row RowFromJson(const Json& json) {
   return row;
 }
 
-/// None if the line was cut off, or says something else than rows do.
+/// Parses a line; nothing if it is incomplete or invalid.
 std::optional<Row> ReadRow(const std::string& line) {
   if (line.size() < 18 || ChecksumOf(std::string_view(line).substr(17)) != line.substr(0, 17)) return std::nullopt;
   const Json json = Json::parse(line.substr(17), nullptr, false);

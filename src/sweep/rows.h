@@ -16,27 +16,28 @@
 
 namespace soarbox::sweep {
 
-/// What one run gives.
+/// The result of one run.
 struct Row {
-  std::string key;  ///< Names the run: the variant with its digest, and the seed.
+  std::string key;  ///< Identifies the run: the variant with its digest, and the seed.
   std::string build, host;
   std::size_t variant = 0;
   std::uint64_t seed = 0;
   int tries = 1;
   mission::RunResult result;
-  std::vector<std::optional<double>> metrics;  ///< As Spec::metrics.
+  std::vector<std::optional<double>> metrics;  ///< In the order of Spec::metrics.
 };
 
-/// The truth of a sweep: files of rows, each line with a checksum. Many processes on many machines may add to them at a
-/// time, each to its own. A line that was cut off, by a kill or a full disk, does not count.
+/// Writes rows of a sweep: files of lines, each with a checksum. Several processes on several machines can write at the
+/// same time, each to its own file. Incomplete lines, after a kill or a full disk, are ignored. Everything else about a
+/// sweep is computed from these files.
 class RowWriter {
  public:
-  /// Makes a new file below the folder; its name gives host and process.
+  /// Creates a new file below the folder. Its name contains host and process.
   static Result<std::unique_ptr<RowWriter>> Create(const std::filesystem::path& folder);
   ~RowWriter();
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
-  /// Adds a row; it is on the disk a few seconds later. Fails when the disk is full.
+  /// Adds a row. It is written to the disk within a few seconds. Fails if the disk is full.
   Result<void> Add(const Row& row);
   Result<void> Flush();
 
@@ -47,24 +48,24 @@ class RowWriter {
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 
-/// All rows below the folder, one for each key: the first whole one, a good one before a crashed one, and one with a
-/// recording before one without. Two that differ in their state hash are a problem, which names both hosts.
+/// Reads all rows below the folder, one for each key: the first complete one, a good one before a crashed one, and one
+/// with a recording before one without. Two rows of a key with different state hashes are reported, with both hosts.
 std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::vector<Diagnostic>& problems);
 
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed);
 
-/// results.csv has a row for each run, numbers.csv one for each number of each run; results.sqlite has both, as `runs`
-/// and `numbers`, and the entries of the manifest as `metadata`. manifest.json is the manifest. Each is written beside
-/// its place and then moved there.
+/// Writes the tables of a sweep: results.csv with a row for each run, numbers.csv with a row for each number of each
+/// run, and results.sqlite with both (`runs`, `numbers`) and the entries of the manifest (`metadata`). manifest.json is
+/// the manifest. Each file replaces the old one atomically.
 Result<void> WriteTables(const std::filesystem::path& folder, const Spec& spec, const Plan& plan,
                          const std::vector<Row>& rows, const std::string& manifest);
-/// A line of JSON for each run, with the columns of results.csv.
+/// One line of JSON for each run, with the columns of results.csv.
 std::string JsonLines(const Spec& spec, const Plan& plan, const std::vector<Row>& rows);
 
-/// The columns that each table has, besides parameters, checks and metrics.
+/// Whether a column is one of those that each table has, not a parameter, check or metric.
 bool IsOwnColumn(std::string_view name);
 
-/// What the rows say: rates and means with confidence, differences of variants on equal seeds.
+/// The results as text: rates and means with confidence intervals, and differences of variants for equal seeds.
 std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& rows);
 
 }  // namespace soarbox::sweep

@@ -23,7 +23,7 @@ struct Job {
   int tries = 0;
 };
 
-/// In a child: the variant as it is before its first tick.
+/// Runs in a child: loads the variant without a tick.
 std::string Load(const ReadyVariant& variant, std::uint64_t seed) {
   mission::RunSpec run;
   run.mission = &variant.loaded.mission;
@@ -34,7 +34,7 @@ std::string Load(const ReadyVariant& variant, std::uint64_t seed) {
   return mission::ToJsonLine(mission::RunOnce(run));
 }
 
-/// Says that a variant has errors before its first tick.
+/// The error for a variant that reports errors before its first tick.
 Diagnostic FaultOf(const Spec& spec, const ReadyVariant& variant, const mission::RunResult& run) {
   std::string text = "variant '" + variant.variant.name + "' has an error before its first tick";
   for (const std::string& problem : run.problems) text += "\n  " + problem;
@@ -42,7 +42,7 @@ Diagnostic FaultOf(const Spec& spec, const ReadyVariant& variant, const mission:
                    "correct it and give the same command again; rows that are there remain valid");
 }
 
-/// Whether there is a recording of it, if the sweep asks for one.
+/// Whether the recording of a run exists, if the sweep requests one.
 bool IsRecorded(const Spec& spec, const mission::RunResult& run, const fs::path& folder) {
   if (spec.record == "none" || (spec.record == "failed" && run.passed)) return true;
   std::error_code error;
@@ -89,7 +89,7 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
   const std::map<std::string, Row> there = ReadRows(folder / "parts", problems);
   Progress progress;
   std::deque<Job> waiting;
-  // Seed by seed, so that what is there when it is stopped can be compared.
+  // Seed by seed, so that the results can be compared if the sweep is stopped.
   for (const std::uint64_t seed : spec.mission.seeds) {
     for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
       const std::size_t number = progress.planned++;
@@ -111,7 +111,7 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
   mission::ChildPool pool(jobs);
   std::vector<Job> running;
   const auto kernel_of = [&plan](const Job& job) { return plan.variants[job.variant].variant.kernel; };
-  // A kernel elsewhere has one agent of a name, so it serves one run at a time.
+  // A remote kernel can have only one agent of a name, so it can serve only one run at a time.
   std::set<std::string> busy, told;
   while ((!waiting.empty() || !pool.IsIdle()) && goes_on(progress)) {
     while (pool.HasRoom()) {
@@ -139,8 +139,8 @@ Result<Progress> RunSweep(const Spec& spec, const Plan& plan, const fs::path& fo
     Row row = RowOf(plan, job.variant, job.seed, job.tries + 1, std::move(done->end),
                     mission::LimitsOf(plan.variants[job.variant].loaded, jobs));
     if ((row.result.outcome == "refused" || row.result.is_faulty) && !kernel.empty()) {
-      // The others do without it. No row is written: the same command makes these runs when the kernel is there and
-      // takes the rules.
+      // The other runs continue. No row is written, so the same command makes these runs when the kernel is available
+      // and accepts the rules.
       const std::string& name = plan.variants[job.variant].variant.name;
       if (!told.contains(kernel)) {
         const bool has_problem = row.result.is_faulty && !row.result.problems.empty();

@@ -35,7 +35,7 @@ std::string Quoted(const std::string& word) {
 
 struct Answer {
   int code = -1;
-  std::string text;  ///< What it printed, errors too.
+  std::string text;  ///< Its output, including errors.
 };
 
 Answer Ask(const std::vector<std::string>& words) {
@@ -56,8 +56,8 @@ bool IsJob(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The job that this folder's sweep was given to last; empty if none. The file may be a stranger's: it names a job and
-/// nothing else, as Slurm's commands would take options, too.
+/// The last job of this folder's sweep; empty if there is none. The file may come from a stranger. Only a job number is
+/// accepted, because Slurm's commands would also accept options.
 std::string JobOf(const fs::path& folder) {
   std::string job = ReadText(folder / "slurm" / "job").value_or("");
   while (!job.empty() && (job.back() == '\n' || job.back() == ' ')) job.pop_back();
@@ -66,7 +66,7 @@ std::string JobOf(const fs::path& folder) {
 
 enum class Known : std::uint8_t { kYes, kNo, kNoAnswer };
 
-/// Why tasks that wait cannot begin, as Slurm says it; empty if only others are before them.
+/// Why waiting tasks cannot start, according to Slurm; empty if they only wait for others.
 std::string HeldBy(const std::string& listing) {
   std::istringstream lines(listing);
   for (std::string line; std::getline(lines, line);) {
@@ -77,8 +77,8 @@ std::string HeldBy(const std::string& listing) {
   return {};
 }
 
-/// Whether Slurm still has tasks of it to run. Without an answer (the controller is busy or down) nobody knows. `held`
-/// becomes the reason why tasks that wait cannot begin.
+/// Whether Slurm still has tasks of the job. Without an answer (the controller is busy or down), it is not known. Sets
+/// `held` to the reason why waiting tasks cannot start.
 Known IsKnown(const std::string& job, std::string& why, std::string& held) {
   const Answer answer = Ask({"squeue", "--noheader", "--jobs", job, "--format", "%T %r"});
   held = answer.code == 0 ? HeldBy(answer.text) : std::string();
@@ -88,7 +88,7 @@ Known IsKnown(const std::string& job, std::string& why, std::string& held) {
   return Known::kNoAnswer;
 }
 
-/// The most tasks that an array may have here; none if the cluster does not tell.
+/// Maximum number of tasks in an array; nothing if the cluster does not report it.
 std::optional<int> MostTasks() {
   const Answer answer = Ask({"scontrol", "show", "config"});
   const std::size_t at = answer.text.find("MaxArraySize");
@@ -127,7 +127,7 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
   std::string job = JobOf(folder);
   std::string why, held;
   if (job.empty() || IsKnown(job, why, held) == Known::kNo) {
-    // The index of a task stays below MaxArraySize. Fewer tasks make larger shares.
+    // The index of a task must be below MaxArraySize. With fewer tasks, each does more runs.
     int tasks = settings.tasks;
     if (const std::optional<int> most = MostTasks(); most && tasks > *most) {
       std::cerr << "Slurm takes at most " << *most << " tasks in an array here (MaxArraySize): " << tasks << " become "
@@ -171,7 +171,7 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
     if (!goes_on(known == Known::kNoAnswer ? why : std::string(), held)) return {};
     std::this_thread::sleep_for(kLook);
   }
-  // Another command took the job's number away when it ended the job.
+  // Another command has cancelled the job and removed its number.
   if (JobOf(folder) != job)
     return NewProblem("job " + job + " was cancelled", "the same command continues with what is missing");
   return {};

@@ -10,25 +10,26 @@
 
 namespace soarbox::sweep {
 
-/// How a sweep is given to Slurm.
+/// How a sweep is submitted to Slurm.
 struct SlurmSettings {
-  std::vector<std::string> task_command;  ///< What a task runs; "--task N" is added. The same command on each node.
-  int tasks = 1;                          ///< Of the job array.
-  std::string partition, account, time;   ///< As sbatch takes them; empty: the cluster's.
-  std::string qos, memory;                ///< Likewise: --qos, --mem.
-  int processors = 0;                     ///< Of a task; 0: the cluster's.
-  std::vector<std::string> more;          ///< Further arguments of sbatch, as they are.
+  std::vector<std::string> task_command;  ///< The command of a task, to which "--task N" is added. It must work on each
+                                          ///< node.
+  int tasks = 1;                          ///< Number of tasks in the job array.
+  std::string partition, account, time;   ///< Passed to sbatch; empty: the cluster's default.
+  std::string qos, memory;                ///< --qos and --mem of sbatch; empty: the cluster's default.
+  int processors = 0;                     ///< Processors per task; 0: the cluster's default.
+  std::vector<std::string> more;          ///< Further arguments of sbatch, unchanged.
 };
 
-/// A sentence that says what is missing if Slurm's commands are not installed here; empty if they are.
+/// Says what is missing if Slurm's commands are not installed here; empty if they are.
 std::string WhyNoSlurm();
 
-/// Submits a job array and waits until Slurm no longer knows it. If a job of this folder still runs, waits for that one
-/// instead. It asks `goes_on` every few seconds, with what Slurm said if it gave no answer, and with the reason why
-/// tasks cannot begin (a held job, a drained node); false leaves the job alone and returns.
+/// Submits a job array and waits until Slurm no longer lists it. If a job of this folder still runs, waits for that job
+/// instead. Calls `goes_on` every few seconds, with Slurm's error message if it did not answer, and with the reason if
+/// tasks cannot start (a held job, a drained node). If that returns false, returns and leaves the job running.
 Result<void> RunOnSlurm(const std::filesystem::path& folder, const SlurmSettings& settings,
                         const std::function<bool(const std::string& no_answer, const std::string& held)>& goes_on);
-/// Ends the job of this folder, if there is one. Whoever waits for it hears of it.
+/// Cancels the job of this folder, if there is one. RunOnSlurm then ends.
 Result<void> CancelOnSlurm(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

@@ -56,8 +56,8 @@ class SpecReader : public sim::TableReader {
   }
 
  private:
-  /// All against all: each group of agents that fills the seats plays once for each seat, and each agent of it sits
-  /// once in each.
+  /// All against all: each group of agents that fills the seats plays once for each rotation of the seats, so that each
+  /// agent has each seat once.
   void AddSeatings(const toml::table& table) {
     CheckKeys(table, "a tournament", {"seats", "agents"});
     seats_ = Seats(table);
@@ -95,7 +95,7 @@ class SpecReader : public sim::TableReader {
     }
   }
 
-  /// In order; nothing if there are too many.
+  /// All seatings in order; nothing if there are too many.
   static std::optional<std::vector<Seating>> AllSeatings(std::size_t players, std::size_t seats) {
     std::vector<Seating> all;
     std::vector<bool> plays(players);
@@ -128,7 +128,7 @@ class SpecReader : public sim::TableReader {
     return seats;
   }
 
-  /// After the metrics that the file asks for.
+  /// Adds the points of the seats after the file's metrics.
   void AddPoints() {
     for (const std::string& seat : seats_) {
       mission::Condition condition;
@@ -150,7 +150,7 @@ class SpecReader : public sim::TableReader {
     return is_number && port.size() <= 5 && std::stoi(std::string(port)) >= 1 && std::stoi(std::string(port)) <= 65535;
   }
 
-  /// Whether this names a plain file in the sweep's folder, or below it, all links followed.
+  /// Whether a path is a plain file in the sweep's folder or below it, after resolving links.
   bool IsBeside(const std::string& name) const {
     const std::filesystem::path own =
         spec_.file.has_parent_path() ? spec_.file.parent_path() : std::filesystem::path(".");
@@ -240,7 +240,7 @@ class SpecReader : public sim::TableReader {
     spec_.variants.insert(spec_.variants.end(), expanded.begin(), expanded.end());
   }
 
-  /// A parameter that is drawn: between two numbers, both included if they are whole.
+  /// A parameter that is drawn from a range. The upper limit is included for integers.
   struct Range {
     std::string key;
     double from = 0, to = 0;
@@ -250,10 +250,10 @@ class SpecReader : public sim::TableReader {
       if (is_whole) return std::to_string(static_cast<std::int64_t>(from + std::floor(share * (to - from + 1))));
       const double value = is_log ? from * std::pow(to / from, share) : from + share * (to - from);
       char text[32];
-      // Six digits are enough to tell variants apart, and are read in the table as they are in the scenario.
+      // Six digits are sufficient to distinguish variants, and the table shows the same text as the scenario.
       std::snprintf(text, sizeof text, "%.6g", value);
       std::string number = text;
-      // A whole number would be of another type.
+      // An integer would have another type.
       return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
     }
   };
@@ -274,7 +274,7 @@ class SpecReader : public sim::TableReader {
     ranges.push_back(std::move(range));
   }
 
-  /// Each variant as many times as the table says, with numbers drawn from the ranges.
+  /// Repeats each variant, with numbers drawn from the ranges.
   std::vector<Variant> Drawn(const toml::table& table, const std::vector<Variant>& variants,
                              const std::vector<Range>& ranges) {
     const toml::table* const draw = table.get_as<toml::table>("draw");
@@ -315,7 +315,7 @@ class SpecReader : public sim::TableReader {
     return text;
   }
 
-  /// As databases compare the names of columns.
+  /// Databases compare names of columns without case.
   static bool IsSameName(std::string_view a, std::string_view b) {
     return std::ranges::equal(
         a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
@@ -367,11 +367,11 @@ class SpecReader : public sim::TableReader {
   }
 
   Spec& spec_;
-  std::vector<std::string> seats_;  ///< Of a tournament.
+  std::vector<std::string> seats_;  ///< For a tournament.
   bool is_copy_;
 };
 
-/// Puts what a mission says into the table of the spec that names it, and notes both texts.
+/// Copies the contents of a mission into the spec that refers to it, and stores both texts.
 void KeepWhole(toml::table root, Spec& spec) {
   if (const auto named = root["mission"].value<std::string>()) {
     const std::string text = ReadText(spec.file.parent_path() / *named).value_or("");
@@ -417,7 +417,7 @@ Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& proble
     problems.push_back(std::move(problem));
     return spec;
   }
-  // Checks and seeds are those of missions.
+  // Checks and seeds are parsed like those of missions.
   spec.mission = mission::ParseChecksBeside(*text, file, problems);
   if (!problems.empty()) return spec;
   const toml::table root = toml::parse(*text, file.string());

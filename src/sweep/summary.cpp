@@ -20,7 +20,7 @@ constexpr std::size_t kFewestPairs = 3;
 constexpr std::size_t kFewSeeds = 10;
 constexpr std::size_t kMostPairwise = 100;
 
-/// The numbers that a reader compares first; the table has all.
+/// The most important numbers, which are shown; the table contains all.
 constexpr const char* kShown[] = {"distance", "commands", "failed_commands", "decisions", "firings",
                                   "rounds",   "hits",     "damage",          "alive",     "learned"};
 
@@ -30,18 +30,18 @@ std::string Percent(double share) {
 
 std::string Short(double number) {
   char text[32];
-  // Large numbers as people write them: 13430, not 1.343e+04.
+  // Prints large numbers without an exponent: 13430, not 1.343e+04.
   const bool is_large = std::abs(number) >= 1e4 && std::abs(number) < 1e9;
   std::snprintf(text, sizeof text, is_large ? "%.0f" : "%.4g", number);
   return text;
 }
 
-/// A probability in words. Below 1e-12 its digits are rounding.
+/// Formats a probability. Below 1e-12, its digits are rounding errors.
 std::string Chance(double probability) {
   return probability < 1e-12 ? "below 1e-12" : Short(probability);
 }
 
-/// The values of one quantity by seed, for each variant.
+/// The values of a quantity by seed, for each variant.
 struct Quantity {
   std::string name;
   std::vector<std::map<std::uint64_t, double>> by_variant;
@@ -67,7 +67,7 @@ std::vector<Quantity> Quantities(const Spec& spec, const Plan& plan, const std::
   return quantities;
 }
 
-/// Whether it is the same number in every run.
+/// Whether it has the same value in all runs.
 bool IsConstant(const Quantity& quantity) {
   std::optional<double> first;
   for (const auto& values : quantity.by_variant) {
@@ -85,7 +85,7 @@ std::vector<double> Values(const std::map<std::uint64_t, double>& by_seed) {
   return values;
 }
 
-/// Whether all numbers of two variants are the same with a seed.
+/// Whether two variants have equal numbers for a seed.
 bool AreAlike(const std::vector<Quantity>& quantities, std::size_t a, std::size_t b, std::uint64_t seed) {
   return std::ranges::all_of(quantities, [&](const Quantity& quantity) {
     const auto one = quantity.by_variant[a].find(seed), other = quantity.by_variant[b].find(seed);
@@ -94,15 +94,15 @@ bool AreAlike(const std::vector<Quantity>& quantities, std::size_t a, std::size_
   });
 }
 
-/// One comparison of a variant with the first one; all of a sweep are one family for Holm's correction.
+/// One comparison of a variant with the first one. All comparisons of a sweep are one family for Holm's correction.
 struct Compared {
-  std::string line;  ///< Without what the correction adds.
+  std::string line;  ///< Without the result of the correction.
   double probability = 1, effect = 0;
   bool is_number = false;
   std::size_t pairs = 0;
 };
 
-/// Below this a difference of two numbers is rounding.
+/// Smaller differences of two numbers are rounding errors.
 double RoundingOf(double a, double b) {
   return 1e-9 * std::max({1e-3, std::abs(a), std::abs(b)});
 }
@@ -155,7 +155,7 @@ std::optional<Compared> CompareRates(const Plan& plan, const std::string& what, 
   return compared;
 }
 
-/// Whether each check came true, by variant and seed.
+/// Whether each check was true, by variant and seed.
 std::vector<std::vector<Good>> GoodOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows) {
   std::vector<std::vector<Good>> good(spec.mission.checks.size(), std::vector<Good>(plan.variants.size()));
   for (const Row& row : rows) {
@@ -184,7 +184,7 @@ void TellCompared(std::ostringstream& out, const std::vector<Compared>& family) 
   }
 }
 
-/// The first words of what runs of a variant reported, and how many did.
+/// Prints the first errors that runs of a variant reported, and their number.
 void TellErrors(std::ostringstream& out, const Plan& plan, const std::vector<Row>& rows) {
   for (std::size_t v = 0; v < plan.variants.size(); ++v) {
     std::size_t count = 0;
@@ -200,7 +200,7 @@ void TellErrors(std::ostringstream& out, const Plan& plan, const std::vector<Row
   }
 }
 
-/// What no line below speaks of: numbers that are the same everywhere.
+/// Prints the numbers that are equal in all runs.
 void TellConstants(std::ostringstream& out, const std::vector<Quantity>& constants) {
   if (constants.empty()) return;
   out << "the same in all runs:";
@@ -307,7 +307,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
       add(CompareRates(plan, "check \"" + spec.mission.checks[i].name + "\"", good[i].front(), good[i][v], v));
     for (const Quantity& quantity : quantities) add(CompareNumbers(plan, quantity, 0, v));
   }
-  // Of those that differ from the first one, some may be equal to each other.
+  // Variants that differ from the first one may be equal to each other.
   for (std::size_t a = 1; a < plan.variants.size() && plan.variants.size() <= kMostPairwise; ++a) {
     for (std::size_t b = a + 1; b < plan.variants.size(); ++b) {
       if (hashes[a].empty() || hashes[a].size() != hashes[b].size() || passed[a] != passed[b]) continue;

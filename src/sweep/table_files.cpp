@@ -25,7 +25,7 @@ Diagnostic CannotWrite(const fs::path& file, const std::string& why) {
   return ProblemIn(file, "this table cannot be written: " + why, "is the disk full, or the folder not yours?");
 }
 
-/// Where a file is written until it is complete.
+/// The temporary path of a file that is not complete.
 fs::path Making(const fs::path& file) {
   return file.parent_path() / ("." + file.filename().string() + ".part");
 }
@@ -37,7 +37,7 @@ Result<void> PutInPlace(const fs::path& file) {
   return {};
 }
 
-/// What is put in the place of a device would be there instead of it.
+/// Refuses devices, because moving the file there would replace the device.
 Result<void> CheckPlace(const fs::path& file) {
   std::error_code error;
   const fs::file_status there = fs::status(file, error);
@@ -173,7 +173,7 @@ class SqliteSink final : public TableSink {
     const int code = sqlite3_open(Making(file_).c_str(), &opened);
     database_.reset(opened);
     if (code != SQLITE_OK) return Failed();
-    // The file is thrown away if it is not completed: no journal, one transaction.
+    // An incomplete file is deleted, so no journal is needed and one transaction is sufficient.
     for (const char* line : {"PRAGMA journal_mode = OFF", "PRAGMA synchronous = OFF", "BEGIN"})
       if (sqlite3_exec(opened, line, nullptr, nullptr, nullptr) != SQLITE_OK) return Failed();
     return {};

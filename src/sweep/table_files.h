@@ -9,17 +9,18 @@
 
 namespace soarbox::sweep {
 
-/// Tables as files of comma-separated values in a folder (RFC 4180): TABLE.csv; the metadata become manifest.json. Each
-/// file is written beside its place and moved there by Finish.
+/// Writes tables as CSV files (RFC 4180) in a folder: TABLE.csv. The metadata become manifest.json. Finish replaces old
+/// files atomically.
 Result<std::unique_ptr<record::TableSink>> CsvFolder(const std::filesystem::path& folder, record::Metadata metadata);
 
-/// Tables of one SQLite database, which Finish puts into its place; the metadata are its table `metadata`.
+/// Writes tables to an SQLite database, which Finish moves to its final place. The metadata are in the table
+/// `metadata`.
 Result<std::unique_ptr<record::TableSink>> SqliteFile(const std::filesystem::path& file, record::Metadata metadata);
 
-/// A line of JSON for each row, with the name of its table as `table`; the first line has the metadata.
+/// Writes a line of JSON for each row, with the name of its table as `table`. The first line contains the metadata.
 Result<std::unique_ptr<record::TableSink>> JsonLinesFile(const std::filesystem::path& file, record::Metadata metadata);
 
-/// A cell as JSON (null: empty), or as a field of comma-separated values.
+/// Formats a cell as JSON (null if empty), or as a CSV field.
 std::string JsonOf(const record::Cell& cell);
 std::string CsvOf(const record::Cell& cell);
 

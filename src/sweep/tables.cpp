@@ -30,7 +30,7 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// "40" as a number, "\"soldier\"" as a text.
+/// "40" is a number, "\"soldier\"" is a text.
 Cell ParameterCell(const std::string& text) {
   try {
     std::size_t used = 0;
@@ -41,7 +41,7 @@ Cell ParameterCell(const std::string& text) {
   return text.size() > 1 && (text.front() == '\'' || text.front() == '"') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Databases take "Time: a" and "time: a" for one name.
+/// Makes names of columns unique; databases treat "Time: a" and "time: a" as the same name.
 void MakeNamesDiffer(std::vector<Column>& columns) {
   std::set<std::string> taken;
   for (Column& column : columns) {
@@ -107,19 +107,19 @@ Table MakeTable(const Spec& spec, const Plan& plan, const std::vector<Row>& rows
     cells.emplace_back(std::string(hash));
     cells.emplace_back(row.host);
     cells.emplace_back(std::int64_t{row.tries});
-    // From the sweep's folder, which can be moved.
+    // Relative to the sweep's folder, which can be moved.
     cells.emplace_back(run.recording.empty() ? std::string()
                                              : "recordings/" + fs::path(run.recording).filename().string());
   }
   return table;
 }
 
-/// What a run is named by, before the first column that a run measures.
+/// Number of columns that identify a run; measured columns follow.
 std::size_t NamesIn(const Spec& spec) {
   return 2 + spec.parameters.size();
 }
 
-/// A cell as a number: whether a check came true is 1 or 0. None if it is empty, or another text.
+/// A cell as a number; results of checks are 1 or 0. Nothing if the cell is empty or another text.
 std::optional<double> NumberIn(const Column& column, const Cell& cell) {
   if (const double* number = std::get_if<double>(&cell)) return *number;
   if (const std::int64_t* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
@@ -128,7 +128,7 @@ std::optional<double> NumberIn(const Column& column, const Cell& cell) {
   return *text == "true" ? 1 : 0;
 }
 
-/// The same in long form: a row for each number of each run.
+/// The table in long form: a row for each number of each run.
 Table TidyOf(const Spec& spec, const Table& wide) {
   Table tidy;
   const std::size_t names = NamesIn(spec);
@@ -148,7 +148,7 @@ Table TidyOf(const Spec& spec, const Table& wide) {
   return tidy;
 }
 
-/// Gives a table to a sink.
+/// Passes a table to a sink.
 Result<void> Put(record::TableSink& sink, std::size_t number, const std::string& name, const Table& table) {
   if (Result<void> begun = sink.Begin(name, table.columns); !begun) return begun;
   for (const std::vector<Cell>& row : table.rows)

@@ -9,8 +9,9 @@ namespace soarbox::sweep {
 
 using record::TidyCounts;
 
-/// Writes a recording as tables in long form (record::TidyTables). The ending of `output` says how: `.sqlite` or `.db`
-/// a database, `.jsonl` lines of JSON, none a folder of comma-separated values. Other endings are refused.
+/// Writes a recording as tables in long form (record::TidyTables). The extension of `output` selects the format:
+/// `.sqlite` or `.db` for a database, `.jsonl` for lines of JSON, none for a folder of CSV files. Other extensions are
+/// refused.
 Result<TidyCounts> WriteTidy(record::Reader& recording, record::TickRange range, const std::filesystem::path& output);
 
 }  // namespace soarbox::sweep

@@ -16,13 +16,13 @@ constexpr int kResamples = 300;
 constexpr int kRounds = 200;
 constexpr double kMean = 1500, kScale = 400;
 
-/// One game: who sat where, and with how many points they ended.
+/// One game: the agents in the seats, and their points.
 struct Game {
   const Seating* seating = nullptr;
   std::vector<double> points;  ///< By seat.
-  std::uint64_t seed = 0;      ///< Games with one seed share a board.
+  std::uint64_t seed = 0;      ///< Games with the same seed have the same initial world.
 
-  /// What share of the win the one has against the other: 1, a half, or 0.
+  /// The result of an agent against another: 1, a half, or 0.
   double Share(std::size_t seat, std::size_t other) const {
     return points[seat] > points[other] ? 1 : points[seat] < points[other] ? 0 : 0.5;
   }
@@ -41,8 +41,8 @@ std::vector<Game> Games(const Spec& spec, const std::vector<Row>& rows) {
   return games;
 }
 
-/// Ratings after Bradley and Terry. Each agent has drawn one game against an average one besides, so that whoever won
-/// or lost all has a rating, too. A game of several counts as one for each of them, however many it beats.
+/// Ratings by the Bradley-Terry model. Each agent has one additional draw against an average agent, so that agents that
+/// won or lost all games have a rating, too. A game with several agents counts as one game for each of them.
 std::vector<double> Ratings(std::size_t players, const std::vector<Game>& games) {
   std::vector<double> won(players, 0.5), strength(players, 1), met(players * players);
   for (const Game& game : games) {
@@ -71,7 +71,7 @@ std::vector<double> Ratings(std::size_t players, const std::vector<Game>& games)
   return strength;
 }
 
-/// What a game adds to what the agent at a seat has reached.
+/// Adds the result of a game to the standing of the agent at a seat.
 void Count(const Game& game, std::size_t seat, Standing& standing) {
   double place = 1;
   bool is_first = true, is_alone = true;
@@ -88,7 +88,7 @@ void Count(const Game& game, std::size_t seat, Standing& standing) {
   standing.points += game.points[seat];
 }
 
-/// The same numbers in each run of the program.
+/// A deterministic random generator.
 class Picker {
  public:
   std::size_t Below(std::size_t count) {
@@ -116,7 +116,7 @@ std::vector<Standing> Standings(const Spec& spec, const std::vector<Row>& rows) 
   const std::vector<double> ratings = Ratings(players, games);
   std::vector<std::vector<double>> resampled(players);
   Picker picker;
-  // Games of one seed share a board, so boards are drawn, each with all its games.
+  // Games of one seed are not independent, so seeds are resampled, each with all its games.
   std::map<std::uint64_t, std::vector<Game>> by_seed;
   for (const Game& game : games) by_seed[game.seed].push_back(game);
   std::vector<const std::vector<Game>*> boards;

@@ -9,8 +9,8 @@
 namespace soarbox::sweep {
 namespace {
 
-/// Two agents that play on `boards` boards, each in both seats and `copies` times over. The first agent wins on two
-/// boards of three.
+/// Two agents that play on `boards` boards, `copies` times in both seats of each. The first agent wins on two of three
+/// boards.
 std::vector<Row> Games(Spec& spec, std::size_t boards, std::size_t copies) {
   spec = {};
   spec.players = {"hunter", "wanderer"};
@@ -49,7 +49,7 @@ TEST(Tournament, MoreBoardsMakeIntervalsNarrower) {
   Spec spec;
   const std::vector<Row> few = Games(spec, 30, 1), many = Games(spec, 480, 1);
   const double narrow = WidthOf(Standings(spec, many).front()), wide = WidthOf(Standings(spec, few).front());
-  // Sixteen times the boards: a quarter of the width.
+  // Sixteen times as many boards give a quarter of the width.
   EXPECT_NEAR(narrow / wide, 0.25, 0.1);
 }
 

@@ -21,7 +21,7 @@ std::string HashText(std::uint64_t hash) {
   return text;
 }
 
-/// What differs between a row and the same run made again; empty: nothing.
+/// The difference between a row and a repeated run; empty if they are equal.
 std::string DifferenceOf(const Spec& spec, const Row& row, const Row& again) {
   if (again.result.outcome != "ok") return "it " + again.result.outcome + " now: " + again.result.error;
   if (row.result.state_hash != again.result.state_hash)
@@ -32,7 +32,7 @@ std::string DifferenceOf(const Spec& spec, const Row& row, const Row& again) {
   return row.result.passed == again.result.passed ? std::string() : "'passed' differs";
 }
 
-/// So many of the rows, spread evenly.
+/// At most `most` rows, distributed evenly.
 std::vector<Row> SampleOf(const std::vector<Row>& rows, std::size_t most) {
   if (most == 0 || most >= rows.size()) return rows;
   std::vector<Row> sample;
