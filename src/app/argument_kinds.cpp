@@ -20,12 +20,12 @@ constexpr ArgumentKind kRun{"SCENARIO|RECORDING", Offers::kScenarios, ".soar .lu
 constexpr ArgumentKind kSource{"SCENARIO|FILE", Offers::kScenarios, ".soar .lua .toml"};
 
 struct Row {
-  std::string_view command;  ///< Empty: all that have such an argument.
+  std::string_view command;  ///< Empty: all sub-commands with such an argument.
   std::string_view argument;
   ArgumentKind kind;
 };
 
-/// The first that fits counts; what is a number and is not here is called N.
+/// The first row that matches is used. A number that is not in the table is called N.
 constexpr Row kRows[] = {
     {"run", "scenario", kScenario},
     {"serve", "scenario", kScenario},
@@ -103,7 +103,7 @@ constexpr Row kRows[] = {
     {"", "--token", {"SECRET"}},
 };
 
-/// More words than these are named by the kind alone.
+/// If there are more words, the help shows the kind's name.
 constexpr std::size_t kFewWords = 5;
 
 /// "--output" of "-o,--output".
@@ -170,7 +170,7 @@ void NameArguments(CLI::App& program) {
     for (CLI::Option* option : command->get_options()) {
       if (!TakesValue(*option)) continue;
       const std::string name = NameOf(KindOf(*command, *option));
-      // What its checks say of themselves is said by its name or its description.
+      // The description of its check is already in its name or its description.
       try {
         for (int i = 0;; ++i) option->get_validator(i)->description("");
       } catch (const CLI::OptionNotFound&) {

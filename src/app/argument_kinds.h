@@ -9,47 +9,47 @@
 
 namespace soarbox::app {
 
-/// What a shell may offer where an argument is wanted.
+/// The candidates that a shell may offer for an argument.
 enum class Offers : std::uint8_t {
   kNothing,
-  kFiles,  ///< Files of these kinds, and folders on the way to them.
+  kFiles,  ///< Files with these extensions, and folders.
   kFolders,
-  kNamedFiles,  ///< The same behind NAME=.
-  kScenarios,   ///< Scenarios by name, and files.
-  kLessons,     ///< What `soarbox learn` takes.
+  kNamedFiles,  ///< The same after NAME=.
+  kScenarios,   ///< Names of scenarios, and files.
+  kLessons,     ///< The arguments of `soarbox learn`.
   kCommands,    ///< Sub-commands.
   kWords,       ///< One of these words.
-  kList,        ///< Some of them, separated by commas.
+  kList,        ///< Several of these words, separated by commas.
 };
 
-/// What may stand where an argument is wanted. Help, manual pages and completion all take it from here.
+/// The kind of an argument. Help, manual pages and completion use it.
 struct ArgumentKind {
-  std::string_view name = "TEXT";  ///< What the help calls it: "FILE", "N".
+  std::string_view name = "TEXT";  ///< The name in the help: "FILE", "N".
   Offers offers = Offers::kNothing;
-  std::string_view words = {};  ///< Separated by blanks: what it may be, or the extensions of files (".soar .lua").
+  std::string_view words = {};  ///< Separated by blanks: the allowed words, or the extensions of files (".soar .lua").
 };
 
-/// Of an option or a positional argument of a sub-command.
+/// Returns the kind of an option or a positional argument of a sub-command.
 ArgumentKind KindOf(const CLI::App& command, const CLI::Option& option);
-/// What the help calls it: the kind's name, or its words if there are few ("auto|low|full").
+/// The name in the help: the kind's name, or its words if there are few ("auto|low|full").
 std::string NameOf(const ArgumentKind& kind);
-/// Calls the arguments of all sub-commands by these names.
+/// Sets these names for the arguments of all sub-commands.
 void NameArguments(CLI::App& program);
 
-/// The words that such an option takes, whatever its sub-command.
+/// Returns the words that an option accepts, in any sub-command.
 std::vector<std::string> WordsOf(std::string_view option);
 /// The same as text: "labels, trails, senses".
 std::string ListedWordsOf(std::string_view option);
 
 std::vector<std::string> SplitAtBlanks(std::string_view text);
 
-/// All sub-commands, those that are not for people, too.
+/// Returns all sub-commands, including internal ones.
 std::vector<const CLI::App*> SubCommands(const CLI::App& program);
-/// Those that help lists.
+/// Returns the sub-commands that the help lists.
 std::vector<const CLI::App*> ListedCommands(const CLI::App& program);
-/// The sub-command of this name; null: there is none.
+/// Returns the sub-command with this name; null if there is none.
 const CLI::App* FindCommand(const CLI::App& program, std::string_view name);
-/// Positional arguments, in their order, or all others.
+/// Positional arguments in their order; all others.
 std::vector<const CLI::Option*> PositionalsOf(const CLI::App& command);
 std::vector<const CLI::Option*> OptionsOf(const CLI::App& command);
 bool TakesValue(const CLI::Option& option);

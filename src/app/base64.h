@@ -6,7 +6,7 @@
 
 namespace soarbox::app {
 
-/// Bytes as text (RFC 4648), with padding.
+/// Encodes bytes as text (RFC 4648), with padding.
 std::string Base64(std::string_view bytes);
 
 }  // namespace soarbox::app

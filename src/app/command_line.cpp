@@ -49,7 +49,7 @@ int List() {
   return kOk;
 }
 
-/// What the user of a window asks to see instead of its run opens in a window of its own, when that one has closed.
+/// After the window has closed, opens the run that its user requested, in a new window.
 int FollowedByOthers(int code, const RunOptions& first) {
   while (const auto next = TakeNextRun()) {
     if (next->is_recording) {
@@ -59,8 +59,8 @@ int FollowedByOthers(int code, const RunOptions& first) {
       recording.ui_script_from = next->script_line;
       code = Replay(recording);
     } else {
-      // What was asked of the first run alone (an agent, inputs, a length, a file for its recording) is not asked of
-      // it.
+      // Options that concern only the first run (an agent, inputs, a duration, the file of its recording) do not apply
+      // to it.
       RunOptions run;
       run.scenario = next->what;
       run.lesson = next->lesson;
@@ -115,7 +115,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are "errors" of this library too; they print and succeed.
+    // Help and version are "errors" in this library; they print and succeed.
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
       program.exit(error);
       return kOk;
@@ -127,17 +127,17 @@ int Main(int argc, char** argv, const PageServer* server) {
     }
     return kUsage;
   }
-  // A server's engine is called by the server; its recordings go to whoever asks for them.
+  // The server calls its engine, and the engine's recordings go to users, so they do not contain the command line.
   record::SetOrigin({Commit(), program.got_subcommand("engine") ? std::vector<std::string>()
                                                                 : std::vector<std::string>(argv, argv + argc)});
-  // What strangers let an engine run leaves no files behind. But it begins the same world again and again.
+  // Engines for strangers must not leave files behind. But an engine restarts the same world repeatedly.
   if (program.got_subcommand("engine")) {
     world::ShareNavigation();
   } else {
     world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
   }
   if (const Result<sim::DataFolders> data = FindDataFolders()) record::SetDataFolders(*data);
-  // It is for kernels of clients, not for those of our worlds.
+  // SOARBOX_RECORD is for kernels of clients, not for those of our worlds.
   if (!program.got_subcommand("kernel")) unsetenv("SOARBOX_RECORD");
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("watch") && options.run.follow.empty()) options.run.follow = kUsualKernel;
@@ -178,7 +178,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   return List();
 }
 
-/// What a world that is out of memory ends with, on whatever thread it was. What is on disk of a recording stays.
+/// Ends a process whose world is out of memory, on any thread. The part of a recording that is on disk remains.
 void TellNoMemory() {
   static const char kText[] =
       "soarbox: error: out of memory\n"
@@ -206,7 +206,7 @@ int CommandLine(int argc, char** argv, const Window* window, const PageServer* s
   SetProgramWindow(window);
   if (window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
-  // A file that may not grow any further is told of where it is written; the signal would end the program before.
+  // If a file may not grow, the write reports it; the signal would end the program before.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = Main(argc, argv, server);

@@ -7,7 +7,7 @@
 namespace soarbox::app {
 namespace {
 
-/// No run lasts longer; its ticks are counted without loss.
+/// Maximum duration of a run, with which the number of ticks is still exact.
 constexpr double kLongest_s = 1e7;
 
 void AddBrowser(CLI::App& command, WindowWishes& wishes) {
@@ -15,7 +15,7 @@ void AddBrowser(CLI::App& command, WindowWishes& wishes) {
   command.add_option("--page", wishes.page, "For --browser: as for `soarbox serve`")->check(CLI::ExistingDirectory);
 }
 
-/// What is asked of a window, whoever opens it.
+/// Adds the options of a window.
 void AddWindow(CLI::App& command, WindowWishes& wishes) {
   command
       .add_option("--detail", wishes.detail,
@@ -340,7 +340,7 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_flag("--dis", options.dis, "Let worlds join exercises of other simulations, as they say (docs/dis.md)");
   serve->add_option("--page", options.page, "Serve the page in this folder instead of the program's own")
       ->check(CLI::ExistingDirectory);
-  // Started by the server, on a connection to it: not for people.
+  // The server starts it with a connection; users do not.
   CLI::App* runs = program.add_subcommand("engine", "Run one world for a server")->group("");
   runs->add_option("--world", engine.world);
   runs->add_option("--from", engine.from);
@@ -454,7 +454,7 @@ void AddCommands(CLI::App& program, CommandOptions& options) {
   AddLearn(program, options.learn);
   AddTest(program, options.test);
   program.add_subcommand("list", "List the scenarios that come with the program");
-  // Behind list, which lst means rather than lsp.
+  // After list, because lst means list, not lsp.
   AddEditors(program, options.format, options.datamap, options.assistant_folder);
   AddServe(program, options.serve, options.engine);
   AddHelp(program, options.help);

@@ -22,7 +22,7 @@
 
 namespace soarbox::app {
 
-/// What the command line says to each sub-command.
+/// The options of all sub-commands.
 struct CommandOptions {
   RunOptions run;
   SoarShellOptions soar;
@@ -38,13 +38,13 @@ struct CommandOptions {
   TestOptions test;
   FormatOptions format;
   DatamapOptions datamap;
-  std::string assistant_folder = ".";  ///< Below which a coding assistant may read.
+  std::string assistant_folder = ".";  ///< A coding assistant may read only files below this folder.
   ServeOptions serve;
   EngineOptions engine;
   HelpOptions help;
 };
 
-/// Describes all sub-commands and their options to the parser. Parsing fills in `options`, which must outlive it.
+/// Adds all sub-commands and their options to the parser. Parsing fills in `options`, which must outlive the parser.
 void AddCommands(CLI::App& program, CommandOptions& options);
 
 }  // namespace soarbox::app

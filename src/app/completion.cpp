@@ -39,7 +39,7 @@ class Completion {
   }
 
  private:
-  /// What stands before the word that is completed.
+  /// Parses the words before the completed word.
   void Read(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
       if (waits_ != nullptr) {
@@ -58,7 +58,7 @@ class Completion {
 
   const CLI::Option* Find(const std::string& name) const { return command_->get_option_no_throw(name); }
 
-  /// The positional argument that comes next; null: none does.
+  /// The next positional argument; null if there is none.
   const CLI::Option* NextPositional() const {
     const std::vector<const CLI::Option*> all = PositionalsOf(*command_);
     if (positionals_.size() < all.size()) return all[positionals_.size()];
@@ -85,7 +85,7 @@ class Completion {
     }
   }
 
-  /// `before` stands before the value within the same word.
+  /// `before` is the part of the word before the value.
   void OfferValues(const CLI::Option& option, const std::string& before, const std::string& value) {
     const ArgumentKind kind = KindOf(*command_, option);
     switch (kind.offers) {
@@ -167,7 +167,7 @@ class Completion {
   const CLI::App* command_ = nullptr;
   std::vector<std::string> positionals_;
   std::set<const CLI::Option*> used_;
-  const CLI::Option* waits_ = nullptr;  ///< The option whose value is completed.
+  const CLI::Option* waits_ = nullptr;  ///< The option whose value is completed; null: none.
 };
 
 }  // namespace

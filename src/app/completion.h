@@ -8,16 +8,16 @@
 
 namespace soarbox::app {
 
-/// Writes what a shell may offer for the last of these words, which stand behind `soarbox`: one candidate a line, and
-/// behind a tab what it is. The last word may be empty. Lines that begin with a colon tell the shell what it knows
-/// better:
+/// Writes the candidates that a shell may offer for the last of these words, which follow `soarbox`. Each line is a
+/// candidate, a tab, and its description. The last word may be empty. Lines that begin with a colon are instructions
+/// for the shell:
 ///
 ///     :files .soar .lua    offer files with these extensions (none: all files), and folders
 ///     :folders             offer folders
-///     :behind TEXT         what is offered begins behind this part of the word
-///     :open                put no blank behind a candidate: more may follow
+///     :behind TEXT         the candidates begin after this part of the word
+///     :open                add no blank after a candidate, because more may follow
 ///
-/// packaging/completion holds what asks for this in bash and zsh.
+/// packaging/completion contains the scripts for bash and zsh that call this.
 void PrintCandidates(const CLI::App& program, std::vector<std::string> words, std::ostream& out);
 
 }  // namespace soarbox::app

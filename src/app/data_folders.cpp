@@ -27,12 +27,12 @@ Result<sim::DataFolders> FindDataFolders() {
   } else {
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) {
-      // Without /proc the program cannot tell where it lies; this is where its package puts the folders.
+      // Without /proc the program cannot find its own path; its package installs the folders here.
       places.emplace_back("/usr/share/soarbox");
     } else {
       places.push_back(program.parent_path().parent_path() / "share" / "soarbox");
     }
-    // Only a program that was not installed reads the source tree.
+    // Only a program that was not installed uses the source tree.
     if (IsWithin(program, SOARBOX_BUILD_DIR)) places.emplace_back(SOARBOX_SOURCE_DIR);
   }
   for (const fs::path& place : places) {
@@ -50,7 +50,7 @@ Result<sim::DataFolders> FindDataFolders() {
 fs::path PageFolder(const sim::DataFolders& data) {
   const fs::path root = data.scenarios.parent_path();
   std::error_code error;
-  // The source tree has it where npm builds it.
+  // In the source tree, npm builds it in this folder.
   return fs::is_directory(root / "web", error) ? root / "web" / "dist" / "page" : root / "page";
 }
 

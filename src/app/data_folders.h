@@ -8,10 +8,10 @@
 
 namespace soarbox::app {
 
-/// Where the program's scenarios and media lie: $SOARBOX_DATA if set, else share/soarbox beside the installed program,
-/// else the source tree that it was built from. The error names all places that were tried.
+/// Finds the program's scenarios and media: in $SOARBOX_DATA if set, else in share/soarbox next to the installed
+/// program, else in the source tree of the build. The error names all places that were tried.
 Result<sim::DataFolders> FindDataFolders();
-/// Where the built page of browsers lies beside them, if it was built.
+/// Returns the folder of the built page for browsers, next to these folders, if it was built.
 std::filesystem::path PageFolder(const sim::DataFolders& data);
 
 }  // namespace soarbox::app

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of rules that were named, and those below folders that were.
+/// Returns the given files of rules, and those below the given folders.
 std::vector<fs::path> RuleFiles(const std::vector<fs::path>& named) {
   std::vector<fs::path> files;
   for (const fs::path& path : named) {
@@ -44,7 +44,7 @@ std::vector<fs::path> RuleFiles(const std::vector<fs::path>& named) {
   return files;
 }
 
-/// Writes beside the file and moves it into place, so that no half of a file is ever there.
+/// Writes a new file and renames it, so that there is never a partly written file.
 bool Replace(const fs::path& file, const std::string& text) {
   std::error_code error;
   const fs::path target = fs::canonical(file, error);

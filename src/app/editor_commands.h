@@ -9,35 +9,36 @@
 
 namespace soarbox::app {
 
-/// What `soarbox format` was asked for.
+/// Options of `soarbox format`.
 struct FormatOptions {
   std::vector<std::filesystem::path> files;  ///< Files of rules and folders.
-  bool check = false;                        ///< Change nothing; name what would be changed.
+  bool check = false;                        ///< Change nothing; print the names of the files that would change.
 };
-/// Lays files of rules out, in place. Returns an ExitCode: kProblems if `check` finds any, or one cannot be read.
+/// Formats files of rules in place. Returns an ExitCode: kProblems if `check` finds a file to be changed, or a file
+/// cannot be read.
 int FormatFiles(const FormatOptions& options);
 
-/// What `soarbox datamap` was asked for.
+/// Options of `soarbox datamap`.
 struct DatamapOptions {
   std::filesystem::path rules;   ///< The file that loads the others.
   std::filesystem::path output;  ///< Empty: standard output.
 };
-/// Writes a project of VisualSoar with a datamap. Returns an ExitCode.
+/// Writes a VisualSoar project with a datamap. Returns an ExitCode.
 int WriteDatamap(const DatamapOptions& options);
 
-/// The file that loads all rules of a project of VisualSoar; other files stay as they are. Fails if the project cannot
-/// be read, or has no such file.
+/// Returns the file that loads all rules of a VisualSoar project; for other files, the file itself. Fails if the
+/// project cannot be read or has no such file.
 Result<std::filesystem::path> RulesOfProject(const std::filesystem::path& file);
-/// What the datamap of the project that a file of rules belongs to does not know, and what is wrong with a project.
+/// Returns names in a file of rules that the datamap of its project does not contain, and errors of the project itself.
 std::vector<Diagnostic> DatamapProblems(const std::filesystem::path& file);
 
-/// Serves an editor on standard input and output. Returns the process's exit code.
+/// Runs a language server on standard input and output. Returns the process's exit code.
 int ServeLanguage();
 
-/// Serves an editor's debugger on standard input and output.
+/// Runs a debug adapter on standard input and output.
 int ServeDebugger();
 
-/// Serves a coding assistant on standard input and output; files are named below this folder.
+/// Serves a coding assistant on standard input and output; file names are relative to this folder.
 int ServeAssistant(const std::filesystem::path& folder);
 
 }  // namespace soarbox::app

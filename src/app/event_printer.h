@@ -12,7 +12,7 @@
 
 namespace soarbox::app {
 
-/// What a run tells about itself, first and last.
+/// Printed at the beginning and at the end of a run.
 struct RunHeader {
   std::string scenario;
   std::uint64_t seed = 1;
@@ -25,11 +25,11 @@ struct RunFooter {
   std::size_t agents = 0;
   std::size_t soar_agents = 0;
   std::size_t problems = 0;
-  std::vector<sim::Finding> findings;  ///< What went wrong, the cause first.
+  std::vector<sim::Finding> findings;  ///< The errors of the run, the cause first.
 };
 
-/// Prints what happens in a run, legibly or as lines of JSON. Everything printed depends on the run alone, never on the
-/// wall clock, so that two runs with one seed print the same.
+/// Prints the events of a run as text or as lines of JSON. The output depends only on the run, not on the wall clock,
+/// so that two runs with one seed print the same.
 class EventPrinter {
  public:
   virtual ~EventPrinter() = default;
@@ -39,7 +39,7 @@ class EventPrinter {
   virtual void Report(const world::SceneSnapshot& snapshot) = 0;
   virtual void End(const RunFooter& footer) = 0;
 
-  /// Legible text: events on `out`, diagnostics on `errors`.
+  /// Text: events on `out`, diagnostics on `errors`.
   static std::unique_ptr<EventPrinter> MakeText(std::ostream& out, std::ostream& errors);
   /// One JSON object per line, all on `out`; docs/command.md lists the fields.
   static std::unique_ptr<EventPrinter> MakeJson(std::ostream& out);

@@ -101,13 +101,13 @@ class TextPrinter : public EventPrinter {
   }
 
   void Line(const sim::RunEvent& event, const std::string& text) {
-    // What scripts and rules print is theirs but for what would steer the terminal.
+    // Texts of scripts and rules are printed unchanged, except for terminal control sequences.
     out_ << fmt::format("{:8.2f} s  {:<14} {}\n", event.time_s,
                         event.agent.empty() ? "sandbox" : Printable(event.agent, nullptr),
                         Printable(text, "", text.size()));
   }
 
-  /// Flushes first, so that a problem stands where it happened also when both streams share a terminal.
+  /// Flushes first, so that the problem appears at the right place if both streams share a terminal.
   void Problem(const Diagnostic& diagnostic) {
     out_.flush();
     errors_ << Format(diagnostic);

@@ -73,7 +73,7 @@ bool Grading::Poll() {
   std::array<char, 4096> bytes;
   while (true) {
     const ssize_t got = read(work_->pipe, bytes.data(), bytes.size());
-    if (got < 0) return false;  // Nothing yet.
+    if (got < 0) return false;  // No output yet.
     if (got == 0) break;
     text_.append(bytes.data(), static_cast<std::size_t>(got));
   }

@@ -9,8 +9,8 @@
 
 namespace soarbox::app {
 
-/// Grades a learner's rules beside a run: what `soarbox learn check LESSON --progress` prints, from a process of its
-/// own. Without processes, another worker of the page does it (grading_absent.cpp).
+/// Grades a learner's rules during a run, in a separate process that executes `soarbox learn check LESSON --progress`.
+/// Without processes, another worker of the page does it (grading_absent.cpp).
 class Grading {
  public:
   Grading();
@@ -18,19 +18,19 @@ class Grading {
   Grading& operator=(const Grading&) = delete;
   ~Grading();
 
-  /// `folder`: of the learner's lessons; `from`: of the lessons themselves.
+  /// `folder` contains the learner's lessons, `from` the lessons themselves.
   Result<void> Start(const std::string& lesson, const std::filesystem::path& folder, const std::filesystem::path& from);
   bool IsRunning() const { return work_ != nullptr; }
-  /// Ends it and everything that it started.
+  /// Ends the grading with all processes that it started.
   void Stop();
-  /// True if it has ended since.
+  /// True if it has ended since the last call.
   bool Poll();
-  /// What it has printed until now.
+  /// Its output so far.
   const std::string& text() const { return text_; }
 
  private:
   struct Work;
-  std::unique_ptr<Work> work_;  ///< Null: nothing is graded.
+  std::unique_ptr<Work> work_;  ///< Null: no grading runs.
   std::string text_;
 };
 

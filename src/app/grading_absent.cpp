@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where there are no other processes (WebAssembly). If the JavaScript that runs this module has functions
-// soarboxGrade(lesson, from) and soarboxStopGrading(), another module grades, and what it prints comes by
-// soarbox_graded(). Otherwise this one grades, and the run waits meanwhile.
+// For systems without other processes (WebAssembly). If the JavaScript that runs this module has functions
+// soarboxGrade(lesson, from) and soarboxStopGrading(), another module grades, and its output arrives by
+// soarbox_graded(). Otherwise this module grades, and the run waits meanwhile.
 #include <emscripten.h>
 
 #include <iostream>
@@ -14,7 +14,7 @@
 namespace soarbox::app {
 namespace {
 
-/// What the other module has printed.
+/// The output of the other module.
 struct Told {
   std::string text;
   bool is_over = false;
@@ -24,7 +24,7 @@ Told& ToldElsewhere() {
   return told;
 }
 
-/// Takes what is printed on a stream, for as long as it lives.
+/// Captures the output of a stream while it exists.
 class Printed {
  public:
   Printed(std::ostream& stream, std::ostringstream& text) : stream_(stream), before_(stream.rdbuf(text.rdbuf())) {}
@@ -49,7 +49,7 @@ EM_JS(void, SoarboxStopsGrading, (), { Module["soarboxStopGrading"](); });
 // clang-format on
 
 extern "C" {
-/// More of what the other module has printed, and whether that was all.
+/// Adds output of the other module; `is_over`: it was the last.
 EMSCRIPTEN_KEEPALIVE void soarbox_graded(const char* text, int is_over) {
   ToldElsewhere().text += text;
   ToldElsewhere().is_over = is_over != 0;

@@ -23,17 +23,17 @@
 namespace soarbox::app {
 namespace {
 
-/// A run that was brought to a tick, and what happened on the way.
+/// A run at the requested tick, with the models of its earlier ticks.
 struct Inspected {
   std::unique_ptr<sim::Simulation> simulation;  ///< Null if a recording cannot be simulated again.
   debugger::RunModels models;
-  debugger::RecordedMinds recorded;  ///< Of a recording.
+  debugger::RecordedMinds recorded;  ///< For a recording.
   record::TickRecord last;
   double step_s = 1.0 / 30;
   std::vector<Diagnostic> warnings;
 };
 
-/// "rule propose*move" apart.
+/// Splits "rule propose*move" into view and argument.
 std::pair<std::string, std::string> SplitView(const std::string& view) {
   const std::size_t blank = view.find(' ');
   if (blank == std::string::npos) return {view, ""};
@@ -60,7 +60,7 @@ void Plot(const InspectOptions& options, Inspected& run, const std::string& agen
   if (view == "plots" && !agent.empty()) run.models.plots.Plot(agent, of.empty() ? "decisions" : of);
 }
 
-/// The agent that is meant: the first one with a mind if none was named.
+/// The requested agent; the first one with a mind if none was named.
 std::string AgentOf(const InspectOptions& options, const sim::Simulation& simulation) {
   if (!options.agent.empty()) return options.agent;
   for (std::size_t i = 0; i < simulation.soar_agents(); ++i)
@@ -115,7 +115,7 @@ Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders
   for (std::uint64_t tick = reader.first_tick(); tick <= last; ++tick) {
     const Result<const record::TickRecord*> read = reader.At(tick);
     if (!read) return read.error();
-    // Numbers of the first tick's agents are plotted too: the agent is known with it.
+    // The first tick is plotted too, because the agent is known only after it.
     if (tick == reader.first_tick()) {
       std::string agent = options.agent;
       if (agent.empty() && !(*read)->scene.agents.empty()) agent = (*read)->scene.agents.front().name;

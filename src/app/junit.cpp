@@ -13,7 +13,7 @@
 namespace soarbox::app {
 namespace {
 
-/// What XML can hold, and stands for itself.
+/// Escapes a text for XML.
 std::string Escape(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -31,7 +31,7 @@ std::string Escape(std::string_view text) {
         out += "&quot;";
         break;
       default:
-        // Other control characters may not stand in XML at all.
+        // XML does not allow other control characters.
         out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
     }
   }
@@ -44,7 +44,7 @@ std::string Lines(const std::vector<std::string>& texts) {
   return lines;
 }
 
-/// Whether this run failed though no check of it did: it reported an error.
+/// Whether this run failed although none of its checks did: it reported an error.
 bool IsAtFault(const TestedMission& tested, const mission::RunResult& run) {
   if (run.passed || run.problems.empty() || run.IsUndecided()) return false;
   const std::vector<mission::Check>& checks = tested.loaded.mission.checks;
@@ -53,7 +53,8 @@ bool IsAtFault(const TestedMission& tested, const mission::RunResult& run) {
   return true;
 }
 
-/// Why nobody knows how this check ends: it was interrupted, and no run that was made failed it. Empty: it is known.
+/// The reason why the result of this check is not known: it was interrupted, and no finished run failed it. Empty: it
+/// is known.
 std::string WhyOpen(const TestedMission& tested, std::size_t check) {
   const mission::MissionOutcome& outcome = tested.outcome;
   if (!outcome.IsInterrupted() || outcome.check_true[check] < outcome.runs.size()) return {};

@@ -16,15 +16,15 @@ struct TestedMission {
   mission::MissionOutcome outcome;
 };
 
-/// Writes the results as servers of continuous integration read them: a suite for each mission, a case for each check
-/// over all seeds.
+/// Writes the results in JUnit's format for continuous integration: a suite for each mission, with a case for each
+/// check over all seeds.
 Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
-/// Writes them as the Test Anything Protocol has it: a line for each check over all seeds, and one for each run that
+/// Writes the results in the Test Anything Protocol: a line for each check over all seeds, and one for each run that
 /// broke.
 Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
-/// Whether a check is satisfied over all runs.
+/// Whether a check passed in all runs.
 bool CheckPassed(const TestedMission& tested, std::size_t check);
 
 }  // namespace soarbox::app

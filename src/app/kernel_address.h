@@ -8,10 +8,10 @@
 
 namespace soarbox::app {
 
-/// Where Soar kernels listen unless they are told otherwise.
+/// The default port of Soar kernels.
 inline constexpr int kDefaultPort = 12121;
 
-/// Splits "HOST:PORT"; the port may be missing.
+/// Parses "HOST:PORT"; the port may be missing.
 Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& settings);
 
 }  // namespace soarbox::app

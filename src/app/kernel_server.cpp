@@ -23,11 +23,10 @@
 namespace soarbox::app {
 namespace {
 
-/// How often it is asked whether to end. Clients do not wait for that: a thread of the kernel's own serves them at
-/// once.
+/// Interval for checking whether to end. Clients do not wait for it: a thread of the kernel serves them at once.
 constexpr auto kLookAtSignals = std::chrono::milliseconds(20);
 
-/// The file's stem, with a number behind it if another agent has that name.
+/// The file's stem, followed by a number if another agent has this name.
 std::string NameFor(const std::filesystem::path& file, std::set<std::string>& taken) {
   const std::string stem = file.stem().empty() ? "agent" : file.stem().string();
   std::string name = stem;
@@ -35,7 +34,7 @@ std::string NameFor(const std::filesystem::path& file, std::set<std::string>& ta
   return name;
 }
 
-/// Makes one agent and loads its rules; problems are told and counted. False if there is no such file.
+/// Creates an agent and loads its rules; problems are printed and counted. False if there is no such file.
 bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<std::string>& names) {
   if (!std::ifstream(file)) {
     Refuse(file.string() + " cannot be read", "name files of Soar rules");
@@ -74,7 +73,7 @@ std::string Record([[maybe_unused]] sml::Kernel& kernel, const KernelServerOptio
 int ServeKernel(const KernelServerOptions& options) {
   CatchInterrupts();
   if (!options.secret_file.empty()) {
-    // The kernel's listener reads these.
+    // The kernel's listener reads these variables.
     unsetenv(wire::kSecretVariable);
     setenv(wire::kSecretFileVariable, options.secret_file.c_str(), 1);
   }

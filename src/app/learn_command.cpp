@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A wrong answer may be right by luck; with so many seeds it is not.
+/// A wrong answer may pass by luck with one seed, but not with this number of seeds.
 constexpr std::size_t kWrongSeeds = 4;
-/// A lesson needs at least this many wrong answers.
+/// Minimum number of wrong answers of a lesson.
 constexpr std::size_t kFewestWrong = 4;
 /// The exit code after Ctrl-C.
 constexpr int kInterrupted = 130;
@@ -35,7 +35,7 @@ constexpr std::size_t kMostFindings = 6;
 
 class Learner {
  public:
-  /// `course`: the name of one beside the lessons, "eaters"; empty: none.
+  /// `course` is the name of a course in the folder of lessons, "eaters"; empty: none.
   Learner(const LearnOptions& options, const std::string& course, const sim::DataFolders& data,
           std::vector<Lesson> lessons)
       : options_(options),
@@ -144,7 +144,7 @@ class Learner {
     return graded->passed ? kOk : kProblems;
   }
 
-  /// Grades a world of the learner's own by what its checks notice.
+  /// Grades a learner's own world by the errors that its checks detect.
   int CheckWorld(const Lesson& lesson, const fs::path& folder) {
     const OwnWorldGrade graded = GradeOwnWorld(*lesson.own, folder, data_, ShowProgress());
     if (graded.cancelled) {
@@ -162,7 +162,7 @@ class Learner {
     return graded.passed() ? kOk : kProblems;
   }
 
-  /// "seed 3 of 10": in a terminal one line that goes away, for a program a line each.
+  /// "seed 3 of 10": on a terminal one line that is overwritten, for a program one line each.
   OnSeed ShowProgress() const {
     if (options_.progress)
       return [](std::size_t done, std::size_t of) { std::cout << kProgressLine << done << " of " << of << std::endl; };
@@ -175,7 +175,7 @@ class Learner {
     };
   }
 
-  /// The headline first, then the checks of one run, then whatever else was found.
+  /// Prints the headline first, then the checks of one run, then the other findings.
   void Print(const Lesson& lesson, const Grade& grade) const {
     if (grade.outcome.runs.empty()) return;
     const std::size_t seeds = grade.outcome.runs.size();
@@ -233,8 +233,8 @@ class Learner {
     return Refuse("there are too many earlier folders of this lesson", "remove some", folder_.string());
   }
 
-  /// Starters must fail, solutions pass, and each wrong answer must be told as the mistake that it is: of one lesson,
-  /// or of all.
+  /// Tests one lesson or all: starters must fail, solutions must pass, and each wrong answer must be recognised as its
+  /// mistake.
   int Test(const Lesson* only) {
     int bad = 0;
     const auto tell = [&bad](const Lesson& lesson, const std::string& what, const std::string& wrong) {
@@ -301,14 +301,15 @@ class Learner {
     return wrong;
   }
 
-  /// The mistake that a wrong answer shows.
+  /// The mistake that a wrong answer demonstrates.
   static std::string ExpectedOf(const fs::path& wrong) {
     std::string expected = ReadText(wrong / "expects").value_or("");
     while (!expected.empty() && expected.back() == '\n') expected.pop_back();
     return expected;
   }
 
-  /// The worlds of a lesson whose world is the learner's: a wrong one must miss the point that it is there to show.
+  /// Tests the worlds of a lesson in which the learner creates the world: a wrong one must fail the requirement that it
+  /// demonstrates.
   void TestWorlds(const Lesson& lesson,
                   const std::function<void(const Lesson&, const std::string&, const std::string&)>& tell) const {
     const auto missing_of = [&](const fs::path& folder) -> std::string {
@@ -331,7 +332,7 @@ class Learner {
 
   const LearnOptions& options_;
   const sim::DataFolders& data_;
-  std::string command_;  ///< What all of its commands begin with, and a blank.
+  std::string command_;  ///< The beginning of all its commands, with a blank.
   std::vector<Lesson> lessons_;
   fs::path folder_;
   LessonProgress progress_;

@@ -10,18 +10,19 @@
 
 namespace soarbox::app {
 
-/// What `soarbox learn` was asked for.
+/// Options of `soarbox learn`.
 struct LearnOptions {
-  std::vector<std::string> words;  ///< Nothing: the list. "4", "next": begin. "check 4", "hint 4", "reset 4", "test".
-  std::filesystem::path folder;    ///< Where the learner's files are; empty: ~/soarbox-lessons.
-  std::filesystem::path from;      ///< A folder with lessons of a teacher's own; empty: those of the program.
+  std::vector<std::string>
+      words;  ///< None: list the lessons. "4", "next": begin a lesson. "check 4", "hint 4", "reset 4", "test".
+  std::filesystem::path folder;  ///< The folder of the learner's files; empty: ~/soarbox-lessons.
+  std::filesystem::path from;    ///< A folder with a teacher's own lessons; empty: those of the program.
   bool json = false;
   bool headless = false;  ///< Do not open the window.
-  bool progress = false;  ///< `check` prints a line for each seed that is done, for a program that reads it.
-  RunOptions window;      ///< Its size and what else is asked of it; which world it shows comes from the lesson.
+  bool progress = false;  ///< `check` prints a line after each seed, for programs.
+  RunOptions window;      ///< Options of the window; the lesson determines the world.
 };
 
-/// How each line of `--progress` begins: "seed 3 of 10".
+/// The beginning of each line of `--progress`: "seed 3 of 10".
 inline constexpr std::string_view kProgressLine = "seed ";
 
 int Learn(const LearnOptions& options);

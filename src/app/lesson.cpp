@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kUsualSeeds = 10;
 
-/// {time}, {was}, {what} and {agent} of a hint, as the run had them.
+/// Replaces {time}, {was}, {what} and {agent} in a hint by the values of the run.
 std::string Filled(std::string hint, const mission::Verdict& verdict) {
   const auto put = [&hint](std::string_view mark, const std::string& text) {
     for (std::size_t at = hint.find(mark); at != std::string::npos; at = hint.find(mark, at + text.size()))
@@ -44,7 +44,7 @@ std::string Filled(std::string hint, const mission::Verdict& verdict) {
   return hint;
 }
 
-/// The rules of a text by their names, without blanks that mean nothing.
+/// Returns the rules of a text by name, without insignificant blanks.
 std::map<std::string, std::string> RulesOf(const std::string& text) {
   std::map<std::string, std::string> rules;
   std::istringstream words(explain::BlankComments(text));
@@ -58,17 +58,17 @@ std::map<std::string, std::string> RulesOf(const std::string& text) {
       *rule += word + " ";
     }
   }
-  // Commands after a rule are no part of it.
+  // Commands after a rule are not part of it.
   for (auto& [name, text] : rules) text.resize(std::min(text.size(), text.rfind('}') + 1));
   return rules;
 }
 
-/// The rules of a learner, and which of them the lesson gave.
+/// The learner's rules, and which of them came from the lesson.
 struct LearnersRules {
   std::map<std::string, std::string> all;
   std::set<std::string> given;
   std::vector<explain::RuleText> own;
-  std::set<std::string> proposed;  ///< Operators that some rule of the file proposes.
+  std::set<std::string> proposed;  ///< Operators that any rule of the file proposes.
   bool proposes_own = false;       ///< A rule that the learner wrote proposes an operator.
 
   LearnersRules(const Lesson& lesson, const fs::path& file) : all(RulesOf(ReadText(file).value_or(""))) {
@@ -82,11 +82,11 @@ struct LearnersRules {
     proposes_own = std::ranges::any_of(own, [](const explain::RuleText& rule) { return !rule.proposes.empty(); });
   }
 
-  /// True if one that the learner wrote fits the pattern.
+  /// True if a rule that the learner wrote matches the pattern.
   bool Fit(const mission::RulePattern& pattern) const {
     return std::ranges::any_of(own, [&](const explain::RuleText& rule) { return pattern.Fits(rule); });
   }
-  /// True if a warning is about a rule that the lesson gave.
+  /// True if a warning is about a rule that came from the lesson.
   bool IsAboutGiven(const Diagnostic& problem) const {
     return std::ranges::any_of(given, [&](const std::string& name) {
       const std::size_t at = problem.message.find("rule " + name);
@@ -97,7 +97,7 @@ struct LearnersRules {
   }
 };
 
-/// The lessons that course.toml of a folder lists: folders, seen from there.
+/// Returns the lessons in the course.toml of a folder, as paths relative to the folder.
 std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnostic>& problems) {
   std::vector<fs::path> folders;
   const fs::path file = folder / "course.toml";
@@ -128,7 +128,7 @@ std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnost
   return folders;
 }
 
-/// [own] of a lesson: what is asked of the learner's own world.
+/// [own] of a lesson: the requirements for the learner's own world.
 std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::Mission& mission,
                                         std::vector<Diagnostic>& problems) {
   const toml::node* node = root.get("own");
@@ -182,7 +182,7 @@ Diagnostic UnknownPanel(const std::string& title, const fs::path& file, const to
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty() || !mistake.unwritten.empty()) return mission::Cause::kMistake;
   const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
-  // That an element is there for long is something that happened: an agent has made it.
+  // An element that exists for long counts as something that happened, because the agent created it.
   const bool is_made = std::ranges::any_of(mistake.conditions, [](const mission::Condition& condition) {
     return condition.row->key == mission::Key::kElement;
   });
@@ -190,8 +190,8 @@ mission::Cause CauseOf(const mission::Check& mistake) {
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
 }
 
-/// True if a mistake says that an operator was never selected, the learner gave the operator another name, and no check
-/// asks for this one. Then the name is no mistake.
+/// True if the mistake says that an operator was never selected, but the learner gave the operator another name, and no
+/// check requires this name. Then the name is no mistake.
 bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake, const LearnersRules& written) {
   const auto asks_for = [](const mission::Check& check, const std::string& name) {
     return std::ranges::any_of(check.conditions, [&](const mission::Condition& condition) {
@@ -210,7 +210,7 @@ bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake
   return false;
 }
 
-/// The first known mistake of the lesson that a run shows, and its place in the list; none: past the end.
+/// Returns the index of the lesson's first known mistake that a run shows; past the end: none.
 std::size_t FindMistake(const mission::Mission& mission, const mission::RunResult& run, const LearnersRules& written) {
   for (std::size_t i = 0; i < mission.mistakes.size(); ++i) {
     const mission::Check& mistake = mission.mistakes[i];
@@ -224,7 +224,7 @@ std::size_t FindMistake(const mission::Mission& mission, const mission::RunResul
   return mission.mistakes.size();
 }
 
-/// What the failed run says of the learner's rules: it is made again, and its mind is asked.
+/// Returns findings about the learner's rules from a failed run: simulates it again and queries its mind.
 std::vector<sim::Finding> AccountOf(const mission::LoadedMission& loaded, const Lesson& lesson,
                                     const LearnersRules& rules, std::uint64_t seed) {
   mission::TestSettings settings;
@@ -238,7 +238,7 @@ std::vector<sim::Finding> AccountOf(const mission::LoadedMission& loaded, const 
   return std::move(outcome->runs.front().account);
 }
 
-/// What went wrong in a run that failed, the cause first.
+/// Finds the errors in a failed run, the cause first.
 void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const LearnersRules& written, Grade& grade) {
   using mission::Cause;
   const mission::Mission& mission = lesson.loaded.mission;
@@ -251,7 +251,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
       if (std::ranges::find(findings, finding.text, &sim::Finding::text) == findings.end())
         findings.push_back(std::move(finding));
   }
-  // A rule that never fires does not write too often.
+  // A warning about a rule that never fires is not useful here.
   for (const explain::RuleText& rule : written.own) {
     const std::string never = "rule " + rule.name + " never fired", too_often = "rule " + rule.name + " writes again";
     if (std::ranges::any_of(findings, [&](const auto& finding) { return finding.text.starts_with(never); }))
@@ -263,7 +263,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   if (is_endless && !is_told(Cause::kEndless)) findings.push_back({Cause::kEndless, failed.error});
   if (failed.outcome != "ok" && !is_endless)
     findings.push_back({Cause::kEndless, "This run " + failed.outcome + ": " + failed.error});
-  // Of a run that was ended, the checks say nothing.
+  // If a run was ended early, its checks say nothing.
   const std::size_t mistake = FindMistake(mission, failed, written);
   if (mistake < mission.mistakes.size() && failed.outcome == "ok") {
     const mission::Check& known = mission.mistakes[mistake];
@@ -414,7 +414,7 @@ std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& 
 Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds, const OnSeed& on_seed) {
   Grade grade;
   const fs::path rules = rules_folder / lesson.rules;
-  // A folder that came from somebody else shows nothing that lies elsewhere.
+  // A folder from somebody else must not show files that are elsewhere.
   std::error_code error;
   if (const fs::path real = fs::canonical(rules, error);
       !error && real.parent_path() != fs::canonical(rules_folder, error)) {
@@ -427,7 +427,7 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
   }
   const LearnersRules written(lesson, rules);
   for (Diagnostic& problem : sim::CheckFiles({rules})) {
-    // Where the learner's folder is, nobody needs to be told: a page may be read by others.
+    // Without the path of the learner's folder, because other users may read a page.
     problem.file = fs::path(problem.file).filename().string();
     if (problem.severity == Severity::kError) {
       grade.problems.push_back(std::move(problem));
@@ -436,7 +436,7 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
     }
   }
   if (!grade.problems.empty()) return grade;
-  // The world and the others' rules are the lesson's; only this one file is the learner's.
+  // The world and the other rules come from the lesson; only this file is the learner's.
   mission::LoadedMission loaded = lesson.loaded;
   if (rules.extension() == ".lua") {
     loaded.scenario.script_folders.insert(loaded.scenario.script_folders.begin(), rules_folder);

@@ -14,58 +14,58 @@
 
 namespace soarbox::app {
 
-/// A lesson as its folder has it: lesson.toml, a world, a starter, a solution and wrong answers.
+/// A lesson as stored in its folder: lesson.toml, a world, a starter, a solution and wrong answers.
 struct Lesson {
   std::filesystem::path folder;
   std::string name;  ///< "01-a-rule"
   std::string title, idea, task;
-  std::string panel;              ///< Of the window, which the lesson introduces.
-  std::vector<std::string> also;  ///< Other panels that it needs for the first time.
+  std::string panel;              ///< The panel of the window that the lesson introduces.
+  std::vector<std::string> also;  ///< Other panels that are needed for the first time.
   std::string rules;              ///< The learner's file, "porter.soar".
   std::vector<std::string> hints;
   mission::LoadedMission loaded;
-  std::optional<OwnWorldRules> own;  ///< The world is the learner's, and graded as own_world.h says.
+  std::optional<OwnWorldRules> own;  ///< The learner creates the world; own_world.h describes its grading.
 };
 
-/// All lessons below a folder, in order. What is wrong with one is added to the problems.
+/// Reads all lessons below a folder, in order. Adds their errors to `problems`.
 std::vector<Lesson> ReadLessons(const std::filesystem::path& folder, const sim::DataFolders& data,
                                 std::vector<Diagnostic>& problems);
 
-/// The one in this folder, if it is there and whole; what is wrong with it is added to the problems.
+/// Reads the lesson in this folder, if it exists and is complete. Adds its errors to `problems`.
 std::optional<Lesson> ReadLesson(const std::filesystem::path& folder, const sim::DataFolders& data,
                                  std::vector<Diagnostic>& problems);
-/// Where the program's own lessons are.
+/// Returns the folder of the program's own lessons.
 std::filesystem::path ShippedLessons(const sim::DataFolders& data);
-/// Folders of lessons below a folder, by name; if it has a course.toml, those that it lists, in its order.
+/// Returns the folders of lessons below a folder, by name; if it has a course.toml, those that it lists, in its order.
 std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
-/// Further courses below a folder of lessons, by name: folders that are no lessons and hold some.
+/// Returns further courses below a folder of lessons, by name: folders that contain lessons and are none themselves.
 std::vector<std::string> CoursesIn(const std::filesystem::path& folder);
-/// The lesson whose files a learner has in this folder: one of the program with the folder's name, in any
-/// course, or the folder's own. Empty: none.
+/// Returns the folder of the lesson to which the learner's files in `folder` belong: the program's lesson with the
+/// folder's name, in any course, or `folder` itself. Empty: none.
 std::filesystem::path LessonOf(const std::filesystem::path& folder, const sim::DataFolders& data);
 
-/// Where learners' files go unless they say otherwise: ~/soarbox-lessons.
+/// The default folder of learners' files: ~/soarbox-lessons.
 std::filesystem::path LessonsFolder();
-/// Copies those of a lesson's files that the learner lacks; files that exist stay as they are.
+/// Copies the files of a lesson that do not exist in `folder`; existing files are unchanged.
 Result<void> PrepareLesson(const Lesson& lesson, const std::filesystem::path& folder);
 
 /// The result of grading rules.
 struct Grade {
   bool passed = false;
-  bool cancelled = false;            ///< The user stopped it: nothing else is to be reported.
-  std::vector<Diagnostic> problems;  ///< Rules that do not load: nothing was run. Files without their folders.
-  std::vector<Diagnostic> warnings;  ///< Slips in rules that the learner wrote, also of an answer that passes.
+  bool cancelled = false;            ///< The user stopped it: report nothing else.
+  std::vector<Diagnostic> problems;  ///< Rules that do not load, so nothing was run. File names without folders.
+  std::vector<Diagnostic> warnings;  ///< Slips in the learner's rules, also if the answer passes.
   mission::MissionOutcome outcome;
   std::string mistake;      ///< The known mistake that was recognised; empty: none.
-  std::size_t example = 0;  ///< Of the outcome's runs, the first that failed.
-  /// What went wrong, the cause first: never empty if a run failed.
+  std::size_t example = 0;  ///< Index of the first failed run in the outcome.
+  /// The errors, the cause first; never empty if a run failed.
   std::vector<sim::Finding> findings;
 };
 
 /// Called after each seed.
 using OnSeed = std::function<void(std::size_t done, std::size_t of)>;
 
-/// Runs the lesson's world with the rules of this folder. `seeds`: how many; 0: all. Ctrl-C cancels it.
+/// Runs the lesson's world with the rules in this folder. `seeds` is the number of seeds; 0: all. Ctrl-C cancels it.
 Result<Grade> GradeRules(const Lesson& lesson, const std::filesystem::path& rules_folder, std::size_t seeds,
                          const OnSeed& on_seed = {});
 

@@ -49,8 +49,8 @@ std::string AboutPanel(const Lesson& lesson) {
 
 struct LessonDesk::Parts {
   std::vector<Lesson> lessons;
-  std::size_t at;       ///< The world's; lessons.size(): none.
-  fs::path from, home;  ///< Of all lessons; of the learner's folders.
+  std::size_t at;       ///< Index of the world's lesson; lessons.size(): none.
+  fs::path from, home;  ///< The folder of all lessons; the learner's folder.
   std::vector<std::string> grade;
   bool is_cancelled = false;  ///< Since the last Poll.
   Grading grading;
@@ -68,7 +68,7 @@ LessonDesk::LessonDesk(const sim::Scenario& scenario, const fs::path& lesson) : 
   if (taught.empty() && !scenario.definition.empty() && scenario.rules.empty())
     taught = LessonOf(scenario.definition.parent_path(), *data);
   parts_->from = taught.empty() ? ShippedLessons(*data) : taught.parent_path();
-  std::vector<Diagnostic> problems;  // soarbox learn tells them.
+  std::vector<Diagnostic> problems;  // soarbox learn reports them.
   parts_->lessons = ReadLessons(parts_->from, *data, problems);
   const auto is_it = [&](const Lesson& each) { return !taught.empty() && each.name == taught.filename(); };
   const auto found = std::find_if(parts_->lessons.begin(), parts_->lessons.end(), is_it);
@@ -124,9 +124,9 @@ bool LessonDesk::Poll() {
   if (!parts_->grading.IsRunning()) return false;
   const bool has_ended = parts_->grading.Poll();
   std::vector<std::string> lines = LinesOf(parts_->grading.text());
-  // Lines of progress come first: the last of them shows how far grading is.
+  // Lines of progress come first; the last of them shows the progress.
   const auto is_progress = [](const std::string& line) { return line.starts_with(kProgressLine); };
-  if (!has_ended && !lines.empty() && !parts_->grading.text().ends_with('\n')) lines.pop_back();  // Half a line.
+  if (!has_ended && !lines.empty() && !parts_->grading.text().ends_with('\n')) lines.pop_back();  // An incomplete line.
   const auto result = std::find_if_not(lines.begin(), lines.end(), is_progress);
   if (!has_ended) {
     if (result == lines.begin()) return false;

@@ -12,18 +12,18 @@
 
 namespace soarbox::app {
 
-/// What a window does for a learner: the lesson that its world belongs to, hints one at a time, grading beside the run
-/// in a process of its own, and the way to other lessons.
+/// The lesson functions of a window: the lesson of its world, hints one at a time, grading during the run in a separate
+/// process, and opening other lessons.
 class LessonDesk final : public workbench::Lessons {
  public:
-  /// For the lesson of this world; without one it offers lessons all the same.
+  /// `lesson` is the lesson of this world; without one, the desk still offers lessons.
   LessonDesk(const sim::Scenario& scenario, const std::filesystem::path& lesson);
-  ~LessonDesk() override;  ///< Ends grading that still goes on.
+  ~LessonDesk() override;  ///< Ends a running grading.
   LessonDesk(const LessonDesk&) = delete;
   LessonDesk& operator=(const LessonDesk&) = delete;
 
   bool HasLesson() const;
-  /// The panel that the lesson is about; empty: none.
+  /// The panel that the lesson introduces; empty: none.
   std::string Panel() const;
   void Hint() override;
   Result<void> Grade() override;

@@ -31,7 +31,7 @@ void LessonProgress::Read() {
   if (!text) return;
   data_ = ProgressJson::parse(*text, nullptr, false);
   if (data_.is_object()) return;
-  // It is kept for whoever wants to look; the folders can be graded again.
+  // The damaged file is kept; the lessons can be graded again.
   std::error_code error;
   fs::path damaged = file_;
   damaged += ".damaged";
@@ -48,7 +48,7 @@ int LessonProgress::Get(const std::string& lesson, const char* what) const {
 }
 
 void LessonProgress::Set(const std::string& lesson, const char* what, int value) {
-  // Another window may have noted something since.
+  // Another window may have written it since.
   Read();
   if (!data_.is_object()) data_ = ProgressJson::object();
   if (!data_.contains(lesson) || !data_[lesson].is_object()) data_[lesson] = ProgressJson::object();

@@ -7,17 +7,17 @@
 
 namespace soarbox::app {
 
-/// What a learner has done: per lesson whether it is passed, attempts and hints. Written whole, then put in its place;
-/// a file that is damaged is kept beside it.
+/// The learner's progress: for each lesson whether it is passed, attempts and hints. The file is written atomically; a
+/// damaged file is kept next to it.
 class LessonProgress {
  public:
-  /// The user's own.
+  /// The current user's progress.
   LessonProgress();
-  /// That of the user whose $XDG_STATE_HOME is this folder.
+  /// The progress of the user whose $XDG_STATE_HOME is this folder.
   static LessonProgress Below(const std::filesystem::path& state);
 
   bool IsPassed(const std::string& lesson) const { return Get(lesson, "passed") > 0; }
-  /// "passed", "attempts", "hints"; 0 if nothing is known.
+  /// `what` is "passed", "attempts" or "hints"; returns 0 if nothing is stored.
   int Get(const std::string& lesson, const char* what) const;
   void Set(const std::string& lesson, const char* what, int value);
 

@@ -13,7 +13,7 @@ namespace soarbox::app {
 namespace {
 
 constexpr int kHistoryLength = 2000;
-/// Marks the escape sequences in a prompt for the library.
+/// Marks escape sequences in a prompt for the library.
 constexpr char kPromptEscape = '\1';
 
 std::filesystem::path HistoryFile() {

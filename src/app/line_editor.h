@@ -10,10 +10,11 @@
 
 namespace soarbox::app {
 
-/// Reads lines from a terminal with editing, history (kept between sessions) and completion by Tab. One at a time.
+/// Reads lines from a terminal with editing, history (kept between sessions) and completion by Tab. Only one may exist
+/// at a time.
 class LineEditor {
  public:
-  /// How the word that a line ends with may go on, each a whole word.
+  /// Returns the complete words that the last word of a line may become.
   using Completer = std::function<std::vector<std::string>(std::string_view line)>;
 
   explicit LineEditor(Completer completer);
@@ -21,7 +22,7 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// The next line without its newline; nothing at the end of input (Ctrl-D).
+  /// Returns the next line without its newline; nothing at the end of input (Ctrl-D).
   std::optional<std::string> Read(std::string_view prompt);
   void Remember(const std::string& line);
 

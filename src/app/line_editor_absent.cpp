@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where there is no libedit (WebAssembly): lines as they come, without history and completion.
+// For systems without libedit (WebAssembly): reads lines without history and completion.
 #include <iostream>
 
 #include "app/line_editor.h"

@@ -33,14 +33,14 @@ namespace soarbox::app {
 int Check(const CheckOptions& options) {
   const Result<sim::DataFolders> data = FindDataFolders();
   const sim::DataFolders* shipped = data ? &*data : nullptr;
-  // A scenario that comes with the program has a name, as for `soarbox run`.
+  // A scenario that comes with the program may be given by name, as for `soarbox run`.
   std::vector<std::filesystem::path> files = options.files;
   for (std::filesystem::path& file : files) {
     std::error_code error;
     if (shipped == nullptr || std::filesystem::exists(file, error) || file.has_parent_path()) continue;
     if (std::ranges::count(sim::ListScenarios(*shipped), file.string()) > 0) file = shipped->scenarios / file;
   }
-  // Of a project of VisualSoar the file that loads its rules is checked, and each of its files against its datamap.
+  // For a VisualSoar project, checks the file that loads its rules, and each of its files against its datamap.
   std::vector<Diagnostic> of_projects;
   std::erase_if(files, [&](std::filesystem::path& file) {
     Result<std::filesystem::path> rules = RulesOfProject(file);
@@ -55,13 +55,13 @@ int Check(const CheckOptions& options) {
   std::vector<Diagnostic> problems = sim::CheckFiles(
       files,
       [shipped](const std::filesystem::path& file, std::vector<Diagnostic>& found) {
-        // What grades a lesson stands beside its scenario.
+        // The files for grading a lesson are next to its scenario.
         if (shipped != nullptr && file.filename() == "lesson.toml") {
           ReadLesson(file.has_parent_path() ? file.parent_path() : ".", *shipped, found);
           return false;
         }
         if (file.extension() == ".toml" && mission::IsSweepText(ReadText(file).value_or(""))) {
-          // A results folder keeps a copy of its sweep, which names files that lie beside the original.
+          // A results folder contains a copy of its sweep, which names files next to the original.
           std::error_code error;
           sweep::ReadSpec(file, found, std::filesystem::is_directory(file.parent_path() / "parts", error));
           return false;
@@ -89,12 +89,12 @@ int Check(const CheckOptions& options) {
 
 namespace {
 
-/// The scenario, run from its beginning to the moment that is asked about.
+/// Runs the scenario from its beginning to the requested moment.
 Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
-  settings.mind_detail = sim::MindDetail::kDecisions;  // How rules are learned is noted from the beginning.
+  settings.mind_detail = sim::MindDetail::kDecisions;  // The learning of rules is recorded from the beginning.
   settings.seed = sim::SeedOf(*scenario, options.seed);
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation) return simulation;
@@ -102,7 +102,7 @@ Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, 
   return simulation;
 }
 
-/// A recorded run, simulated again to that moment, which is checked to be the recorded one.
+/// Simulates a recorded run again to the requested moment, and verifies that moment.
 Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(options.scenario);
   if (!reader) return reader.error();
@@ -118,7 +118,7 @@ bool Names(const explain::WhyNode& account, const std::string& rule) {
          std::ranges::any_of(account.below, [&](const explain::WhyNode& below) { return Names(below, rule); });
 }
 
-/// Of the learned rules that the account names, where they come from.
+/// Prints how the learned rules in the answer were learned.
 void PrintOrigins(const sim::Simulation& world, const std::string& agent, const explain::WhyNode& account) {
   const std::unique_ptr<explain::Inspector> mind = world.Inspect(agent);
   auto* const source = dynamic_cast<explain::LearningSource*>(mind.get());

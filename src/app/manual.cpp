@@ -17,7 +17,7 @@
 namespace soarbox::app {
 namespace {
 
-/// A text so that roff prints it as it is. What stands between backquotes is bold.
+/// Escapes a text for roff. Text between backquotes becomes bold.
 std::string Plain(std::string_view text) {
   std::string out;
   bool is_bold = false;
@@ -112,7 +112,7 @@ std::string ManualPage(const CLI::App& program, const CLI::App& command, std::st
   const bool is_program = &program == &command;
   const std::string name = PageName(program, command);
   std::string about = command.get_description();
-  // "Soarbox: a sandbox" has its name before it already.
+  // The name is already printed before "Soarbox: a sandbox".
   if (is_program) about = about.substr(about.find(": ") + 2);
   about[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(about[0])));
   std::string page =
@@ -179,7 +179,7 @@ int Help(const CLI::App& program, const HelpOptions& options, std::string_view v
   if (options.man) {
     std::cout << ManualPage(program, *command, version);
   } else {
-    // The library's own call would speak of the sub-command that is carried out, which is this one.
+    // The library's own call would name the executed sub-command, which is help.
     const std::string name = program.get_name() + (command == &program ? "" : " " + command->get_name());
     std::cout << command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal);
   }

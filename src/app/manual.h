@@ -8,19 +8,18 @@
 
 namespace soarbox::app {
 
-/// What `soarbox help` was asked for.
+/// Options of `soarbox help`.
 struct HelpOptions {
-  std::string command;          ///< Empty: the whole program.
+  std::string command;          ///< Empty: the program itself.
   bool man = false;             ///< As a manual page.
   bool markdown = false;        ///< All sub-commands as one page in Markdown.
   std::filesystem::path pages;  ///< Write all manual pages into this folder; empty: print one help.
 };
 
-/// The manual page of a sub-command, or of the program itself, in the language of man(7): what the help says, and no
-/// more.
+/// The manual page of a sub-command or of the program in the format of man(7). It contains the same text as the help.
 std::string ManualPage(const CLI::App& program, const CLI::App& command, std::string_view version);
 
-/// Carries out `soarbox help`; returns an ExitCode.
+/// Executes `soarbox help`; returns an ExitCode.
 int Help(const CLI::App& program, const HelpOptions& options, std::string_view version);
 
 }  // namespace soarbox::app

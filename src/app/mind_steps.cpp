@@ -9,7 +9,7 @@
 namespace soarbox::app {
 namespace {
 
-/// The operator of the lowest state that has one, "seek (O3)"; or the impasse in which it stands.
+/// The operator of the lowest state that has one, "seek (O3)"; or the current impasse.
 std::string WhatItIsAbout(sim::Simulation& simulation, const std::string& agent) {
   const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent);
   if (mind == nullptr) return {};

@@ -8,14 +8,15 @@
 
 namespace soarbox::app {
 
-/// How far a mind goes in one step. Steps are inputs of the run, so that a recording repeats them.
+/// The length of a step of a mind. Steps are inputs of the run, so that a recording repeats them.
 enum class MindStep : std::uint8_t {
-  kDecision,  ///< A tick in which the agent decides once: it perceives what is new, and the world goes on with what it
-              ///< said.
+  kDecision,  ///< A tick in which the agent decides once: it gets its new percepts, and the world executes its
+              ///< commands.
   kPhase,     ///< A phase of its decision cycle, between two ticks.
 };
 
-/// Lets this agent's mind take a step, and says what it did or why it cannot. `has_ticked`: the world went on.
+/// Executes a step of this agent's mind. `told` describes the step, or why it was not possible. `has_ticked`: the world
+/// has advanced.
 struct MindStepped {
   std::string told;
   bool has_ticked = false;

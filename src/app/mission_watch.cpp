@@ -28,11 +28,11 @@ std::unique_ptr<MissionWatch> MissionWatch::Of(const sim::Scenario& scenario, co
     return nullptr;
   }
   for (Diagnostic& problem : problems) {
-    problem.severity = Severity::kWarning;  // The world runs all the same.
+    problem.severity = Severity::kWarning;  // The world runs anyway.
     std::cerr << Format(problem);
   }
   if (!problems.empty() || loaded.mission.checks.empty()) return nullptr;
-  // Of a lesson its mistakes, too, are only told by grading.
+  // The known mistakes of a lesson are reported only by grading.
   loaded.mission.mistakes.clear();
   return std::unique_ptr<MissionWatch>(new MissionWatch(std::move(loaded)));
 }

@@ -17,22 +17,22 @@
 
 namespace soarbox::app {
 
-/// Follows the checks of a mission through a run and reports them as events of the run, with the word "check": windows
-/// show these events, and recordings keep them. It only looks: the run is the same without it.
+/// Evaluates the checks of a mission during a run and reports them as events with the word "check". Windows show these
+/// events and recordings contain them. It only observes: the run is the same without it.
 class MissionWatch {
  public:
-  /// The mission of this scenario: the lesson's, its own [[check]] tables, or those of the mission.toml beside it.
-  /// Null if it has none, or one that cannot be used, which is told.
+  /// Returns the mission of this scenario: the lesson's, the scenario's own [[check]] tables, or those of the
+  /// mission.toml next to it. Null if there is none, or if it cannot be used, which is reported.
   static std::unique_ptr<MissionWatch> Of(const sim::Scenario& scenario, const std::filesystem::path& lesson,
                                           const sim::DataFolders& data);
 
-  /// How much minds are to note at least.
+  /// The minimum level of detail that minds must record.
   sim::MindDetail LeastDetail() const;
-  /// A run begins: follows this simulation from now on. Adds an event for each check.
+  /// Starts evaluating this simulation. Adds an event for each check.
   void Begin(sim::Simulation& simulation, sim::EventList& events);
-  /// The run goes on from an earlier moment: keeps what was decided, and decides nothing more until a run begins.
+  /// The run continues from an earlier moment: keeps all results, and decides nothing more until the next Begin().
   void Leave() { simulation_ = nullptr; }
-  /// After a tick, with its events: adds what was decided.
+  /// Call it after a tick, with its events: adds the checks that were decided.
   void See(sim::EventList& events);
 
  private:

@@ -26,7 +26,7 @@ bool IsGoodName(const std::string& name) {
                      [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
 }
 
-/// The text with the scenario's name in place of NAME.
+/// The text with the scenario's name instead of NAME.
 std::string WithName(std::string_view text, const std::string& name) {
   std::string filled(text);
   for (std::size_t at = 0; (at = filled.find("NAME", at)) != std::string::npos; at += name.size())
@@ -34,8 +34,8 @@ std::string WithName(std::string_view text, const std::string& name) {
   return filled;
 }
 
-/// Prints the next commands, as they are to be typed: `dev` says how it was called. A starter with checks is tested by
-/// `soarbox test`, all others by their script.
+/// Prints the next commands; `dev` says how the program was called. A starter with checks is tested by `soarbox test`,
+/// all others by their script.
 void TellNextSteps(const fs::path& folder, bool has_checks) {
   const char* called = std::getenv("SOARBOX_CALLED_AS");
   const std::string command = called != nullptr && *called != '\0' ? called : "soarbox";

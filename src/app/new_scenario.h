@@ -5,11 +5,11 @@
 
 namespace soarbox::app {
 
-/// What `soarbox new` was asked for.
+/// Options of `soarbox new`.
 struct NewOptions {
   std::string name;
-  bool soar = false;  ///< One agent of Soar rules alone; so is a starter without any of these.
-  bool lua = false;   ///< A world made by a Lua script.
+  bool soar = false;  ///< One agent with Soar rules only; also the default.
+  bool lua = false;   ///< A world that a Lua script creates.
   bool team = false;  ///< Two teams of two.
 };
 

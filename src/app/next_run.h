@@ -10,17 +10,18 @@
 
 namespace soarbox::app {
 
-/// What a window's user wants to see next: the window closes, and another one opens on it.
+/// The run that the window's user wants to open next: the window closes, and another one opens with it.
 struct NextRun {
   std::string what;  ///< A scenario's name or path, or a recording.
   bool is_recording = false;
-  std::size_t script_line = 0;        ///< Where a script that plays the user goes on.
-  std::filesystem::path lesson = {};  ///< The folder of the lesson that the scenario belongs to; empty: as it is named.
+  std::size_t script_line = 0;  ///< The line at which a script that plays the user continues.
+  std::filesystem::path lesson =
+      {};  ///< The folder of the lesson to which the scenario belongs; empty: determined by its name.
 };
 
-/// Whether this can be opened, and what it is; else why not.
+/// Checks whether this can be opened and determines its kind; else returns the reason.
 Result<NextRun> FindNextRun(const std::string& what);
-/// One for the whole process, which has one window at a time: the closing window sets it, the program takes it.
+/// Global, because a process has one window at a time: the closing window sets it, and the program takes it.
 void KeepNextRun(NextRun next);
 std::optional<NextRun> TakeNextRun();
 

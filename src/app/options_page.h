@@ -6,8 +6,8 @@
 
 namespace soarbox::app {
 
-/// docs/options.md: all sub-commands with their arguments, defaults, examples and exit codes, in Markdown. It says what
-/// the help and the manual pages say, and no more.
+/// docs/options.md: all sub-commands with their arguments, defaults, examples and exit codes, in Markdown. It contains
+/// the same text as the help and the manual pages.
 std::string OptionsPage(const CLI::App& program);
 
 }  // namespace soarbox::app

@@ -6,11 +6,11 @@
 
 namespace soarbox::app {
 
-/// The file of that name beside this program's; an error where the system does not say where this one is.
+/// Returns the path of a program next to this one; sets `error` if the system does not report this program's path.
 std::filesystem::path BesideThisProgram(const char* name, std::error_code& error);
 
-/// Goes on as the program of this name in the same folder, with the same arguments. Returns only if it cannot be
-/// started.
+/// Replaces this process by the program `name` in the same folder, with the same arguments. Returns only if it cannot
+/// be started.
 void GoOnAs(const char* name, char** argv);
 
 }  // namespace soarbox::app

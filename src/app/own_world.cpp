@@ -24,18 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With these seeds a world is tried.
+/// Seeds of the runs of a world.
 constexpr std::uint64_t kOwnWorldSeeds[] = {1, 2};
-/// A longer list of rules is not tried: each costs a run with each seed.
+/// Maximum number of rules that are tried, because each costs a run with each seed.
 constexpr std::size_t kMostRules = 100;
 
-/// A rule in a text: its name, and where it begins and ends.
+/// The name of a rule in a text, with its begin and end.
 struct RuleSpan {
   std::string name;
   std::size_t begin = 0, end = 0;
 };
 
-/// The place after the brace that closes the one at `open`. Braces between bars do not count.
+/// Returns the index after the brace that closes the one at `open`. Ignores braces between bars.
 std::size_t EndOfBraces(std::string_view text, std::size_t open) {
   int depth = 0;
   bool in_bars = false;
@@ -71,7 +71,7 @@ std::vector<RuleSpan> RuleSpansIn(const std::string& original) {
   return spans;
 }
 
-/// A folder of its own below the one for temporary files, removed in the end.
+/// A folder below the one for temporary files, removed at the end.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -95,7 +95,7 @@ bool IsPartOfWorld(const fs::path& file) {
   return file.extension() == ".toml" || file.extension() == ".soar" || file.extension() == ".lua";
 }
 
-/// Copies the files that make a world; links are left out.
+/// Copies the files of a world, without links.
 bool CopyWorld(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to, error);
@@ -110,7 +110,7 @@ bool CopyWorld(const fs::path& from, const fs::path& to) {
   return !error;
 }
 
-/// The files of rules of a world, by name.
+/// The files of rules of a world, sorted by name.
 std::vector<fs::path> RuleFilesOf(const fs::path& world) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -123,7 +123,7 @@ std::vector<fs::path> RuleFilesOf(const fs::path& world) {
   return files;
 }
 
-/// What the checks of a world say: empty if all hold, otherwise the first that does not, in a sentence.
+/// The result of a world's checks: empty if all pass, else a sentence about the first that fails.
 struct CheckedWorld {
   bool holds = false;
   std::string failed;  ///< Its name.
@@ -212,7 +212,7 @@ class WorldGrader {
   }
 
  private:
-  /// Reads the files; false if they have errors.
+  /// Reads the files; false if they contain errors.
   bool Read() {
     const auto check = [this](const fs::path& file, std::vector<Diagnostic>& found) {
       return file.filename() != "lesson.toml" && mission::CheckMissionFile(file, &data_, found);
@@ -241,7 +241,7 @@ class WorldGrader {
     return grade_.Missing() == nullptr;
   }
 
-  /// Reports progress; false if Ctrl-C has ended it.
+  /// Reports progress; false after Ctrl-C.
   bool GoesOn() {
     grade_.cancelled = WasInterrupted();
     if (!grade_.cancelled && on_run_) on_run_(done_, of_);

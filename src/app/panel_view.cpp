@@ -19,7 +19,7 @@
 namespace soarbox::app {
 namespace {
 
-/// No user is at the desk.
+/// The surroundings of a desk without a user.
 class NoUser final : public workbench::Surroundings {
  public:
   bool IsPaused() const override { return true; }
@@ -29,7 +29,7 @@ class NoUser final : public workbench::Surroundings {
   void Tell(std::string) override {}
 };
 
-/// A run that only goes forward.
+/// A run that cannot go back.
 class ForwardRun final : public workbench::LiveRun {
  public:
   explicit ForwardRun(std::unique_ptr<sim::Simulation> simulation) : simulation_(std::move(simulation)) {}

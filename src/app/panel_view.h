@@ -9,8 +9,8 @@
 
 namespace soarbox::app {
 
-/// A panel of the window and of pages at the moment that the options name, as text or as one line of JSON. `panel` is
-/// its word: "rules".
+/// Returns a panel of the window and of pages at the moment that the options specify, as text or as one line of JSON.
+/// `panel` is its word: "rules".
 Result<std::string> ShowPanel(const InspectOptions& options, const std::string& panel, const sim::DataFolders& data);
 
 }  // namespace soarbox::app

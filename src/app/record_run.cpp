@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr double kUsualLimitMb = 256;
 
-/// So many of the recordings that are made by themselves stay, the newest.
+/// Number of automatic recordings that are kept, the newest.
 constexpr std::size_t kUsualFilesKept = 5;
 
 /// $XDG_STATE_HOME/soarbox/recordings, by default below ~/.local/state; empty without a home.
@@ -38,7 +38,8 @@ fs::path UsualFolder() {
   return error ? fs::path{} : folder;
 }
 
-/// The number in "run-0012.soarrec", and in "run-0012-2.soarrec", which left that run for another future; else 0.
+/// The number in "run-0012.soarrec", and in "run-0012-2.soarrec", which continues that run from an earlier tick; else
+/// 0.
 unsigned NumberOf(const fs::path& file) {
   const std::string name = file.filename().string();
   constexpr std::string_view kBefore = "run-", kAfter = ".soarrec";
@@ -51,8 +52,8 @@ unsigned NumberOf(const fs::path& file) {
   return error == std::errc{} && is_ours ? number : 0;
 }
 
-/// A new file for a run that nobody named one for: numbered on from the newest; the oldest go, with the other futures
-/// that they were left for. Empty if there can be none.
+/// Returns a new file for a run without a given file, with the next number. Removes the oldest files, with their
+/// continuations. Empty if there can be no file.
 fs::path UsualFile() {
   const fs::path folder = UsualFolder();
   if (folder.empty()) return {};
@@ -63,14 +64,14 @@ fs::path UsualFile() {
   for (; there.size() >= kUsualFilesKept; there.erase(there.begin()))
     for (const fs::path& file : there.begin()->second) fs::remove(file, error);
   unsigned number = there.empty() ? 1 : there.rbegin()->first + 1;
-  // Another window may be about to take the same number.
+  // Another window may be about to use the same number.
   for (const unsigned last = number + 100; number < last; ++number) {
     char name[32];
     std::snprintf(name, sizeof name, "run-%04u.soarrec", number);
     const int file = open((folder / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0 && errno == EEXIST) continue;
     if (file >= 0) close(file);
-    return folder / name;  // Why it cannot be written is told when it is opened.
+    return folder / name;  // If it cannot be written, opening it reports why.
   }
   return {};
 }

@@ -13,30 +13,31 @@
 
 namespace soarbox::app {
 
-/// Which run this is, for its recordings and for the memory of its past: as the user named it, with its files as they
-/// are now. Call when the run begins.
+/// Returns the header of this run, for its recordings and for the memory of its past: with the name that the user gave
+/// and the current contents of its files. Call it when the run begins.
 record::Header HeaderOfRun(const RunOptions& options, const sim::Scenario& scenario,
                            const sim::SimulationSettings& settings, const sim::Simulation& simulation,
                            record::Level level);
 
-/// A run is recorded if the user asks for it; one in a window always, unless told otherwise.
+/// Whether to record: if the user requests it; in a window always, unless it is switched off.
 bool WantsRecording(const RunOptions& options);
 
-/// The recordings of a run from the command line, one after the other: it may begin again, and go back and on.
+/// The recordings of a run from the command line, one after the other: the run may restart, and continue from an
+/// earlier tick.
 class RunRecordings {
  public:
   explicit RunRecordings(const RunOptions& options) : options_(options) {}
 
-  /// What recordings from now on say they were made from (record::ManifestOf).
+  /// Sets the manifest of all later recordings (record::ManifestOf).
   void SetManifest(std::string manifest) { manifest_ = std::move(manifest); }
 
-  /// Starts recording a run that has made no tick yet: into the file named, or into the usual one, which is bounded;
-  /// one that begins again, into the next such file, so that what was recorded stays. If it cannot be written that is
-  /// told. Returns a remark on where it goes, or nothing if there is no recording.
+  /// Starts recording a run before its first tick: into the given file, or into the usual one, which is bounded. After
+  /// a restart it uses the next file name, so that earlier recordings are kept. If the file cannot be written, this is
+  /// reported. Returns a remark with the file name, or nothing if there is no recording.
   std::string Begin(RunSession& session, const record::Header& header);
 
-  /// Records what comes after the run has gone back: into a file beside the one before, which begins with the tick
-  /// `at` that the run goes on from and holds all that came in before. Returns a remark likewise.
+  /// Records a run that continues from an earlier tick `at`, into a new file next to the previous one. The file begins
+  /// with that tick and contains all earlier inputs. Returns a remark as above.
   std::string GoOn(RunSession& session, const record::Header& header, record::TickRecord at,
                    std::vector<record::TickInputs> inputs);
 
@@ -45,11 +46,11 @@ class RunRecordings {
                     const record::TickRecord* at, const std::vector<record::TickInputs>& inputs);
 
   RunOptions options_;
-  std::filesystem::path file_;  ///< The latest; empty: none.
+  std::filesystem::path file_;  ///< The latest file; empty: none.
   std::string manifest_;
 };
 
-/// "fight-2.soarrec" beside "fight.soarrec", with the first number that no file has.
+/// "fight-2.soarrec" next to "fight.soarrec", with the first unused number.
 std::filesystem::path NextRecording(const std::filesystem::path& file);
 
 }  // namespace soarbox::app

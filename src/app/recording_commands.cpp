@@ -32,7 +32,7 @@
 namespace soarbox::app {
 namespace {
 
-/// Opens a recording; what a kill left behind is told as a note.
+/// Opens a recording; incomplete data after a kill are reported as a note.
 Result<std::unique_ptr<record::Reader>> Open(const std::filesystem::path& file) {
   Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(file);
   if (reader && !(*reader)->ending().empty()) {
@@ -61,7 +61,7 @@ void Tell(const std::vector<Diagnostic>& warnings) {
   for (const Diagnostic& warning : warnings) std::cerr << Format(warning);
 }
 
-/// Shows on a terminal how far a long re-simulation has come; ends it on Ctrl-C.
+/// Shows the progress of a long simulation on a terminal; Ctrl-C ends it.
 record::Progress ShownProgress(std::uint64_t last_tick) {
   using Clock = std::chrono::steady_clock;
   return [last_tick, next = Clock::now() + std::chrono::seconds(2)](std::uint64_t tick) mutable {
@@ -168,7 +168,7 @@ int Export(const RecordingOptions& options) {
 
 namespace {
 
-/// "file:line" of the first line that two versions of a file do not share.
+/// "file:line" of the first line that differs between two versions of a file.
 std::string FirstOtherLine(const record::KeptFile& a, const record::KeptFile& b) {
   std::istringstream one(a.content), other(b.content);
   std::string line_a, line_b;
@@ -201,7 +201,7 @@ void CompareFiles(const record::Header& a, const record::Header& b, std::vector<
     if (in(a, file) == a.files.end()) lines.push_back("only B has the file " + file.name);
 }
 
-/// What two runs were not both made with: seeds, builds, rules.
+/// The inputs that differ between two runs: seeds, builds, rules.
 std::vector<std::string> InputsThatDiffer(const record::Header& a, const record::Header& b) {
   std::vector<std::string> lines;
   if (a.seed != b.seed) lines.push_back(fmt::format("seeds differ: A {}, B {}", a.seed, b.seed));
@@ -311,11 +311,11 @@ int Resume(const RecordingOptions& options) {
       if (wanted) simulation.Submit(sim::Input{0, sim::CommandInput{agent, rules}, true});
     }
   }
-  // The new future is recorded from the beginning of the run, so that it can be replayed, verified and compared.
+  // The continuation is recorded from the beginning of the run, so that it can be replayed, verified and compared.
   RunOptions run;
   run.scenario = (*reader)->header().scenario;
   run.json = options.json;
-  run.headless = true;  // It ends where the scenario does.
+  run.headless = true;  // It ends when the scenario does.
   const double left_s =
       options.seconds.value_or(static_cast<double>((*reader)->last_tick() - at) * (*reader)->header().step_s);
   run.seconds = simulation.time_s() + left_s;

@@ -10,14 +10,14 @@
 
 namespace soarbox::app {
 
-/// What the commands that work on recordings were asked for. Which fields count is in docs/command.md.
+/// Options of the commands for recordings. docs/command.md says which command uses which.
 struct RecordingOptions : WindowWishes {
   std::filesystem::path file;
   std::filesystem::path other;         ///< compare: the second recording.
-  std::optional<double> from_s, to_s;  ///< Simulated seconds; none: as far as the recording goes.
+  std::optional<double> from_s, to_s;  ///< Simulated seconds; none: the entire recording.
   bool headless = false;               ///< replay: print, do not open a window.
-  std::string select;                  ///< replay: name of the agent that is selected from the start.
-  bool info = false;                   ///< replay: print what it was made from, and end.
+  std::string select;                  ///< replay: name of the initially selected agent.
+  bool info = false;                   ///< replay: print what it was made from, and exit.
   std::filesystem::path pictures;      ///< replay: draw PNG files into this folder; empty: none.
   std::filesystem::path video;         ///< replay: draw an animation into this file; empty: none.
   std::optional<double> every_s;       ///< replay: simulated seconds from picture to picture.
@@ -25,22 +25,23 @@ struct RecordingOptions : WindowWishes {
   bool json = false;
   bool csv = false;
   bool tidy = false;                         ///< export: tables in long form.
-  bool as_recording = false;                 ///< export: a part as a recording of its own.
-  std::filesystem::path output;              ///< export, resume: where to; empty: standard output, or no recording.
+  bool as_recording = false;                 ///< export: a part as a separate recording.
+  std::filesystem::path output;              ///< export, resume: output file; empty: standard output, or no recording.
   double at_s = 0;                           ///< resume.
-  bool as_recorded = false;                  ///< verify: with the scenario's files as they were then.
+  bool as_recorded = false;                  ///< verify: with the recorded contents of the scenario's files.
   int threads = 0;                           ///< verify, resume: for the minds; 0: one per core.
-  std::optional<double> seconds;             ///< resume: how long to go on; none: as long as the recording did.
+  std::optional<double> seconds;             ///< resume: duration; none: the rest of the recording's duration.
   std::vector<std::filesystem::path> rules;  ///< resume: files of rules that replace those of the same names.
-  std::vector<std::string> agents;           ///< resume: whose rules; empty: those of all agents with a Soar mind.
+  std::vector<std::string>
+      agents;  ///< resume: the agents whose rules are replaced; empty: all agents with a Soar mind.
 };
 
-/// Whether `soarbox replay` opens no window: it prints, or draws pictures.
+/// Whether `soarbox replay` needs no window, because it prints or draws pictures.
 inline bool NeedsNoWindow(const RecordingOptions& options) {
   return options.headless || options.json || options.info || !options.pictures.empty() || !options.video.empty();
 }
 
-// Each carries out `soarbox replay`, `verify`, ...; returns an ExitCode.
+// Each executes one of these commands and returns an ExitCode.
 int Replay(const RecordingOptions& options);
 int Verify(const RecordingOptions& options);
 int Export(const RecordingOptions& options);

@@ -36,7 +36,7 @@ OrderedJson InfoOf(const record::Reader& recording) {
   return made;
 }
 
-/// A value in one line; a list is its words.
+/// A value in one line; the elements of a list are joined.
 std::string ValueText(const OrderedJson& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);

@@ -49,7 +49,7 @@ bool IsInstalled(const std::string& program) {
   return false;
 }
 
-/// A film that is being written.
+/// An animation that is being written.
 class Film {
  public:
   virtual ~Film() = default;
@@ -76,11 +76,11 @@ class GifFilm final : public Film {
   picture::GifMaker maker_;
 };
 
-/// Gives the pixels of all pictures to ffmpeg, which makes what the file's ending asks for.
+/// Passes the pixels of all pictures to ffmpeg, which writes the format of the file's extension.
 class FfmpegFilm final : public Film {
  public:
   FfmpegFilm(fs::path file, int width, int height, double every_s) : file_(std::move(file)) {
-    std::signal(SIGPIPE, SIG_IGN);  // A program that ends early is told by its exit status.
+    std::signal(SIGPIPE, SIG_IGN);  // If ffmpeg ends early, its exit status shows this.
     const std::string command =
         fmt::format("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {:.6g} -i - -pix_fmt yuv420p {}",
                     width, height, 1 / every_s, sweep::ShellWord(fs::absolute(file_).string()));
@@ -117,7 +117,7 @@ Result<std::unique_ptr<Film>> MakeFilm(const fs::path& file, int width, int heig
   return std::unique_ptr<Film>(std::make_unique<FfmpegFilm>(file, width, height, every_s));
 }
 
-/// Where the agents are that the pictures are to show: in all moments, so that the camera stays where it is.
+/// Returns the positions of the agents to be shown, at all moments, so that the camera does not move.
 Result<std::vector<Vec3>> PlacesIn(record::Reader& recording, record::TickRange range) {
   std::vector<Vec3> places;
   const Result<void> read = record::ForEachTick(recording, range, [&](const record::TickRecord& record) {
@@ -128,7 +128,7 @@ Result<std::vector<Vec3>> PlacesIn(record::Reader& recording, record::TickRange 
   return places;
 }
 
-/// Follows an agent from behind its shoulder; from above if asked for a plan. Nothing if it is not there.
+/// A camera over an agent's shoulder, or from above for a plan. Nothing if the agent does not exist.
 std::optional<viewer::SoftwareCamera> CameraBehind(const world::SceneSnapshot& scene, const std::string& name,
                                                    float aspect, bool is_plan) {
   for (const world::AgentSnapshot& agent : scene.agents) {
@@ -150,7 +150,7 @@ viewer::SoftwareCamera CameraOfScene(const world::CameraSnapshot& camera) {
   return made;
 }
 
-/// When the picture was taken.
+/// Writes the simulated time of a picture.
 void WriteTime(picture::Image& image, double time_s) {
   const std::string text = fmt::format("{:.1f} s", time_s);
   constexpr float kHigh_px = 11, kMargin_px = 10;

@@ -6,8 +6,8 @@
 
 namespace soarbox::app {
 
-/// Draws moments of a recording on the processor, as PNG files into `options.pictures` and as an animation into
-/// `options.video`: a GIF, or what ffmpeg makes of another ending. Returns an ExitCode.
+/// Draws moments of a recording with the software renderer, as PNG files into `options.pictures` and as an animation
+/// into `options.video`: a GIF, or with ffmpeg for other extensions. Returns an ExitCode.
 int DrawPictures(record::Reader& recording, record::TickRange range, const RecordingOptions& options);
 
 }  // namespace soarbox::app

@@ -7,10 +7,10 @@
 
 namespace soarbox::app {
 
-/// Says on stderr why the command cannot do its work, and returns the exit status for that (`kCannotStart`).
+/// Prints on stderr why the command cannot be executed, and returns its exit code (`kCannotStart`).
 int Refuse(const Diagnostic& problem);
 
-/// The same for an error of this message, with what to do about it and the file it is about, where these are known.
+/// The same for an error with this message, with advice and a file name if they are known.
 int Refuse(std::string message, std::string hint = {}, std::string file = {});
 
 }  // namespace soarbox::app

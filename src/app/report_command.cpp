@@ -19,7 +19,7 @@
 namespace soarbox::app {
 namespace {
 
-/// What npm has built of the page. The error says who builds it.
+/// Reads the files of the page that npm has built. The error says how to build them.
 Result<report::PageTexts> ReadPageTexts(const sim::DataFolders& data) {
   const std::filesystem::path folder = PageFolder(data);
   const std::optional<std::string> page = ReadText(folder / "report.html"), script = ReadText(folder / "report.js"),
@@ -34,7 +34,7 @@ Result<report::PageTexts> ReadPageTexts(const sim::DataFolders& data) {
 
 namespace {
 
-/// The data of a page about one recording or one sweep.
+/// Returns the data of a page about one recording or one sweep.
 Result<std::string> DataOf(const std::filesystem::path& source, const sim::DataFolders& data) {
   std::error_code error;
   const std::filesystem::path beside = std::filesystem::path(source).replace_extension(".sweep");
@@ -80,7 +80,7 @@ int Report(const ReportOptions& options) {
   const Result<std::string> page = report::MakePage(options.source, *data, *texts, RecordedRun);
   if (!page) return Refuse(page.error());
   std::error_code error;
-  // What is put in the place of a device would be there instead of it.
+  // Renaming a file to a device's path would replace the device.
   const std::filesystem::file_status there = std::filesystem::status(options.output, error);
   if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
     Diagnostic problem;
@@ -89,7 +89,7 @@ int Report(const ReportOptions& options) {
     problem.hint = "name a file with -o";
     return Refuse(problem);
   }
-  // A page that is there stays until the new one is whole.
+  // An existing page is kept until the new one is complete.
   std::filesystem::path making = options.output;
   making += ".part";
   error.clear();

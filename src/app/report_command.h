@@ -5,11 +5,11 @@
 
 namespace soarbox::app {
 
-/// What `soarbox report` was asked for.
+/// Options of `soarbox report`.
 struct ReportOptions {
   std::filesystem::path source;  ///< A recording, a folder of recordings, a sweep.
   std::filesystem::path output = "report.html";
-  std::filesystem::path plots;  ///< Plots go into this folder instead; empty: the page is written.
+  std::filesystem::path plots;  ///< Writes plots into this folder instead of the page; empty: the page.
 };
 
 int Report(const ReportOptions& options);

@@ -40,7 +40,7 @@ namespace {
 
 constexpr double kHeadlessSeconds = 60;
 
-/// A file of rules alone runs in a world that comes with the program: says so if a scenario beside it uses these rules.
+/// A file of rules alone runs in a world of the program. Prints a note if a scenario next to it uses these rules.
 void NoteOwnScenario(const sim::Scenario& scenario) {
   if (scenario.rules.empty() || !scenario.rules.has_parent_path()) return;
   const std::filesystem::path folder = scenario.rules.parent_path();
@@ -58,7 +58,7 @@ void NoteOwnScenario(const sim::Scenario& scenario) {
   std::cerr << Format(note);
 }
 
-/// Reads the file of inputs; false if it cannot be read or any line is wrong, after telling which.
+/// Reads the file of inputs. Returns false, after printing the errors, if it cannot be read or any line is wrong.
 bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   if (file.empty()) return true;
   const std::optional<std::string> text = ReadText(file, ReadFrom::kAnything);
@@ -72,14 +72,14 @@ bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   const sim::InputText read = sim::ReadInputs(*text, file);
   for (const Diagnostic& problem : read.problems) std::cerr << Format(problem);
   for (sim::Input input : read.inputs) {
-    input.recorded = true;  // A file of inputs may be anybody's.
+    input.recorded = true;  // A file of inputs may come from anybody.
     simulation.Submit(std::move(input));
   }
   return read.problems.empty();
 }
 
-/// How the run takes part in an exercise of other simulations; nothing if neither the command line nor the scenario
-/// speaks of one.
+/// Settings for joining an exercise of other simulations; nothing if neither the command line nor the scenario
+/// specifies one.
 Result<std::optional<dis::Settings>> ExerciseOf(const RunOptions& options, const sim::Scenario& scenario,
                                                 const sim::DataFolders& data) {
   Result<dis::Settings> table = dis::ReadTable(data.media / "dis" / "entities.toml");
@@ -91,7 +91,7 @@ Result<std::optional<dis::Settings>> ExerciseOf(const RunOptions& options, const
   return std::optional<dis::Settings>(std::move(*asked));
 }
 
-/// Whether what is sent stays on this machine.
+/// Whether sent data stay on this machine.
 bool IsOfThisMachine(const dis::Settings& settings) {
   constexpr std::string_view kLoopback = "127.";
   in_addr address{};
@@ -143,7 +143,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     return kUsage;
   }
 
-  // What the command line leaves open the scenario's file may say.
+  // Options that are missing on the command line may be in the scenario's file.
   double headless_s = kHeadlessSeconds;
   if (!scenario.value().definition.empty()) {
     std::vector<Diagnostic> further;
@@ -158,7 +158,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   }
   const std::uint64_t seed = options.seed.value_or(1);
 
-  // A window unless told otherwise; without a display the same world runs headless, and says so.
+  // Opens a window by default; without a display the same world runs headless, with a note.
   const bool wants_screenshot = !options.screenshot.empty();
   if (options.headless && wants_screenshot) {
     Diagnostic problem;
@@ -217,7 +217,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     options.warning = "This world joins no exercise of other simulations: the server was not started with --dis.";
     joins.reset();
   } else if (joins && options.dis.empty() && !options.by_strangers && !IsOfThisMachine(*joins)) {
-    // Whoever got a folder from somebody else has not asked for this.
+    // A user who received a folder from somebody else has not requested this.
     options.warning = "This world joins no exercise of other simulations: its scenario names " + joins->address +
                       ", beyond this machine. Add --dis " + joins->address + ':' + std::to_string(joins->port) +
                       " to join it.";
@@ -232,10 +232,10 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   }
   const bool is_recorded = WantsRecording(options);
   if (is_recorded) settings.mind_detail = record::DetailOf(*level);
-  // Labels and panels tell what minds decide.
+  // Labels and panels show the decisions of minds.
   if (!options.headless && settings.mind_detail == sim::MindDetail::kNone)
     settings.mind_detail = sim::MindDetail::kDecisions;
-  // Checks are followed where somebody will look at them.
+  // Checks are evaluated if their results will be shown.
   std::unique_ptr<MissionWatch> mission;
   if (is_recorded || !options.headless) mission = MissionWatch::Of(*scenario, options.lesson, *data);
   if (mission != nullptr) settings.mind_detail = std::max(settings.mind_detail, mission->LeastDetail());
@@ -243,7 +243,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation && !options.port && settings.soar.port != 0) {
-    // Nobody asked for the port: the run goes on without debuggers if that was what failed.
+    // The port was not requested: if it cannot be used, the run continues without debuggers.
     settings.soar.port = 0;
     Result<std::unique_ptr<sim::Simulation>> again = sim::Simulation::Create(scenario.value(), settings);
     if (again) {
@@ -268,7 +268,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     Result<std::unique_ptr<dis::Gateway>> gateway = dis::Gateway::Open(*joins);
     if (!gateway) return Refuse(gateway.error());
     session.Join(std::move(*gateway));
-    // Others live in real time.
+    // Other simulations run in real time.
     if (!options.speed) options.speed = 1;
     std::cerr << "soarbox: " << session.gateway()->Describe() << '\n';
   }
@@ -282,7 +282,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     options.remark = note;
     if (!note.empty() && options.record.empty()) std::cerr << "soarbox: " << note << '\n';
   }
-  // These are called later, when only the set-up is still there.
+  // These are called later, when only the set-up still exists.
   session.SetMake(
       seed, scenario.value().name,
       [raw = setup.get()](std::uint64_t with_seed) {

@@ -6,8 +6,8 @@
 
 namespace soarbox::app {
 
-/// Runs without a window: as fast as it goes, or at the speed asked for. Long runs show progress on stderr if that is a
-/// terminal. Returns an ExitCode.
+/// Runs without a window, as fast as possible or at the requested speed. Long runs show their progress on stderr if it
+/// is a terminal. Returns an ExitCode.
 int RunHeadless(RunSession& session, const RunOptions& options);
 
 }  // namespace soarbox::app

@@ -19,10 +19,10 @@ namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-/// A run that has not come to its end by then is ended where it stands; what was printed is out.
+/// Time after which a run that has not ended is ended by force; all output was written.
 constexpr unsigned kGrace_s = 2;
 
-/// The first signal ends the run in good order, the second at once. Only calls that a handler may make.
+/// The first signal ends the run properly, the second at once. Uses only async-signal-safe calls.
 void OnInterrupt(int signal) {
   if (g_interrupted != 0) _exit(128 + signal);
   g_interrupted = signal;
@@ -30,8 +30,8 @@ void OnInterrupt(int signal) {
   alarm(kGrace_s);
 }
 
-/// Nobody reads what is printed any more, as after `| head`: the run ends in good order, and its recording is whole.
-/// Each further line that is printed comes here again.
+/// Nobody reads the output, as after `| head`: the run ends properly with a complete recording. Each further printed
+/// line raises the signal again.
 void OnBrokenPipe(int signal) {
   if (g_interrupted == 0) OnInterrupt(signal);
 }
@@ -194,8 +194,8 @@ Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint
   recorder_.reset();
   unrecorded_.clear();
   set_up_.clear();
-  if (mission_ != nullptr) mission_->Leave();  // It looks at the old simulation.
-  // The old one goes first: it holds the port that debuggers know.
+  if (mission_ != nullptr) mission_->Leave();  // It refers to the old simulation.
+  // The old one is destroyed first, because it uses the port for debuggers.
   simulation_.reset();
   Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);
   if (!made) return made.error();
@@ -218,7 +218,7 @@ void RunSession::Watch(OnTick on_tick) {
   record::Observe(*simulation_, is_begun ? set_up_ : unrecorded_, record::Level::kAll, seen_);
   on_tick_(seen_);
   if (recorder_ != nullptr) return;
-  // They are told: the next tick does not tell them again.
+  // They have been reported; the next tick does not report them again.
   if (simulation_->tick() == 0 && set_up_.empty()) set_up_ = unrecorded_;
   unrecorded_.clear();
 }
@@ -237,11 +237,11 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
   }
   simulation_->Finish();
   simulation_->TakeEvents();
-  simulation->TakeEvents();  // Those were told when they happened.
+  simulation->TakeEvents();  // These were reported when they happened.
   simulation_ = std::move(simulation);
   if (mission_ != nullptr) mission_->Leave();
   unrecorded_.clear();
-  // What was edited on disk since then reaches the run as an edit of its own.
+  // Changes on disk since then are applied as edits of the new run.
   if (edits_ != nullptr) edits_ = std::make_unique<sim::LiveEdits>(*simulation_, *edits_);
   if (was_recorded && on_branch_) on_branch_(at, inputs);
 }
@@ -273,7 +273,7 @@ int RunSession::Finish() {
   footer.problems = problems_;
   footer.findings = findings_.Ranked();
   printer_->End(footer);
-  // A script's exit code is one byte, as a process' is.
+  // A script's exit code is one byte, like that of a process.
   constexpr int kMostCode = 255;
   const int asked = simulation_->ExitCode();
   if (asked != 0) return asked > 0 && asked < kMostCode ? asked : kMostCode;
@@ -293,7 +293,7 @@ void RunSession::PrintEvents() {
       unrecorded_.push_back(std::move(event));
   }
   if (mission_ != nullptr) mission_->See(unrecorded_);
-  // A run can be ended at any moment: what happened so far is out.
+  // A run may be ended at any moment, so its output is flushed.
   if (!events.empty()) std::cout.flush();
 }
 

@@ -22,7 +22,7 @@
 
 namespace soarbox::app {
 
-/// One run under way: the simulation and what is told about it. The headless loop and the window's loop drive it.
+/// A run in progress: the simulation and its output. The headless loop and the window's loop drive it.
 class RunSession final : public workbench::LiveRun {
  public:
   /// `followed`: the run does what the agents of another kernel did; it has a tick whenever they have gone on. Null: it
@@ -32,25 +32,25 @@ class RunSession final : public workbench::LiveRun {
 
   /// Advances one tick and prints what happened.
   void Tick();
-  /// Serves debuggers while paused, and prints what they caused.
+  /// Serves debuggers while paused, and prints the resulting events.
   void Idle();
-  /// True once the asked-for time has passed or the user has asked to stop (Ctrl-C).
+  /// True once the requested time has passed or the user has requested the end (Ctrl-C).
   bool IsOver() const;
-  /// Follows the checks of a mission from now on. Call it before anybody records or watches ticks. Null: no mission.
+  /// From now on evaluates the checks of a mission. Call it before ticks are recorded or watched. Null: no mission.
   void SetMission(std::unique_ptr<MissionWatch> mission);
-  /// Joins the run to other simulations: what they say is submitted before each tick.
+  /// Connects the run to other simulations: their inputs are submitted before each tick.
   void Join(std::unique_ptr<dis::Gateway> gateway);
-  /// Null: this run is on its own.
+  /// Null: this run is not connected.
   const dis::Gateway* gateway() const { return gateway_.get(); }
-  /// What minds must note even if nobody looks at them.
+  /// The detail that minds must record even if nobody watches them.
   sim::MindDetail LeastDetail() const override {
     return mission_ != nullptr ? mission_->LeastDetail() : sim::MindDetail::kNone;
   }
   std::optional<workbench::ExerciseContents> Exercise() override;
-  /// Records what follows, with `last_tick_too` beginning with what is there now. Null: records nothing.
+  /// Records from now on; with `last_tick_too`, starting with the current state. Null: records nothing.
   void Record(std::unique_ptr<record::Recorder> recorder, bool last_tick_too = true);
   void Watch(OnTick on_tick) override;
-  /// Ends the recording; on_branch may begin another one.
+  /// Ends the recording; on_branch may start another one.
   void GoOnWith(std::unique_ptr<sim::Simulation> simulation, const record::TickRecord& at,
                 const std::vector<record::TickInputs>& inputs) override;
   using OnBranch = std::function<void(const record::TickRecord& at, const std::vector<record::TickInputs>& inputs)>;
@@ -59,19 +59,20 @@ class RunSession final : public workbench::LiveRun {
   /// Runs the clean-up, prints the footer and returns the exit code.
   int Finish();
 
-  /// How to make the run anew from a seed; `on_made` is called once the new one is in place (to record it).
+  /// Creates the run again with a seed; `on_made` is called when the new run is in place (to record it).
   using Make = std::function<Result<std::unique_ptr<sim::Simulation>>(std::uint64_t seed)>;
   void SetMake(std::uint64_t seed, std::string scenario, Make make, std::function<void()> on_made);
-  /// Ends the simulation and makes another one, with this seed, the next or the given one. It reads rules and scripts
-  /// again. Nobody watches the new one: ask again. After an error there is no simulation any more; end the process.
+  /// Ends the simulation and creates another one, with the same seed, the next or the given one. Reads rules and
+  /// scripts again. Nobody watches the new simulation: call Watch() again. After an error there is no simulation; end
+  /// the process.
   Result<void> BeginAgain(bool with_next_seed, std::optional<std::uint64_t> seed = {});
   std::uint64_t seed() const { return seed_; }
-  /// The folder of the lesson that the world belongs to, if that was said.
+  /// The folder of the lesson of this world, if it was given.
   const std::filesystem::path& lesson() const { return lesson_; }
 
   sim::Simulation& simulation() override { return *simulation_; }
-  /// Whether inputs for ticks after the end of the run are a mistake: inputs of a file are, keys pressed in a paused
-  /// window are not.
+  /// Whether inputs for ticks after the end of the run are an error: they are in a file of inputs, but not if they are
+  /// keys pressed in a paused window.
   void ExpectInputs(bool expects) { expects_inputs_ = expects; }
 
  private:
@@ -93,10 +94,10 @@ class RunSession final : public workbench::LiveRun {
   std::unique_ptr<record::Recorder> recorder_;
   OnTick on_tick_;
   record::TickRecord seen_;    ///< For on_tick_.
-  sim::EventList unrecorded_;  ///< Since the last tick that was recorded.
-  sim::EventList set_up_;      ///< Of the set-up, for those who come later.
-  double end_s_;               ///< Simulated time to stop at; infinite if none.
-  bool ends_with_scenario_;    ///< Headless runs end where the scenario does.
+  sim::EventList unrecorded_;  ///< Since the last recorded tick.
+  sim::EventList set_up_;      ///< Of the set-up, for observers that are added later.
+  double end_s_;               ///< Simulated time at which to stop; infinite if none.
+  bool ends_with_scenario_;    ///< Headless runs end when the scenario does.
   double report_every_s_;      ///< 0: never.
   double next_report_s_ = 0;
   std::unique_ptr<sim::LiveEdits> edits_;  ///< Null if files are not watched.
@@ -112,9 +113,9 @@ class RunSession final : public workbench::LiveRun {
   OnEdit on_edit_;
 };
 
-/// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are stopped where they are, the footer is printed, and after
-/// two seconds the process ends in any case; a second signal ends it at once. So does a reader of the output that goes
-/// away (SIGPIPE). Idempotent.
+/// Makes SIGINT (Ctrl-C) and SIGTERM end the run: scripts are interrupted, the footer is printed, and after two seconds
+/// the process ends in any case. A second signal ends it at once. A closed pipe of the output (SIGPIPE) also ends the
+/// run. Idempotent.
 void CatchInterrupts();
 bool WasInterrupted();
 

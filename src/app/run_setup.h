@@ -13,13 +13,13 @@
 
 namespace soarbox::app {
 
-/// A run that is ready to begin, with everything that its session refers to. It stays where it is.
+/// A run that is ready to begin, with all objects to which its session refers. It must not be moved.
 struct RunSetup {
   RunSetup() = default;
   RunSetup(const RunSetup&) = delete;
   RunSetup& operator=(const RunSetup&) = delete;
 
-  RunOptions options;  ///< As given, completed from the scenario's file.
+  RunOptions options;  ///< As given, with defaults from the scenario's file.
   sim::DataFolders data;
   sim::Scenario scenario;
   sim::SimulationSettings settings;
@@ -28,8 +28,7 @@ struct RunSetup {
   std::optional<RunRecordings> recordings;
 };
 
-/// Sets up what `soarbox run` was asked for. Returns kOk and the run, or prints what is wrong and returns another
-/// ExitCode.
+/// Prepares a run with these options. Returns kOk and the run, or prints the error and returns another ExitCode.
 int SetUpRun(const RunOptions& options, std::unique_ptr<RunSetup>& result);
 
 }  // namespace soarbox::app

@@ -26,12 +26,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the scene and the contents may take, before they become text.
+/// Maximum sizes of the scene and the contents before they are encoded as text.
 constexpr std::size_t kMostSceneBytes = 5u << 19, kMostContentsBytes = 1u << 20;
-/// How often the scene and the contents are shown where there is room for it.
+/// Intervals of the scene and of the contents if the size permits.
 constexpr double kSceneEvery_s = 0.1, kContentsEvery_s = 0.5, kWholeEvery_s = 4;
 
-/// The moments of a recording, each as often as asked for; damaged ones are left out.
+/// Iterates over the moments of a recording at the requested intervals; skips damaged ones.
 class Moments {
  public:
   Moments(record::Reader& recording, std::uint64_t scene_every, std::uint64_t contents_every)
@@ -75,7 +75,7 @@ class Moments {
     scene_.push_back({{"tick", tick}, {"full", block.is_full}, {"block", Base64(block.bytes)}});
   }
 
-  /// What does not belong to one mind is told under "", the rest under the agent's name.
+  /// Contents that do not belong to one mind are stored under "", others under the agent's name.
   void AddContents(std::uint64_t tick, const record::TickRecord& record) {
     shown_.moment.shown_tick = tick;
     shown_.agent.clear();
@@ -86,7 +86,7 @@ class Moments {
     shown_.messages = &models_.messages;
     shown_.trace = &models_.trace;
     for (const char* const name : {"agents", "messages", "mission"}) Tell(tick, "", name);
-    // They hold what was for a while before: not at each moment anew.
+    // These contain a span of time, so they are not stored for each moment.
     constexpr std::uint64_t kLongEvery = 40;
     if (contents_told_++ % kLongEvery == 0 || tick == recording_.last_tick())
       for (const char* const name : {"timeline", "trace"}) Tell(tick, "", name);
@@ -107,10 +107,10 @@ class Moments {
     }
   }
 
-  /// Says a content once while it stays the same.
+  /// Stores contents only when they have changed.
   void Tell(std::uint64_t tick, const std::string& agent, const char* name) {
     Json content = workbench::PageJson(shown_, name);
-    // A page draws the lines of the answer that is pressed.
+    // A page draws the lines of the selected answer.
     if (std::string_view(name) == "imagery") content.update(workbench::ToJson(shown_, name));
     const std::string text = JsonText(content);
     const std::size_t hash = std::hash<std::string>{}(text);
@@ -128,13 +128,13 @@ class Moments {
   debugger::RunModels models_;
   debugger::RecordedMinds recorded_;
   workbench::Contents shown_;
-  std::map<std::string, std::size_t> told_;  ///< Hashes.
+  std::map<std::string, std::size_t> told_;  ///< Hashes of the last stored contents.
   Json scene_ = Json::array(), contents_ = Json::array();
   std::size_t scene_bytes_ = 0, contents_bytes_ = 0;
   std::uint64_t contents_told_ = 0;
 };
 
-/// So many times fewer moments as to fit.
+/// Increases the interval so that the data fit.
 std::uint64_t Fewer(std::uint64_t every, std::size_t bytes, std::size_t most) {
   return bytes <= most ? every : every * (1 + bytes * 5 / 4 / most);
 }
@@ -181,7 +181,7 @@ Result<std::string> RecordedRun(const std::filesystem::path& file) {
     contents_every = fewer_contents;
     if (!fits && tried < kMostTries) continue;
     whole["scene"] = moments.TakeScene();
-    // Much of it says the same again: packed, it takes an eighth.
+    // The contents are repetitive: compressed, they take an eighth.
     whole["contents"] = Base64(stream::Deflate(JsonText(moments.TakeContents())));
     break;
   }

@@ -8,8 +8,9 @@
 
 namespace soarbox::app {
 
-/// A recorded run as a page shows it in 3D (docs/report.md), as JSON: the scene moment after moment, and what panels
-/// show of minds. Moments are left out until it takes some 6 MB at most. The error names what cannot be read.
+/// Returns a recorded run for a page that shows it in 3D (docs/report.md), as JSON: the scene at each moment, and the
+/// contents of the minds' panels. Leaves out moments so that it takes at most about 6 MB. The error names what cannot
+/// be read.
 Result<std::string> RecordedRun(const std::filesystem::path& recording);
 
 }  // namespace soarbox::app

@@ -30,17 +30,18 @@ using world::DrawableSnapshot;
 /// By world::BodyLook.
 constexpr const char* kBodies[] = {"body/soldier", "body/dark", "body/rifle"};
 
-/// Scripts may ask for sizes that are no numbers.
+/// Scripts may request sizes that are not finite.
 float Finite(float value) {
   return std::isfinite(value) ? value : 0;
 }
 
-/// Bytes of a mesh, little endian, numbers of one kind together, so that they pack well (docs/dev/stream.md#shapes).
+/// The bytes of a mesh, little endian, with equal components together for better compression
+/// (docs/dev/stream.md#shapes).
 class MeshBytes {
  public:
   void Number(std::uint32_t value) { Little(value, 4); }
   void Float(float value) { Little(std::bit_cast<std::uint32_t>(value), 4); }
-  /// One number of each vertex as 16 bits between the least and the greatest, which come first.
+  /// Adds one component of each vertex as 16 bits between the minimum and the maximum, which come first.
   template <typename Of>
   void Scaled(const MeshData& mesh, Of of) {
     float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
@@ -55,7 +56,7 @@ class MeshBytes {
     const float scale = high > low ? kMost / (high - low) : 0;
     std::uint32_t before = 0;
     for (const MeshVertex& vertex : mesh.vertices) {
-      // Neighbours are near each other: differences are small numbers.
+      // Neighbouring vertices are near each other, so differences are small.
       const auto value = static_cast<std::uint32_t>(std::lround((Finite(of(vertex)) - low) * scale));
       Little((value - before) & 0xffff, 2);
       before = value;
@@ -109,7 +110,7 @@ Json Packed(const std::string& bytes) {
   return Base64(stream::Deflate(bytes));
 }
 
-/// A shape that is there in two levels; where both are the same, one is told.
+/// A shape with two levels of detail; if they are equal, only one is sent.
 Json LevelsOf(const MeshData& fine, const std::string& fine_bytes, const std::string& coarse_bytes) {
   Json content;
   content["material"] = fine.material;
@@ -163,7 +164,7 @@ std::string ShapeKey(const DrawableSnapshot& drawable, bool agent_body) {
   std::snprintf(text, sizeof text, "%d.%d.%x.%x.%x.%x.%x.", static_cast<int>(drawable.shape), agent_body ? 1 : 0,
                 bits(drawable.size.x), bits(drawable.size.y), bits(drawable.size.z), bits(drawable.texture_repeats.x),
                 bits(drawable.texture_repeats.y));
-  // What is a thing or a creature by its material has a shape of its own.
+  // If the material is a thing or a creature, it has its own shape.
   const std::string& material = drawable.material.value();
   return text + (material.starts_with("Soarbox/") ? material : std::string());
 }

@@ -22,8 +22,8 @@ class ShapeContents {
   /// Shapes and files that the scene shows or plays and that were not told yet.
   std::vector<Told> New(const world::SceneSnapshot& scene);
 
-  /// Of so many shapes a page is told: scripts may change the size of a box in each tick. What comes later is not
-  /// drawn.
+  /// Maximum number of shapes sent to a page, because scripts may change the size of a box in each tick. Further shapes
+  /// are not drawn.
   static constexpr std::size_t kMost = 4000;
 
  private:
@@ -32,8 +32,7 @@ class ShapeContents {
   std::unordered_set<std::string> told_;
 };
 
-/// How a drawable's shape is called: the same for all that look alike. `agent_body`: a capsule that looks like an
-/// agent.
+/// The key of a drawable's shape: the same for all that look alike. `agent_body`: a capsule with the shape of an agent.
 std::string ShapeKey(const world::DrawableSnapshot& drawable, bool agent_body);
 
 }  // namespace soarbox::app

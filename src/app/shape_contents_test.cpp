@@ -49,7 +49,7 @@ std::vector<std::string> NamesIn(const std::vector<ShapeContents::Told>& told) {
 }
 
 TEST(ShapeContents, AShapeIsCalledAsThePageCallsIt) {
-  // As web/src/scene/scene.test.ts has it.
+  // web/src/scene/scene.test.ts expects the same key.
   EXPECT_EQ(ShapeKey(Box({1, 2, 3}), false), "1.0.3f800000.40000000.40400000.3f800000.3f800000.");
   DrawableSnapshot sheep = Box({0.3f, 1, 0}, "Soarbox/Sheep");
   sheep.shape = ShapeKind::kCapsule;

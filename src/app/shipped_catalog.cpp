@@ -12,7 +12,7 @@
 namespace soarbox::app {
 namespace {
 
-/// The scenario of a match on a board of the game's script.
+/// The scenario of a match on a board of the game.
 std::string MatchOf(const std::string& script, const std::vector<serve::Player>& players) {
   std::string text = "# A match that `soarbox serve` has made.\ndescription = \"" + script + ": ";
   for (std::size_t i = 0; i < players.size(); ++i) text += (i == 0 ? "" : " against ") + players[i].name;
@@ -29,7 +29,7 @@ ShippedCatalog::ShippedCatalog(const sim::DataFolders& data) {
   std::vector<Diagnostic> problems;
   const auto add = [&](const std::filesystem::path& folder, const std::string& course) {
     for (const Lesson& lesson : ReadLessons(folder, data, problems)) {
-      if (!course.empty() && hints_.contains(lesson.name)) continue;  // A course may list lessons of others.
+      if (!course.empty() && hints_.contains(lesson.name)) continue;  // A course may contain lessons of other courses.
       lessons_.push_back({lesson.name, lesson.title, course});
       hints_[lesson.name] = lesson.hints;
     }

@@ -12,10 +12,10 @@
 
 namespace soarbox::app {
 
-/// Lessons and worlds that come with the program, read once.
+/// The lessons and worlds that come with the program, read once.
 class ShippedCatalog final : public serve::Catalog {
  public:
-  /// What is wrong with a lesson is printed on standard error.
+  /// Errors in lessons are printed on standard error.
   explicit ShippedCatalog(const sim::DataFolders& data);
 
   std::vector<serve::Lesson> Lessons() const override { return lessons_; }
@@ -30,7 +30,7 @@ class ShippedCatalog final : public serve::Catalog {
   std::vector<Scenario> scenarios_;
 };
 
-/// Letters, digits and what joins them: no path.
+/// Whether a name only contains letters, digits and their separators, so that it is no path.
 bool IsPlainName(std::string_view name);
 
 }  // namespace soarbox::app

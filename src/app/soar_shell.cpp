@@ -29,8 +29,8 @@ constexpr const char* kColourPrompt = "\1\033[1;36m\1soar>\1\033[0m\1 ";
 constexpr const char* kRed = "\033[31m";
 constexpr const char* kPlain = "\033[0m";
 
-/// Turns Ctrl-C into a request to stop while commands run. The signal is blocked everywhere and awaited by a thread of
-/// its own, so that no handler runs in the middle of anything.
+/// Converts Ctrl-C to a request to stop while commands run. The signal is blocked in all threads and awaited by a
+/// thread of its own, so that no signal handler runs.
 class InterruptWatch {
  public:
   explicit InterruptWatch(kernel::Agent& agent) : agent_(agent) {
@@ -70,7 +70,8 @@ class InterruptWatch {
   std::thread thread_;
 };
 
-/// How many braces a text leaves open: bars and quotes hide them, as do comments and backslashes.
+/// Number of braces that a text leaves open. Braces between bars or quotes, in comments and after backslashes do not
+/// count.
 int OpenBraces(std::string_view text) {
   int open = 0;
   char quote = 0;
@@ -145,11 +146,11 @@ class Shell {
     while (std::getline(std::cin, line)) {
       if (!Take(line, command)) return;
     }
-    // What is left open at the end is run all the same, so that its error is told.
+    // An incomplete command at the end is executed, so that its error is printed.
     if (!command.empty()) Execute(command);
   }
 
-  /// Adds a line to the command and runs it once its braces are closed. False if the line ends the shell.
+  /// Adds a line to the command, and executes the command if its braces are closed. False if the line ends the shell.
   bool Take(const std::string& line, std::string& command) {
     if (command.empty() && IsExit(line)) return false;
     command += line;
@@ -191,7 +192,7 @@ class Shell {
     std::fwrite(result.text.data(), 1, result.text.size(), stdout);
     if (!result.text.empty() && result.text.back() != '\n') std::fputc('\n', stdout);
     if (red) std::fputs(kPlain, stdout);
-    // The texts of Soar hold no hints; files that are sourced tell theirs with the place.
+    // The texts of Soar contain no hints; sourced files print theirs with the place.
     for (const Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.severity != Severity::kError || diagnostic.hint.empty()) continue;
       if (result.text.find(diagnostic.hint) != std::string::npos) continue;

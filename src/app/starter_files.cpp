@@ -45,7 +45,7 @@ sp {WHO*apply*forget-answered-command
 }
 )TEXT";
 
-/// Rules with the one at their end that each agent has.
+/// Appends the rule that each agent has to the rules.
 std::string Rules(std::string_view rules, std::string_view agent) {
   std::string forget(kForget);
   forget.replace(forget.find("WHO"), 3, agent);
@@ -287,12 +287,12 @@ sp {fighter*apply*reload
 }
 )TEXT";
 
-/// Something that must stand in what a run prints; else `fault` is told.
+/// A text that the output of a run must contain; else `fault` is printed.
 struct Check {
   std::string_view printed, fault;
 };
 
-/// A script that runs the scenario with three seeds. `seconds`: how long, as options say it; may be empty.
+/// A script that runs the scenario with three seeds. `seconds` is the option for the duration; may be empty.
 std::string Test(std::string_view seconds, std::initializer_list<Check> checks) {
   std::string text = R"TEXT(#!/bin/sh
 # Runs the scenario headless with three seeds and checks what a viewer would see.

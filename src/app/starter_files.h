@@ -7,7 +7,7 @@
 
 namespace soarbox::app {
 
-/// One file of a starter scenario. NAME stands for the scenario's name.
+/// A file of a starter scenario. NAME is replaced by the scenario's name.
 struct StarterFile {
   std::string_view name;
   std::string_view meaning;

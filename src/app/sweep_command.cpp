@@ -49,12 +49,12 @@ void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady
   std::cerr << "   " << std::flush;
 }
 
-/// Keeps other sweeps of this machine out of the folder while this process lives: two would make each run twice. True
-/// also where the file system has no locks.
+/// Locks the folder against other sweeps on this machine while this process exists, because two sweeps would execute
+/// each run twice. Also true if the file system has no locks.
 bool LockFolder(const fs::path& folder) {
   const int file = open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (file < 0) return true;
-  // The runs of a sweep that was killed end a moment after it.
+  // The runs of a killed sweep end shortly after it.
   for (int wait = 0; wait < kLockWaits; ++wait) {
     if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
     usleep(kLockWait_us);
@@ -63,7 +63,7 @@ bool LockFolder(const fs::path& folder) {
   return false;
 }
 
-/// The sweep at this place: the file itself, or the sweep.toml in this folder.
+/// The sweep at this place: the file itself, or the sweep.toml in the folder.
 fs::path SweepAt(const fs::path& place) {
   std::error_code error;
   if (fs::is_regular_file(place, error)) return place;
@@ -72,7 +72,7 @@ fs::path SweepAt(const fs::path& place) {
 }
 
 /// Replaces the name of a sweep that comes with the program by its file. Its results go below the current folder,
-/// because the program's own folders may be read-only. A name that fits nothing stays as it is.
+/// because the program's own folders may be read-only. Unknown names are unchanged.
 SweepOptions WithFile(SweepOptions options, const sim::DataFolders& data) {
   const fs::path named = options.spec;
   if (const fs::path own = SweepAt(named); !own.empty()) {
@@ -84,7 +84,7 @@ SweepOptions WithFile(SweepOptions options, const sim::DataFolders& data) {
   return options;
 }
 
-/// Makes runs of a sweep's folder again.
+/// Repeats runs of a sweep's folder.
 int Verify(const SweepOptions& options, const sim::DataFolders& data) {
   CatchInterrupts();
   const Result<sweep::Verification> found =
@@ -126,7 +126,7 @@ int Sweep(const SweepOptions& asked) {
   fs::create_directories(folder / "parts", error);
   if (error)
     return Refuse(ProblemIn(folder, "this folder cannot be made: " + error.message(), "name another with --folder"));
-  // A task of a job array finds the folder as the sweep that submitted it has made it.
+  // A task of a job array finds the folder as created by the sweep that submitted it.
   const Result<sweep::Plan> plan = sweep::MakePlan(
       spec, folder, *data, options.task >= 0 ? sweep::Sources::kTrust : sweep::Sources::kCompare, options.rules);
   if (!plan) return Refuse(plan.error());
@@ -165,7 +165,7 @@ int Sweep(const SweepOptions& asked) {
     settings.memory = options.memory;
     settings.processors = options.processors;
     settings.more = options.sbatch;
-    // What a node that died leaves undone is given out again.
+    // Runs that a failed node leaves undone are assigned again.
     const auto made = [&] {
       std::vector<Diagnostic> found;
       return sweep::RowsOf(spec, *plan, folder, found).size();
@@ -191,7 +191,7 @@ int Sweep(const SweepOptions& asked) {
                         << (answers ? "Slurm answers again" : "Slurm does not answer: " + no_answer + "; still waiting")
                         << '\n';
             }
-            // Reading all rows takes its time when there are many.
+            // Reading all rows takes long if there are many.
             if (const auto now = std::chrono::steady_clock::now(); is_terminal && now >= next_look) {
               progress.done = made() - progress.there_before;
               Show(progress, is_terminal, begin);

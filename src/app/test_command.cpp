@@ -80,7 +80,7 @@ Json ToJson(const mission::Mission& mission, const RunResult& run) {
   return json;
 }
 
-/// Passes lines of runs on in the order of their seeds, each as soon as those before it are there.
+/// Prints lines about runs in the order of their seeds, as soon as all earlier ones have been printed.
 class LinesInOrder {
  public:
   explicit LinesInOrder(std::vector<std::uint64_t> seeds) : seeds_(std::move(seeds)) {}
@@ -92,7 +92,7 @@ class LinesInOrder {
       Print(at);
     std::cout << std::flush;
   }
-  /// The others were interrupted.
+  /// The remaining runs were interrupted.
   void Finish() {
     for (; next_ < seeds_.size(); ++next_)
       if (const auto at = waiting_.find(seeds_[next_]); at != waiting_.end()) Print(at);
@@ -111,7 +111,7 @@ class LinesInOrder {
   Waiting waiting_;
 };
 
-/// What runs that failed reported themselves, each once: rules that cannot be read, loops, scripts that stop.
+/// Errors that failed runs reported themselves, each once: rules that cannot be read, loops, stopped scripts.
 template <typename Head>
 void PrintProblems(const mission::MissionOutcome& outcome, const std::string& margin, const Head& head) {
   std::vector<std::string> told;
@@ -130,7 +130,7 @@ void PrintProblems(const mission::MissionOutcome& outcome, const std::string& ma
   }
 }
 
-/// Prints what went wrong: each check once, with the first seed that failed it.
+/// Prints the failures: each check once, with the first seed that failed it.
 void PrintFailures(const TestedMission& tested) {
   const mission::Mission& mission = tested.loaded.mission;
   std::size_t width = 8;
@@ -171,7 +171,7 @@ void PrintFailures(const TestedMission& tested) {
   }
 }
 
-/// The agent that the first check that failed in a run is about; empty if it is about none, or about several.
+/// The agent to which the first failed check of a run refers; empty if there is none, or several.
 std::string AgentOfFailure(const mission::Mission& mission, const RunResult& run) {
   for (std::size_t i = 0; i < mission.checks.size() && i < run.checks.size(); ++i) {
     const mission::State state = run.checks[i].verdict.state;
@@ -182,8 +182,8 @@ std::string AgentOfFailure(const mission::Mission& mission, const RunResult& run
   return {};
 }
 
-/// The cause that a mission failed: its first run that failed is made again, and the mind is asked of the
-/// agent that the first failed check is about. Empty if there is no such agent, or nothing certain was found.
+/// The cause of a mission's failure: simulates the first failed run again and queries the mind of the agent to which
+/// the first failed check refers. Empty if there is no such agent, or no certain cause.
 std::string CauseOf(const TestedMission& tested, const mission::TestSettings& settings) {
   const mission::Mission& mission = tested.loaded.mission;
   const auto failed = std::ranges::find_if(tested.outcome.runs, [](const RunResult& run) {
@@ -197,7 +197,7 @@ std::string CauseOf(const TestedMission& tested, const mission::TestSettings& se
   const Result<mission::MissionOutcome> outcome = mission::TestMission(
       tested.loaded, again, [](const RunResult&) {}, [] { return !WasInterrupted(); });
   if (!outcome || outcome->runs.empty() || outcome->runs.front().account.empty()) return {};
-  // Rules that never fire are no fault of an agent that had something to do all the time.
+  // If the agent always had something to do, rules that never fire are no error.
   const std::vector<sim::Finding>& found = outcome->runs.front().account;
   const bool was_idle = std::ranges::any_of(found, [](const sim::Finding& finding) {
     return finding.cause == mission::Cause::kStalled || finding.cause == mission::Cause::kSymptom;
@@ -205,7 +205,7 @@ std::string CauseOf(const TestedMission& tested, const mission::TestSettings& se
   return was_idle || found.front().cause <= mission::Cause::kRefused ? found.front().text : std::string();
 }
 
-/// Whether a mission's world, as this file describes it, takes part in an exercise of other simulations.
+/// Whether the scenario of a mission joins an exercise of other simulations.
 bool JoinsAnExercise(const fs::path& scenario) {
   if (scenario.empty()) return false;
   const Result<std::optional<dis::Settings>> exercise = dis::ReadSettings(scenario, {});
@@ -223,7 +223,7 @@ class Tester {
   Tester(const TestOptions& options, const sim::DataFolders& data)
       : options_(options), data_(data), is_terminal_(isatty(STDOUT_FILENO) != 0) {}
 
-  /// One round over all missions; an exit code.
+  /// Runs all missions once; returns an exit code.
   int Round(const std::vector<fs::path>& files) {
     std::vector<TestedMission> tested;
     bool refused = false, failed = false, broken = false;
@@ -290,7 +290,7 @@ class Tester {
     std::cout.flush();
     if (WasInterrupted()) return kTestInterrupted;
     if (refused) return kTestRefused;
-    // Runs that broke fail their mission; if that is all, they are what is told.
+    // Broken runs fail their mission. If there are no other failures, they determine the exit code.
     bool only_broken = broken;
     for (const TestedMission& each : tested)
       for (const RunResult& run : each.outcome.runs)
@@ -381,7 +381,7 @@ class Tester {
   bool is_terminal_;
 };
 
-/// The missions that the command line means, in its order.
+/// Returns the missions that the command line specifies, in its order.
 Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::DataFolders& data) {
   std::vector<fs::path> files;
   for (const fs::path& path : options.paths.empty() ? std::vector<fs::path>{"."} : options.paths) {
@@ -404,7 +404,7 @@ Result<std::vector<fs::path>> FindAll(const TestOptions& options, const sim::Dat
   return files;
 }
 
-/// The folders whose files make these missions: those that were named, the missions' own and their scenarios'.
+/// The folders with the files of these missions: the given ones, the missions' own and their scenarios'.
 std::set<fs::path> WatchedFolders(const TestOptions& options, const std::vector<fs::path>& missions,
                                   const sim::DataFolders& data) {
   std::set<fs::path> folders;
@@ -417,7 +417,7 @@ std::set<fs::path> WatchedFolders(const TestOptions& options, const std::vector<
   }
   for (const fs::path& file : missions) {
     add(file);
-    std::vector<Diagnostic> problems;  // The round tells them.
+    std::vector<Diagnostic> problems;  // The round reports them.
     const mission::LoadedMission loaded = mission::LoadMission(file, data, problems);
     if (!loaded.scenario.definition.empty()) add(loaded.scenario.definition);
     for (const fs::path& folder : loaded.scenario.rule_folders) folders.insert(folder);
@@ -427,14 +427,14 @@ std::set<fs::path> WatchedFolders(const TestOptions& options, const std::vector<
 
 using FileTimes = std::map<fs::path, fs::file_time_type>;
 
-/// When files in these folders were last written, to see that one was saved.
+/// Times of the last changes in these folders, to detect a saved file.
 FileTimes TimesOf(const std::set<fs::path>& folders) {
   FileTimes times;
   constexpr auto kOptions = fs::directory_options::skip_permission_denied;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, kOptions, error), end; !error && it != end; it.increment(error)) {
-      std::error_code gone;  // An editor may have moved it away meanwhile.
+      std::error_code gone;  // An editor may have removed it meanwhile.
       const std::string name = it->path().filename().string();
       if (it->is_directory(gone) && (name.starts_with('.') || name == "build" || name.ends_with(".sweep")))
         it.disable_recursion_pending();
@@ -447,12 +447,12 @@ FileTimes TimesOf(const std::set<fs::path>& folders) {
   return times;
 }
 
-/// Tests again whenever a file is saved, until it is interrupted; the code of the last round that came to its end.
+/// Tests again whenever a file is saved, until interrupted; returns the code of the last completed round.
 int Watch(const TestOptions& options, const sim::DataFolders& data, Tester& tester, std::vector<fs::path> files) {
   int code = kOk;
   while (true) {
     const std::set<fs::path> folders = WatchedFolders(options, files, data);
-    // What is saved while missions run is not missed.
+    // Files that are saved while missions run are detected, too.
     const FileTimes before = TimesOf(folders);
     const int came = tester.Round(files);
     if (WasInterrupted()) return came;
@@ -460,7 +460,7 @@ int Watch(const TestOptions& options, const sim::DataFolders& data, Tester& test
     std::cout << "waiting for a file to be saved; Ctrl-C ends it\n" << std::flush;
     while (!WasInterrupted() && TimesOf(folders) == before) std::this_thread::sleep_for(std::chrono::milliseconds(300));
     if (WasInterrupted()) return code;
-    // There may be missions that were not there.
+    // There may be new missions.
     Result<std::vector<fs::path>> found = FindAll(options, data);
     if (found) {
       files = std::move(*found);

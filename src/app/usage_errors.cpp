@@ -43,7 +43,7 @@ std::string NearestOf(const std::string& word, const std::vector<std::string>& n
   return std::string(Suggest(word, candidates));
 }
 
-/// Something that `soarbox run` takes, given without the word run.
+/// An argument of `soarbox run`, given without the word run.
 bool IsScenario(const std::string& word) {
   std::error_code error;
   const std::string extension = fs::path(word).extension().string();
@@ -53,7 +53,7 @@ bool IsScenario(const std::string& word) {
   return data && Holds(sim::ListScenarios(data.value()), word);
 }
 
-/// An option before any sub-command, or one that no sub-command is there for.
+/// An option before any sub-command, or without a sub-command.
 Diagnostic StrayOption(const CLI::App& program, const std::string& option) {
   Diagnostic problem;
   problem.message = "soarbox has no option " + option;
@@ -116,7 +116,7 @@ std::string FirstLine(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// The option that a sentence of the library begins with: "--seconds: ...", "files is required".
+/// The option with which a sentence of the library begins: "--seconds: ...", "files is required".
 const CLI::Option* OptionNamed(const CLI::App& command, const std::string& sentence) {
   const std::string name = sentence.substr(0, sentence.find_first_of(": "));
   for (const CLI::Option* option : command.get_options())
@@ -124,13 +124,13 @@ const CLI::Option* OptionNamed(const CLI::App& command, const std::string& sente
   return nullptr;
 }
 
-/// A value that is missing or cannot be.
+/// A missing or invalid value.
 Diagnostic BadValue(const CLI::App& command, const CLI::ParseError& error) {
   const std::string name = "soarbox " + command.get_name();
   const std::string sentence = FirstLine(error.what());
   Diagnostic problem;
   problem.message = name + ": " + sentence;
-  // Checks of this project are sentences about the option.
+  // Messages of this project's own checks are sentences about the option.
   if (const std::size_t takes = problem.message.find(": takes "); takes != std::string::npos)
     problem.message.erase(takes, 1);
   problem.hint = name + " --help lists what it takes";
@@ -156,7 +156,7 @@ Diagnostic ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
     return NewProblem(FirstLine(error.what()), "soarbox --help lists the sub-commands");
   }
   const CLI::App& command = *used.front();
-  // The library names a value that is missing before an option that it does not know, though that one is the cause.
+  // If there is an unknown option, the library reports a missing value first, although the unknown option is the cause.
   const std::vector<std::string> unknown = command.remaining(true);
   if (!unknown.empty()) return UnknownArgument(program, command, unknown.front());
   return BadValue(command, error);

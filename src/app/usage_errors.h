@@ -8,17 +8,17 @@
 
 namespace soarbox::app {
 
-/// What was wrong with a command line that `program` has just refused, in the words of this project: which sub-command,
-/// option or value, and what was probably meant.
+/// Explains a command line that `program` has just rejected: the sub-command, option or value, and what was probably
+/// meant.
 Diagnostic ExplainUsage(const CLI::App& program, const CLI::ParseError& error);
 
-/// A long option with one dash, which would be read as a row of short ones: -headless would ask for help.
+/// Finds a long option with one dash, which would be parsed as several short ones: -headless would request help.
 std::optional<Diagnostic> FindSingleDash(const CLI::App& program, int argc, const char* const* argv);
 
-/// An option without its value before another option, which would be taken for that value: --record --headless.
+/// Finds an option without its value before another option, which would be parsed as that value: --record --headless.
 std::optional<Diagnostic> FindMissingValue(const CLI::App& program, int argc, const char* const* argv);
 
-/// Checks of options' values whose refusals read as sentences.
+/// Checks of options' values; their messages are sentences.
 CLI::Validator NumberIn(double least, double most);
 CLI::Validator WholeNumber();
 

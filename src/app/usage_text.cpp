@@ -14,7 +14,7 @@ struct ExampleRow {
   UsageExample example;
 };
 
-/// In an order in which they can be typed one after the other; tests/app/test_manual.py does so.
+/// In an order in which they can be executed one after the other; tests/app/test_manual.py does so.
 constexpr ExampleRow kExamples[] = {
     {"", {"soarbox new scout", "Write a scenario of your own into the folder scout"}},
     {"", {"soarbox run scout", "Open it: change scout/scout.soar, and the agent changes at once"}},

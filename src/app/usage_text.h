@@ -8,21 +8,21 @@
 
 namespace soarbox::app {
 
-/// A command line to copy, and what it does.
+/// A command line to copy, with its description.
 struct UsageExample {
   std::string_view line, about;
 };
-/// Of a sub-command; of "" of the whole program.
+/// Examples of a sub-command; "": of the program.
 std::vector<UsageExample> ExamplesOf(std::string_view command);
 
-/// A number that a command ends with, and what it means.
+/// An exit code and its meaning.
 struct ExitStatus {
   std::string_view code, meaning;
 };
-/// Of a sub-command, in order.
+/// Exit codes of a sub-command, in order.
 std::vector<ExitStatus> ExitStatusesOf(std::string_view command);
 
-/// Ends the help of the program and of its sub-commands with their examples and exit statuses.
+/// Adds examples and exit codes to the help of the program and of its sub-commands.
 void AddUsageTexts(CLI::App& program);
 
 }  // namespace soarbox::app

@@ -11,7 +11,7 @@ namespace {
 
 using ContentJson = nlohmann::json;
 
-/// The content of a message {"message":"contents","contents":{NAME: ...}}; an object in any case.
+/// The content of a message {"message":"contents","contents":{NAME: ...}}; always an object.
 ContentJson ContentOf(const std::string& message, const char* name) {
   ContentJson json = message.empty() ? ContentJson() : ContentJson::parse(message, nullptr, false);
   if (json.is_object()) json = json.value("contents", ContentJson::object());
@@ -24,7 +24,7 @@ std::string TextAt(const ContentJson& json, const char* field) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The first error of a list of problems, with its place; empty: none.
+/// The first error in a list of problems, with its place; empty: none.
 std::string FirstError(const ContentJson& owner, const std::string& usual_file) {
   const auto problems = owner.find("problems");
   if (problems == owner.end() || !problems->is_array()) return {};
@@ -52,7 +52,7 @@ void Activity::Begin(const std::string& what, Time now) {
 }
 
 void Activity::NoteRequest(const PageMessage& message, Time now) {
-  // The page itself sends these.
+  // The page sends these without a user's action.
   constexpr std::array<std::string_view, 5> kByItself = {"look", "overlays", "select", "language", "open"};
   for (const std::string_view word : kByItself)
     if (message.request == word) return;
@@ -65,7 +65,7 @@ void Activity::Look(const std::string& edit, const std::string& problems, const 
   const ContentJson edited = ContentOf(edit, "edit"), text = edited.value("edit", ContentJson::object());
   std::string mistake = text.is_object() ? FirstError(text, TextAt(text, "file")) : std::string();
   if (mistake.empty()) mistake = FirstError(ContentOf(problems, "problems"), {});
-  // Another mistake after the first one: the rules have been wrong since the first.
+  // Another error after the first one: the rules have been wrong since the first.
   if (mistake_.empty() && !mistake.empty()) mistake_since_ = now;
   mistake_ = std::move(mistake);
   const ContentJson checked = ContentOf(mission, "mission");

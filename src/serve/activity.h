@@ -9,30 +9,30 @@
 
 namespace soarbox::serve {
 
-/// What the person at a run does, for the teacher's table: the first mistake in the rules, how often they were graded
-/// since the run was opened, and since when. Times are given by the caller.
+/// What the user of a run does, for the teacher's table: the first mistake in the rules, the number of gradings since
+/// the run was opened, and since when. Callers pass the current time.
 class Activity {
  public:
   using Time = std::chrono::steady_clock::time_point;
   enum class Kind : std::uint8_t {
     kWorks,
     kMistake,  ///< The rules have an error now.
-    kStuck,    ///< They have had one for kStuckAfter, or were graded kManyGrades times and did not pass.
-    kIdle,     ///< Nothing was asked for kIdleAfter.
+    kStuck,    ///< They have had an error for kStuckAfter, or were graded kManyGrades times and did not pass.
+    kIdle,     ///< The user has sent no request for kIdleAfter.
   };
   static constexpr std::chrono::seconds kStuckAfter{120}, kIdleAfter{600};
   static constexpr int kManyGrades = 3;
 
-  /// A run begins. If it is the same world as before, the counts go on.
+  /// A run was opened. If it is the same world as before, the counts continue.
   void Begin(const std::string& what, Time now);
-  /// The person's page asks for something.
+  /// The user's page has sent a request.
   void NoteRequest(const PageMessage& message, Time now);
-  /// Contents of panels as the engine has sent them (docs/workbench.md), as JSON; empty: none came yet.
+  /// The newest contents of panels from the engine (docs/workbench.md), as JSON; empty if there are none yet.
   void Look(const std::string& edit, const std::string& problems, const std::string& mission, Time now);
 
   struct Standing {
     Kind kind = Kind::kWorks;
-    std::string text;  ///< "error in porter.soar, line 4: ..."; empty: nothing to say.
+    std::string text;  ///< "error in porter.soar, line 4: ..."; empty if there is nothing to report.
     std::chrono::seconds lasts{0};
     int grades = 0;
   };

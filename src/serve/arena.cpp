@@ -35,7 +35,7 @@ Result<void> WriteFile(const files::path& file, std::string_view text) {
   return NewProblem("the server cannot write " + file.filename().string(), "try again later");
 }
 
-/// Copies the rules of a place that lie in the folder of `main` or below it.
+/// Copies the rules of a place that are in the folder of `main` or below it.
 Result<void> CopyRules(const Place& place, const std::string& main, const files::path& to) {
   const std::string folder = main.substr(0, main.rfind('/') + 1);
   std::size_t count = 0;
@@ -165,7 +165,7 @@ void Arena::HandIn(const std::string& game, const Place& place, const std::strin
   if (!file.ends_with(".soar"))
     return done(NewProblem("this is no file of rules", "hand in a file whose name ends with .soar"));
   const auto result = std::make_shared<Result<void>>(NewProblem("the server could not copy your rules", "try again"));
-  // In the same line as writing arena.json and starting matches: nobody reads half of an entry.
+  // In the same queue as writing arena.json and starting matches, so that no one reads a partly written entry.
   work_.Do(
       "arena", [result, place, file, to = EntryFolder(game, place.id())] { *result = CopyRules(place, file, to); },
       [this, alive = std::weak_ptr<int>(alive_), result, game, id = place.id(), learner, file, done = std::move(done)] {
@@ -197,7 +197,7 @@ Result<void> Arena::Play(const std::string& game, int seeds) {
       [] {});
   tournament = {};
   tournament.seeds = seeds;
-  // In the order of names, so that the list can be read; each seed changes who is the first agent.
+  // In alphabetical order, so that the list is readable; the first agent changes with each seed.
   std::vector<std::pair<std::string, std::string>> players;
   for (const auto& [place, entry] : entries) players.emplace_back(entry.learner, place);
   std::ranges::sort(players);
@@ -290,7 +290,7 @@ void Arena::Start(const std::string& game, std::size_t index) {
 }
 
 void Arena::Finish(const std::string& game, const std::string& match) {
-  // The process and its timer call this: they go later.
+  // The process and its timer call this, so they are destroyed later.
   if (const auto found = running_.find(match); found != running_.end()) {
     const auto ended = std::make_shared<Running>(std::move(found->second));
     running_.erase(found);
@@ -315,7 +315,7 @@ Arena::Json Arena::LadderOf(const Tournament& tournament) const {
     double scored = 0, conceded = 0;
     double points() const { return kForWin * won + kForDraw * drawn; }
   };
-  std::map<std::string, Row> rows;  // By place: two learners may have alike names.
+  std::map<std::string, Row> rows;  // By place, because two learners may have the same name.
   for (const Match& match : tournament.matches)
     for (std::size_t i = 0; i < 2; ++i) {
       Row& row = rows[match.places[i]];

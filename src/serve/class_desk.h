@@ -14,31 +14,31 @@
 
 namespace soarbox::serve {
 
-/// What learners and their teacher say to each other: raised hands, and the teacher's messages. By the id of the
+/// Communication between learners and their teacher: raised hands, and the teacher's messages, by the id of the
 /// learner's place. Times are seconds since 1970.
 class ClassDesk {
  public:
   struct Note {
     int id = 0;
     std::string text;
-    std::string file = {};  ///< If it is about a line: the name of the file.
-    int line = 0;           ///< From 1; 0: it is about no line.
+    std::string file = {};  ///< Name of the file if the message is about a line.
+    int line = 0;           ///< From 1; 0 if it is not about a line.
     std::int64_t when_s = 0;
     bool is_read = false;
   };
   static constexpr std::size_t kMostTextBytes = 2000, kMostNotes = 50;
 
-  /// From what ToText has written; the error says that the file is damaged. Nothing is known without a file.
+  /// Reads the output of ToText from a file. Fails if the file is damaged. Empty if there is no file.
   static Result<ClassDesk> Read(const std::filesystem::path& file);
   std::string ToText() const;
 
   void SetHand(const std::string& place, bool is_up, std::int64_t now_s);
   std::optional<std::int64_t> HandSince(const std::string& place) const;
-  /// Adds a message, and removes the oldest if there are more than kMostNotes. The error says what is wrong with it.
+  /// Adds a message, and removes the oldest if there are more than kMostNotes. Fails if the message is invalid.
   Result<void> Write(const std::string& place, Note note);
   void MarkRead(const std::string& place, int id);
   const std::vector<Note>& NotesOf(const std::string& place) const;
-  /// What the learner's page is told: {"message":"class", "is_hand_up", "notes"} with the notes that are not read.
+  /// The message for the learner's page: {"message":"class", "is_hand_up", "notes"} with the unread notes.
   std::string MessageFor(const std::string& place) const;
 
  private:

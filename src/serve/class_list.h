@@ -10,16 +10,16 @@
 
 namespace soarbox::serve {
 
-/// A class: learners with a place each, and a teacher with a key. Which place belongs to whom is kept beside the
-/// places, so that links stay the same.
+/// A class: learners with one place each, and a teacher with a key. The places of learners are stored with the places,
+/// so that links stay the same after a restart.
 class ClassList {
  public:
   struct Learner {
     std::string name, place;
   };
-  /// Reads names, one a line, and makes places for those that have none yet. The error names the file and line.
+  /// Reads names, one per line, and creates places for learners that have none. An error names the file and line.
   static Result<ClassList> Read(const std::filesystem::path& names, const std::filesystem::path& state, Places& places);
-  /// Without learners, there is no class.
+  /// An empty list means that there is no class.
   ClassList() = default;
   /// A class without learners, which come one by one.
   static ClassList WithKey(std::string key);
@@ -29,7 +29,7 @@ class ClassList {
   const std::vector<Learner>& learners() const { return learners_; }
   const std::string& key() const { return key_; }
   bool IsKey(std::string_view given) const;
-  /// The learner whose place this is; empty: it belongs to nobody in the class.
+  /// The learner who has this place; empty if no learner of the class has it.
   std::string NameOf(std::string_view place) const;
   bool empty() const { return learners_.empty(); }
 

@@ -36,11 +36,11 @@ struct Child {
   const Limits& limits;
 };
 
-/// In the new process, between fork and exec: only calls that are safe there.
+/// Runs in the new process, between fork and exec: only calls that are safe there.
 [[noreturn]] void Become(const Child& child) {
   setpgid(0, 0);
   const int null = open("/dev/null", O_RDWR);
-  // What comes to lie at the wanted number is moved out of its own way first.
+  // First moves the descriptors away from the numbers that they must get.
   const int socket = fcntl(child.socket, F_DUPFD, 10), error = fcntl(child.error, F_DUPFD, 10);
   dup2(null, STDIN_FILENO);
   dup2(null, STDOUT_FILENO);
@@ -55,7 +55,7 @@ struct Child {
   constexpr int kNice = 5;
   setpriority(PRIO_PROCESS, 0, kNice);
   signal(SIGPIPE, SIG_DFL);
-  // Its arguments, which all users of this machine can read, name files relative to the place.
+  // All users of this machine can read its arguments, so they name files relative to the place.
   if (chdir(child.folder) == 0) execve(child.words.front(), child.words.data(), child.environment.data());
   constexpr char kText[] = "the engine's program cannot be started\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
@@ -92,7 +92,7 @@ Result<EngineProcess::Spawned> EngineProcess::Spawn(const std::vector<std::strin
     close(ends[1]);
     return problem;
   }
-  // Its scratch files go with the next run, however this one ends.
+  // Its temporary files are removed by the next run, however this one ends.
   const std::filesystem::path temporary = place.state() / "tmp";
   std::error_code error;
   std::filesystem::remove_all(temporary, error);
@@ -156,7 +156,7 @@ void EngineProcess::ReadError() {
 void EngineProcess::Send(std::string text) {
   if (is_closed_) return;
   waiting_bytes_ += text.size();
-  // It has not read for long: it hangs.
+  // It has not read for a long time: it hangs.
   if (waiting_bytes_ > kMostUnread) return AwaitEnd();
   waiting_.push_back(WriteFrame(FrameKind::kText, text));
   if (waiting_.size() == 1) Write();
@@ -189,9 +189,9 @@ void EngineProcess::AwaitEnd() {
   if (pid_ <= 0) return;
   int status = 0;
   if (waitpid(pid_, &status, WNOHANG) == pid_) {
-    kill(-pid_, SIGKILL);  // Whatever it had started.
+    kill(-pid_, SIGKILL);  // All processes that it started.
     pid_ = 0;
-    // Its last words may still lie in the pipe.
+    // Its last output may still be in the pipe.
     std::array<char, kLastWords> rest{};
     error_.non_blocking(true, ignored);
     const std::size_t size = error_.read_some(boost::asio::buffer(rest), ignored);

@@ -20,21 +20,21 @@
 
 namespace soarbox::serve {
 
-/// A process that runs one world: started without a shell, with a home, an environment and limits of its own, in a
-/// group of its own. It ends when the connection to it is closed; if it does not, it is killed.
+/// The process of one world. It is started without a shell, with its own home, environment, limits and process group.
+/// It ends when its connection is closed; otherwise it is killed.
 class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
  public:
   struct Hooks {
     std::function<void(Frame)> on_frame;
-    /// Called when it has ended, with the last of its standard error, and whether it ended by itself with success.
+    /// Called after it has ended, with the end of its standard error. `is_good`: it exited by itself with success.
     std::function<void(const std::string& last_words, bool is_good)> on_end;
   };
-  /// A process that nobody listens to yet. Whoever gets one passes it to Adopt or Discard.
+  /// A process without a listener. The caller must pass it to Adopt or Discard.
   struct Spawned {
     pid_t pid = 0;
     int socket = -1, error = -1;
   };
-  /// Starts the process. May take milliseconds; call it on any thread.
+  /// Starts the process. May take milliseconds. Can be called on any thread.
   static Result<Spawned> Spawn(const std::vector<std::string>& words, const Place& place, const Limits& limits);
   /// Listens to a process, on the thread of `io`.
   static std::shared_ptr<EngineProcess> Adopt(boost::asio::io_context& io, const Spawned& spawned, Hooks hooks);
@@ -43,10 +43,10 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
   EngineProcess& operator=(const EngineProcess&) = delete;
 
   void Send(std::string text);
-  /// Asks it to end, and kills it if it has not after 3 s. No hook is called from now on, but for `on_gone` once it has
+  /// Asks the process to end, and kills it after 3 s. Hooks are not called any more; `on_gone` is called when it has
   /// ended.
   void End(std::function<void()> on_gone = {});
-  /// Kills it at once; hooks are called as for any other end.
+  /// Kills the process at once. Hooks are called as usual.
   void Kill();
 
  private:

@@ -21,11 +21,11 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using Request = http::request<http::string_body>;
 
-/// So much may wait for a page that does not read: scenes above the first are left out, and above the second it is
-/// gone.
+/// Maximum bytes that may be queued for a page: above the first limit, scenes are left out; above the second, the
+/// connection is closed.
 constexpr std::size_t kScenesWaitAbove = 192u << 10, kMostWaiting = 16u << 20;
 
-/// How many requests somebody may make: so many a second in the mean, four times as many at once.
+/// Limits the requests of a client: an average rate per second, and bursts of four times as many.
 class Allowance {
  public:
   explicit Allowance(double per_s) : per_s_(per_s), left_(4 * per_s) {}
@@ -86,7 +86,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
 
   void SendText(Bytes text, const std::string& key) override {
     if (!key.empty()) {
-      // What is being written stays; the rest has not begun.
+      // The part that is being written is kept; the rest has not been started.
       const auto begin = waiting_.begin() + (is_writing_ ? 1 : 0);
       const auto older = std::find_if(begin, waiting_.end(), [&](const Out& out) { return out.key == key; });
       if (older != waiting_.end()) {
@@ -147,7 +147,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
         self->Refuse(NewProblem("you send more than this server allows", "wait a moment"));
         return self->ReadLater();
       } else {
-        // A point for each 64 KB: reading them takes about a millisecond.
+        // A point for each 64 KB: parsing them takes about a millisecond.
         constexpr double kBytesPerPoint = 65536;
         self->site_.Charge(self->session_->place().id(), self->address_,
                            static_cast<double>(text.size()) / kBytesPerPoint);
@@ -157,7 +157,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
     });
   }
 
-  /// What it sends waits in its own socket meanwhile.
+  /// Its data wait in its own socket meanwhile.
   void ReadLater() {
     rest_timer_.expires_after(std::chrono::seconds(1));
     rest_timer_.async_wait([self = shared_from_this()](beast::error_code error) {
@@ -169,7 +169,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
     SendText(std::make_shared<const std::string>(ErrorMessage(problem)), "refusal");
   }
 
-  /// What is under way ends with an error; then nobody holds this connection any more.
+  /// Pending operations end with an error; then no one refers to this connection.
   void Close() {
     rest_timer_.cancel();
     beast::get_lowest_layer(socket_).close();

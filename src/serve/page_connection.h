@@ -12,7 +12,7 @@
 
 namespace soarbox::serve {
 
-/// Lets a page look at a run over a WebSocket, until it goes or the run's place does. `on_gone` is called once.
+/// Serves a page over a WebSocket until it disconnects or the run's place is removed. `on_gone` is called once.
 void ServePage(boost::asio::ip::tcp::socket socket,
                boost::beast::http::request<boost::beast::http::string_body> request, Site& site,
                const Site::Admission& admission, std::function<void()> on_gone);

@@ -12,7 +12,7 @@ using PlainJson = nlohmann::json;
 constexpr std::size_t kMostDepth = 64, kMostFields = 256, kMostValues = 20'000;
 constexpr std::size_t kMostPanels = 64, kMostPanelBytes = 40;
 
-/// Receives the parts of a message from the parser. A false return value ends the parse.
+/// Receives the parts of a message from the parser. Returning false ends the parse.
 class Fields {
  public:
   bool null() { return Value(); }
@@ -78,7 +78,7 @@ class Fields {
 
   PageMessage message_;
   std::string key_;                  ///< Of the outermost object.
-  std::vector<std::size_t> fields_;  ///< Of each object that is open.
+  std::vector<std::size_t> fields_;  ///< For each open object.
   std::vector<std::string> panels_;
   std::size_t values_ = 0, panel_values_ = 0;
   bool is_object_ = false, is_in_panels_ = false, has_panels_ = false;

@@ -8,12 +8,12 @@
 
 namespace soarbox::serve {
 
-/// The fields of a page's message that the server itself needs. The engine reads the rest.
+/// The fields of a page's message that the server uses. The engine reads the rest.
 struct PageMessage {
   std::string request;
-  std::string what;                                ///< Of "open".
-  std::string id;                                  ///< As JSON; empty: none was given.
-  std::optional<std::vector<std::string>> panels;  ///< Of "look"; nothing if it is no list of words.
+  std::string what;                                ///< For "open".
+  std::string id;                                  ///< As JSON; empty if it is absent.
+  std::optional<std::vector<std::string>> panels;  ///< For "look"; nothing if it is not a list of words.
 };
 
 /// Reads a message in one pass, without building its values. Returns nothing if it is no JSON object with a text

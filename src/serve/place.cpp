@@ -39,7 +39,7 @@ bool IsName(std::string_view name) {
   });
 }
 
-/// Whether one of the folders on the way from `from` to the file is a link.
+/// Whether one of the folders between `from` and the file is a link.
 bool GoesThroughLink(const fs::path& from, const fs::path& file) {
   std::error_code error;
   fs::path at = from;
@@ -50,7 +50,7 @@ bool GoesThroughLink(const fs::path& from, const fs::path& file) {
   return false;
 }
 
-/// Writes a file with a name that nobody can guess into the folder; its path. `is_synced`: the bytes are on the disk.
+/// Writes a file with an unguessable name into the folder and returns its path. `is_synced`: the bytes are on the disk.
 Result<fs::path> WritePart(const fs::path& folder, std::string_view bytes, bool is_synced) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -82,7 +82,7 @@ Result<void> PutInPlace(const fs::path& part, const fs::path& file) {
                     "what was there before is still there; try again later");
 }
 
-/// Writes everything that waits for the disk below this folder, once for however many files.
+/// Writes all pending data below this folder to the disk, once for any number of files.
 void SyncAll(const fs::path& folder) {
   const int at = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (at < 0) return;
@@ -90,7 +90,7 @@ void SyncAll(const fs::path& folder) {
   close(at);
 }
 
-/// Removes parts of files that a killed server has left.
+/// Removes partial files that a killed server has left.
 void RemoveOldParts(const fs::path& folder) {
   std::error_code error, ignored;
   const fs::file_time_type oldest = fs::file_time_type::clock::now() - std::chrono::hours(1);
@@ -136,7 +136,7 @@ Place::Contents Place::Look() const {
     if (!it->is_symlink(ignored) && it->is_regular_file(ignored))
       contents.files.push_back({path, it->file_size(ignored)});
     if (!it->is_symlink(ignored) && it->is_directory(ignored)) contents.folders.push_back(path);
-    // Many more than a place may hold: something else has made them.
+    // Far more than a place may contain: they were created by something else.
     if (contents.files.size() + contents.folders.size() > 4 * (limits_.files + limits_.folders)) break;
   }
   std::ranges::sort(contents.files, {}, &PlaceFile::path);
@@ -206,7 +206,7 @@ Result<void> Place::Remove(std::string_view path) {
   std::error_code error;
   if (!fs::is_regular_file(*file, error) || !fs::remove(*file, error))
     return NewProblem("there is no file '" + std::string(path) + "' here");
-  // A folder that still holds something cannot be removed, and ends this.
+  // A folder that is not empty cannot be removed, which ends the loop.
   for (fs::path folder = file->parent_path(); folder != home() && rmdir(folder.c_str()) == 0;)
     folder = folder.parent_path();
   return {};
@@ -225,7 +225,7 @@ Result<std::string> Place::Zip() const {
 Result<std::size_t> Place::Unzip(std::string_view archive) {
   Result<std::vector<ZipEntry>> entries = ReadZip(archive, limits_.files, limits_.bytes);
   if (!entries) return entries.error();
-  // All names are looked at before anything is written.
+  // All names are checked before anything is written.
   for (const ZipEntry& entry : *entries)
     if (const Result<fs::path> file = Find(entry.path); !file)
       return ProblemIn(entry.path, file.error().message, file.error().hint);
@@ -244,7 +244,7 @@ Result<std::size_t> Place::Unzip(std::string_view archive) {
     written.push_back(*std::move(part));
   }
   if (result) SyncAll(parts());
-  // Each file is complete on the disk before it takes the place of another.
+  // Each file is completely on the disk before it replaces another one.
   for (std::size_t i = 0; i < written.size(); ++i) {
     std::error_code ignored;
     const ZipEntry& entry = (*entries)[i];
@@ -271,7 +271,7 @@ Result<Place> Places::New() {
 
 Result<Place> Places::Find(std::string_view id) const {
   std::error_code error;
-  // The id itself is the secret; what a lookup in the file system's index tells of it is nothing to go by.
+  // The id itself is the secret; the timing of a lookup in the file system reveals nothing useful.
   if (!IsId(id) || !fs::is_directory(folder_ / id / "home", error))
     return NewProblem("there is no such place: it was never made, or nobody came for too long",
                       "open this server's first page to get a new one");

@@ -12,7 +12,7 @@
 
 namespace soarbox::serve {
 
-/// A file of a place, with "/" between folders.
+/// A file of a place, with "/" as the separator.
 struct PlaceFile {
   std::string path;
   std::uintmax_t bytes = 0;
@@ -20,55 +20,55 @@ struct PlaceFile {
 struct PlaceRecording {
   std::string name;
   std::uintmax_t bytes = 0;
-  std::int64_t when_s = 0;  ///< Since 1970, when it was written last.
+  std::int64_t when_s = 0;  ///< Modification time, in seconds since 1970.
 };
 
-/// How much a place may hold.
+/// Limits of a place.
 struct PlaceLimits {
   std::size_t files = 256;
   std::size_t folders = 256;
-  std::uintmax_t bytes = 4u << 20;  ///< Of all files together; recordings have limits of their own.
+  std::uintmax_t bytes = 4u << 20;  ///< Total size of all files, without recordings, which have their own limits.
 };
 
-/// Where one person works: files, progress of lessons, drafts and recordings, below one folder. Whoever knows its id
-/// may do all that can be done there. Paths come from strangers: they can name nothing outside.
+/// The folder of one user: files, progress in lessons, drafts and recordings. Anyone who has its id may do everything
+/// in it. Paths come from untrusted users; they cannot refer to anything outside.
 class Place {
  public:
   Place(std::string id, std::filesystem::path root, PlaceLimits limits);
 
   const std::string& id() const { return id_; }
-  /// All that belongs to it is below this folder.
+  /// The folder that contains all its data.
   const std::filesystem::path& root() const { return root_; }
-  /// The person's own files: what a process that works for the place has for its home.
+  /// The user's own files. Processes for this place have it as their home.
   std::filesystem::path home() const { return root_ / "home"; }
-  /// What programs note for the person: $XDG_STATE_HOME of such a process.
+  /// The state that programs store for the user: $XDG_STATE_HOME of such processes.
   std::filesystem::path state() const { return root_ / "state"; }
 
   std::vector<PlaceFile> Files() const { return Look().files; }
   std::vector<PlaceRecording> Recordings() const;
   Result<std::string> Read(std::string_view path) const;
-  /// Writes it whole, then puts it in its place.
+  /// Writes a file atomically.
   Result<void> Write(std::string_view path, std::string_view bytes);
-  /// Removes a file, and the folders that are empty without it.
+  /// Removes a file, and folders that become empty.
   Result<void> Remove(std::string_view path);
-  /// A recording by its name alone; the error says that there is none.
+  /// The path of a recording by its name. Fails if there is none.
   Result<std::filesystem::path> FindRecording(std::string_view name) const;
 
-  /// All files as a zip archive, and the files of such an archive, which take the place of those of the same names.
+  /// Zip returns all files as a zip archive. Unzip adds the files of an archive; they replace files of the same names.
   Result<std::string> Zip() const;
   Result<std::size_t> Unzip(std::string_view archive);
 
  private:
   struct Contents {
     std::vector<PlaceFile> files;
-    std::vector<std::string> folders;  ///< With "/" between them, sorted.
+    std::vector<std::string> folders;  ///< With "/" as the separator, sorted.
   };
   Contents Look() const;
-  /// Whether there is room for all of these at once.
+  /// Fails if there is not enough room for all of these files.
   Result<void> HasRoomFor(const std::vector<PlaceFile>& wanted) const;
-  /// Where files lie until they are complete. On the disk of the place, but outside of what a person sees.
+  /// Folder for incomplete files. On the same disk as the place, but not visible to the user.
   std::filesystem::path parts() const { return root_ / "parts"; }
-  /// Below home; the error says what is wrong with the path.
+  /// The path below home. Fails if it is invalid.
   Result<std::filesystem::path> Find(std::string_view path) const;
 
   std::string id_;
@@ -82,9 +82,9 @@ class Places {
   Places(std::filesystem::path folder, PlaceLimits limits) : folder_(std::move(folder)), limits_(limits) {}
 
   Result<Place> New();
-  /// The error says that no place has this id. Counts as a visit.
+  /// Fails if there is no place with this id. Counts as a visit.
   Result<Place> Find(std::string_view id) const;
-  /// Removes those that nobody has visited for so many days, but for those that are named.
+  /// Removes places that were not visited for `days` days, except those in `kept`.
   void RemoveOlderThan(int days, const std::vector<std::string>& kept) const;
 
  private:

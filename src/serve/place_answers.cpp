@@ -123,7 +123,7 @@ double CostBefore(const PlaceRequest& request) {
 
 double CostAfter(const PlaceRequest& request, const WebResponse& response) {
   const bool is_archive = request.parts.size() > 3 && request.parts[3] == "zip";
-  // To compress takes longer than to read; what came was written file by file, and each file has a name.
+  // Compressing takes longer than reading; uploaded data are written file by file, with a cost for each name.
   constexpr double kBytesPerPoint = 65'536, kPackedPerPoint = 4'096, kCamePerPoint = 1'024, kMostWritten = 100;
   if (is_archive && request.method == "POST")
     return response.status == 200 ? std::min(static_cast<double>(request.body.size()) / kCamePerPoint, kMostWritten)

@@ -20,33 +20,33 @@ struct WebResponse {
   std::string body;
   std::filesystem::path file = {};  ///< If not empty: the body is this file, which is read while it is sent.
   std::vector<std::pair<std::string, std::string>> headers = {};
-  std::string framed_by = {};  ///< Sites whose pages may show it in a frame; empty: none.
+  std::string framed_by = {};  ///< Sites that may show the response in a frame; empty: none.
 };
 
 WebResponse Refusal(int status, const Diagnostic& problem);
 WebResponse Refusal(int status, std::string message, std::string hint = {});
 WebResponse Good(const nlohmann::ordered_json& json);
 
-/// What is known of a place without its disk.
+/// Data of a place that are not on its disk.
 struct PlaceStatus {
   std::string learner, opens;
   bool has_run = false;
 };
 
-/// A request about what one place holds: `parts` is the path of the address, "api", "p", the place, what, and the rest.
+/// A request about one place. `parts` is the path of the URL: "api", "p", the place, the subject, and the rest.
 struct PlaceRequest {
   std::string method;
   std::vector<std::string> parts;
   std::string body;
   PlaceStatus status;
 };
-/// Answers it from the disk, on any thread.
+/// Answers a request from the disk. Can be called on any thread.
 WebResponse AnswerFromPlace(const PlaceRequest& request, Place& place, const Catalog& catalog, const Limits& limits);
-/// How many points a request costs, before and after it is known what it did (work.h).
+/// The cost of a request in points (work.h), before it is executed and after the result is known.
 double CostBefore(const PlaceRequest& request);
 double CostAfter(const PlaceRequest& request, const WebResponse& response);
 
-/// The parts of a path from the first one on, with "/" between them.
+/// Joins the parts of a path, beginning with index `first`, with "/".
 std::string JoinedFrom(const std::vector<std::string>& parts, std::size_t first);
 
 }  // namespace soarbox::serve

@@ -23,7 +23,7 @@ Result<PlaceLock> PlaceLock::Take(const std::filesystem::path& root) {
     return NewProblem("another server runs a world of this place now",
                       "close its page there and wait until that run has ended; whoever runs the servers can let each "
                       "place go to one of them (docs/serve.md)");
-  // A disk that knows no locks.
+  // The file system has no locks.
   return lock;
 }
 

@@ -8,11 +8,12 @@
 
 namespace soarbox::serve {
 
-/// Keeps other servers from running the world of a place that this one runs. The system takes it away when the server
-/// ends, however it ends; on a disk that several machines share, too, if that disk knows locks (NFS does).
+/// Prevents other servers from running the world of a place at the same time. The operating system releases the lock
+/// when the server ends, in any way. It also works on a disk shared by several machines if that supports locks (NFS
+/// does).
 class PlaceLock {
  public:
-  /// `root`: the folder of the place. An error if another server has it.
+  /// `root`: the folder of the place. Fails if another server has the lock.
   static Result<PlaceLock> Take(const std::filesystem::path& root);
   PlaceLock(PlaceLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
   PlaceLock& operator=(PlaceLock&& other) noexcept {

@@ -6,11 +6,11 @@
 
 namespace soarbox::serve {
 
-/// 128 bits that nobody can guess, as 26 letters and digits (base 32 without i, l, o and u).
+/// A random id of 128 bits, as 26 letters and digits (base 32 without i, l, o and u).
 std::string NewId();
-/// Whether a text could be one.
+/// Whether a text has the form of an id.
 bool IsId(std::string_view text);
-/// Whether two secrets are equal, in a time that tells nothing of where they differ.
+/// Compares two secrets in constant time.
 bool SameSecret(std::string_view given, std::string_view wanted);
 
 }  // namespace soarbox::serve

@@ -30,8 +30,8 @@ using Tcp = asio::ip::tcp;
 constexpr auto kHeaderTime = std::chrono::seconds(15), kIdleTime = std::chrono::seconds(60);
 constexpr std::uint32_t kMostHeaderBytes = 16u << 10;
 
-/// How many connections there are, in all and from each address, and how many bytes the server holds for them: bodies
-/// that come, and answers that go.
+/// Number of connections, in total and per address, and the bytes that the server stores for them: received bodies, and
+/// replies to be sent.
 class Counts {
  public:
   explicit Counts(Limits limits) : limits_(limits) {}
@@ -76,7 +76,7 @@ std::string Text(beast::string_view view) {
   return {view.data(), view.size()};
 }
 
-/// One connection: request after request, until it becomes a WebSocket or goes.
+/// A connection: handles requests until it becomes a WebSocket or is closed.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(Tcp::socket socket, Site& site, std::shared_ptr<Counts> counts, std::string address)
@@ -102,7 +102,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                               self->ReadBody();
                             });
   }
-  /// Says why this connection is not served, and ends it.
+  /// Sends the reason why this connection is not served, and closes it.
   void Refuse(int status, const std::string& text) {
     WebResponse response;
     response.status = status;
@@ -114,7 +114,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   using Request = http::request<http::string_body>;
 
   void ReadBody() {
-    // A body in chunks does not say how long it will be.
+    // A chunked body does not specify its length.
     const auto length = parser_->content_length();
     const std::size_t most = site_.settings().limits.upload_bytes;
     const std::size_t bytes = parser_->chunked() ? most : length ? static_cast<std::size_t>(*length) : 0;
@@ -128,7 +128,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     });
   }
 
-  /// Counts the bytes that the server holds for this connection, instead of those before.
+  /// Sets the number of bytes that the server stores for this connection.
   void Hold(std::size_t bytes) {
     counts_->RemoveBytes(address_, std::exchange(held_bytes_, bytes));
     counts_->AddBytes(address_, bytes);
@@ -137,7 +137,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void TellBroken(beast::error_code error) {
     if (error == http::error::body_limit) return Refuse(413, "this is larger than the server takes");
     if (error == http::error::header_limit) return Refuse(431, "this request has too many headers");
-    // Whoever has closed or is silent hears nothing any more; whatever else it was is no request.
+    // A client that has closed or is silent gets no reply; any other error is a malformed request.
     if (error == http::error::end_of_stream || error == beast::error::timeout ||
         error.category() == asio::error::get_system_category() || error == http::error::partial_message)
       return;
@@ -159,7 +159,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     web.address = address_;
     const std::vector<std::string>& proxies = site_.settings().proxies;
     if (std::ranges::find(proxies, address_) != proxies.end()) {
-      // The last is what our own proxy has seen.
+      // The last address is the one that our own proxy has seen.
       const std::string forwarded = Text(request["X-Forwarded-For"]);
       const std::size_t last = forwarded.find_last_of(", ");
       if (!forwarded.empty()) web.address = last == std::string::npos ? forwarded : forwarded.substr(last + 1);
@@ -170,7 +170,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void Take(Request request) {
     const WebRequest web = Read(request);
     const unsigned version = request.version();
-    stream_.expires_never();  // The server's own work takes as long as it takes.
+    stream_.expires_never();  // The server's own work has no time limit.
     if (beast::websocket::is_upgrade(request)) {
       const auto kept = std::make_shared<Request>(std::move(request));
       return site_.Admit(web, [self = shared_from_this(), kept, version](Site::Admission admission) {
@@ -192,7 +192,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.version(version);
     response.result(static_cast<unsigned>(given.status));
     response.set(http::field::content_type, given.type);
-    // No script but the page's own, in no frame but those that --embed names, and no place's link in anybody's log.
+    // Only the page's own scripts, only in frames of the sites in --embed, and no place's link in the logs of other
+    // sites.
     response.set("Content-Security-Policy",
                  "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
                  "connect-src 'self' ws: wss:; frame-ancestors " +
@@ -222,7 +223,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     Send(response, keeps_on);
   }
 
-  /// The file is read piece by piece while it is sent.
+  /// Reads the file piece by piece while sending it.
   void WriteFile(const WebResponse& given, unsigned version, bool keeps_on) {
     const auto response = std::make_shared<http::response<http::file_body>>();
     SetHead(*response, given, version);
@@ -269,7 +270,7 @@ class Server {
     acceptor_.async_accept([this](beast::error_code error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (!error) Take(std::move(socket));
-      // Without descriptors there is nothing to accept; some will come free.
+      // Without free descriptors, no connection can be accepted until later.
       if (error) return AcceptLater();
       Accept();
     });
@@ -280,7 +281,7 @@ class Server {
     timer_.async_wait([this](beast::error_code error) {
       if (error) return;
       site_.CleanUp();
-      // A page that is loaded again is away for a moment.
+      // A page that is reloaded is disconnected for a moment.
       constexpr int kMostAway = 3;
       times_left_ = site_.WasLeft() ? times_left_ + 1 : 0;
       if (site_.settings().ends_when_alone && times_left_ == kMostAway && on_left_) on_left_();
@@ -322,7 +323,7 @@ class Server {
   std::shared_ptr<Counts> counts_;
   asio::steady_timer timer_;
   std::function<void()> on_left_;
-  int times_left_ = 0;  ///< How often in a row nobody was there.
+  int times_left_ = 0;  ///< Consecutive checks without a client.
 };
 
 Diagnostic CannotListen(const Settings& settings, const std::string& why) {
@@ -370,7 +371,7 @@ Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
   const auto end = [&] {
     server.Close();
     (*site)->EndAll("The server is being stopped. What you typed and the recording are kept.");
-    // Engines write the ends of their recordings meanwhile.
+    // Meanwhile engines write the ends of their recordings.
     grace.expires_after(std::chrono::seconds(2));
     grace.async_wait([&io](beast::error_code) { io.stop(); });
   };

@@ -10,9 +10,9 @@
 
 namespace soarbox::serve {
 
-/// Serves pages in browsers until the process gets SIGINT or SIGTERM (docs/serve.md). `on_listening` gets the addresses
-/// to open: the first is everybody's; then the class's, if there is one, with their names. Returns why it could not
-/// serve, or nothing.
+/// Serves pages to browsers until the process receives SIGINT or SIGTERM (docs/serve.md). `on_listening` gets the
+/// addresses to open: the first is for everyone; the others are those of the class, with names, if there is one. Fails
+/// if it cannot serve.
 struct Address {
   std::string name, link;
 };

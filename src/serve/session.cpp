@@ -17,7 +17,7 @@ Bytes Shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// The last line that says what was wrong.
+/// The last line that contains an error.
 std::string LastError(const std::string& words) {
   std::string last;
   for (std::size_t at = 0; at < words.size();) {
@@ -29,7 +29,7 @@ std::string LastError(const std::string& words) {
   return last;
 }
 
-/// The folder of a place holds its secret: messages leave it out.
+/// Removes the path of a place, which contains its secret, from a message.
 std::string WithoutPath(std::string text, const std::string& root) {
   for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root, at))
     text.replace(at, root.size(), kShownRoot);
@@ -73,7 +73,7 @@ void Session::Advance() {
       place_.id(),
       [this, self = shared_from_this(), words, what = wanted_->what] { *words = settings_.engine(what, place_); },
       [this, self = shared_from_this(), words, what = wanted_->what] {
-        // Somebody has asked for something else meanwhile, or for nothing any more.
+        // Meanwhile another world was requested, or none.
         if (!wanted_ || wanted_->what != what) return Advance();
         Result<void> may = words->empty()       ? NewProblem("there is nothing called '" + what + "' to open",
                                                              "the first page lists what there is")
@@ -98,7 +98,7 @@ void Session::EndForNext(const std::string& what, const std::vector<std::string>
 }
 
 void Session::StartLater(const std::string& what, const std::vector<std::string>& words) {
-  // However often somebody opens, a place starts at most two processes a second.
+  // A place starts at most two processes per second.
   constexpr auto kEvery = std::chrono::milliseconds(500);
   phase_ = Phase::kStarting;
   start_timer_.expires_at(std::max(Clock::now(), began_ + kEvery));
@@ -155,7 +155,7 @@ void Session::OnStarted(const std::string& what, const EngineProcess::Spawned& s
   began_ = looked_at_ = Clock::now();
   activity_.Begin(what, began_);
   silent_checks_ = 0;
-  // Somebody has asked for something else meanwhile, or the run was ended before it had begun.
+  // Meanwhile another world was requested, or the run was ended before it had begun.
   if (!wanted_) return End("The run was ended before it had begun.");
   if (wanted_->what != what) return Advance();
   wanted_.reset();
@@ -174,7 +174,7 @@ void Session::Join(Viewer& viewer, const std::string& tab) {
   looked_at_ = Clock::now();
   if (viewer.MayAsk()) {
     tabs_[&viewer] = tab;
-    // A tab whose connection was lost connects again before the server has noticed the loss.
+    // A tab that has lost its connection reconnects before the server notices the loss.
     const bool is_back = editor_ != nullptr && !tab.empty() && tabs_[editor_] == tab;
     HandTextsTo(editor_ == nullptr || is_back ? &viewer : editor_);
     if (const std::string greeting = greeting_ ? greeting_() : ""; !greeting.empty())
@@ -206,7 +206,7 @@ Activity::Standing Session::Standing() {
     const auto found = contents_.find(name);
     return found == contents_.end() ? nullptr : found->second;
   };
-  // To read them takes time: they are read again only when they have changed.
+  // Parsing them takes time, so they are parsed only after changes.
   const std::array<Bytes, 3> told = {find("edit"), find("problems"), find("mission")};
   const auto text = [&](std::size_t i) { return told[i] == nullptr ? std::string() : *told[i]; };
   if (std::exchange(looked_, told) != told) activity_.Look(text(0), text(1), text(2), now);
@@ -261,14 +261,14 @@ void Session::Take(Viewer& viewer, std::string text) {
   activity_.NoteRequest(*message, Clock::now());
   if (request == "presence") return refuse(NewProblem("the server itself says who is present"));
   if (request == "open") {
-    // The page may be gone when the answer is there.
+    // The page may be closed when the reply arrives.
     return Open(message->what, [this, who = &viewer, id = message->id](const Diagnostic& problem) {
       if (std::ranges::find(viewers_, who) != viewers_.end()) who->SendText(Shared(ErrorMessage(problem, id)), {});
     });
   }
   if (request == "take-over") return HandTextsTo(&viewer);
   if (engine_ == nullptr) {
-    // A request for the run that is about to begin: that run says what there is.
+    // A request for the run that is about to start: that run reports what is available.
     if (is_running() || wanted_) return;
     return refuse(NewProblem("there is no run", "open one first"));
   }
@@ -310,7 +310,7 @@ void Session::ListenForLife() {
   life_timer_.expires_after(std::chrono::milliseconds(1000 / kChecksPerSecond));
   life_timer_.async_wait([this, alive = std::weak_ptr<int>(alive_)](boost::system::error_code error) {
     if (error || alive.expired() || engine_ == nullptr) return;
-    // Counted, not taken from a clock: a machine that slept has not listened.
+    // A count, not a clock, because a suspended machine has not listened.
     ++silent_checks_;
     if (hello_ != nullptr && silent_checks_ >= kBusyAfter && !std::exchange(is_busy_, true))
       Tell(R"({"message":"busy"})");
@@ -327,7 +327,7 @@ void Session::Tell(const std::string& text, const std::string& key) {
 }
 
 void Session::OnFrame(Frame frame) {
-  // Whatever it says, it answers: not every request ends with "done".
+  // Any message is a sign of life: not every request ends with "done".
   NoLongerBusy();
   silent_checks_ = 0;
   switch (frame.kind) {
@@ -337,7 +337,7 @@ void Session::OnFrame(Frame frame) {
     case FrameKind::kText:
       return Tell(frame.bytes);
     case FrameKind::kHello: {
-      // It does not know by what name it was asked for.
+      // The engine does not know the name with which it was requested.
       Json hello = Json::parse(frame.bytes, nullptr, false);
       if (!hello.is_object()) return;
       hello["what"] = what_;

@@ -22,7 +22,7 @@ int HexOf(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// "%20" becomes a blank; what is no such code stays.
+/// Decodes "%20" to a blank; invalid codes are unchanged.
 std::string Decoded(std::string_view text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -33,7 +33,7 @@ std::string Decoded(std::string_view text) {
   return decoded;
 }
 
-/// The parts of a path between slashes, decoded; a slash within a part is none any more.
+/// Splits a path at slashes and decodes the parts; an encoded slash does not split.
 std::vector<std::string> PartsOf(std::string_view target) {
   target = target.substr(0, target.find_first_of("?#"));
   std::vector<std::string> parts;
@@ -80,7 +80,7 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
   if (!files) return files.error();
   std::error_code error;
   std::filesystem::create_directories(settings.state / "places", error);
-  // The names of places are their secrets.
+  // The names of places are secrets.
   for (const std::filesystem::path& folder : {settings.state, settings.state / "places"})
     if (!error) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   if (error)
@@ -110,7 +110,7 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
 
 bool Site::IsOurHost(std::string_view host) const {
   const std::string_view name = NameOfHost(host);
-  // A foreign page whose name was made to lead here brings its own name along.
+  // A foreign page whose name was pointed to this address uses its own name.
   return IsNumber(name) || name == "localhost" || std::ranges::find(settings_.hosts, name) != settings_.hosts.end();
 }
 
@@ -151,7 +151,7 @@ bool Site::HasToken(const WebRequest& request, WebResponse& refusal) {
   std::string given;
   if (request.authorization.starts_with(kBearer)) given = request.authorization.substr(kBearer.size());
   if (request.protocols.starts_with(kProtocol)) given = request.protocols.substr(kProtocol.size());
-  // The right one is never refused: others at the same address may have tried wrong ones.
+  // The right token is never refused, because others at the same address may have tried wrong ones.
   if (SameSecret(given, settings_.token)) return true;
   const auto most = static_cast<std::size_t>(settings_.limits.wrong_tokens_per_minute);
   if (IsOver(wrong_tokens_, request.address, most, std::chrono::seconds(60))) {
@@ -285,7 +285,7 @@ void Site::Do(const std::string& line, std::function<WebResponse()> job, Done do
 void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
   const std::string& id = parts[2];
   if (!IsId(id)) return done(Refusal(404, places_.Find(id).error()));
-  // One place may not fill the queue, however many connections it has.
+  // One place may not fill the queue, with any number of connections.
   constexpr std::size_t kMostWaiting = 16;
   if (!MayBegin(id, request.address) || work_.Waiting(id) >= kMostWaiting) {
     WebResponse refusal = Refusal(429, "you ask for more than this server allows", "wait a moment");
@@ -325,7 +325,7 @@ Result<void> Site::MayStart(const Session& session) const {
   if (all >= settings_.limits.sessions)
     return NewProblem("this server runs as many worlds as it may (" + std::to_string(settings_.limits.sessions) + ")",
                       "try again in some minutes");
-  // Learners of the class may all sit behind one address.
+  // All learners of a class may have the same address.
   if (of_address >= settings_.limits.sessions_per_address && !is_of_class(session))
     return NewProblem("as many worlds run for your address as this server allows (" +
                           std::to_string(settings_.limits.sessions_per_address) + ")",
@@ -336,7 +336,7 @@ Result<void> Site::MayStart(const Session& session) const {
 std::shared_ptr<Session> Site::SessionOf(const Place& place, const std::string& address) {
   const auto found = sessions_.find(place.id());
   if (found != sessions_.end()) return found->second;
-  // Those at which nobody looks and that run nothing hold no room.
+  // Sessions without viewers and without a run do not count.
   auto session =
       std::make_shared<Session>(io_, work_, settings_, place, [this](const Session& each) { return MayStart(each); });
   session->set_address(address);
@@ -379,7 +379,7 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
         }
         const bool is_new = !sessions_.contains((*place)->id());
         admission.session = SessionOf(**place, admission.address);
-        // Whoever could open nothing is told at once, and tries again later.
+        // A user who could open nothing is informed at once, and tries again later.
         if (const Result<void> may = is_new ? MayStart(*admission.session) : Result<void>(); !may) {
           sessions_.erase((*place)->id());
           admission.session = nullptr;

@@ -25,16 +25,16 @@
 
 namespace soarbox::serve {
 
-/// A request over HTTP, as far as the site needs it. All of it comes from strangers.
+/// An HTTP request, reduced to what the site needs. All fields come from untrusted clients.
 struct WebRequest {
   std::string method, target;
   std::string host, origin, authorization, protocols, tag, cookies;
   bool takes_gzip = false;
   std::string body;
-  std::string address;  ///< Who asks.
+  std::string address;  ///< Address of the client.
 };
-/// What a server offers, whatever the transport: places, files, the class, runs. It belongs to one
-/// thread; what takes long is done on others (work.h), and the answer comes on its own.
+/// What a server offers, independent of the transport: places, files, the class, runs. It belongs to one thread. Slow
+/// work is done on other threads (work.h), and the answer comes later.
 class Site {
  public:
   static Result<std::unique_ptr<Site>> Make(boost::asio::io_context& io, Settings settings,
@@ -42,23 +42,23 @@ class Site {
 
   using Done = std::function<void(WebResponse)>;
   void Answer(const WebRequest& request, Done done);
-  /// Whether a place and an address may cause more work now, and what they have caused (Costs in work.h).
+  /// Whether a place and an address may cause more work now. Charge records what they have caused (Costs in work.h).
   bool MayBegin(const std::string& place, const std::string& address);
   void Charge(const std::string& place, const std::string& address, double points);
 
-  /// Whether a page may see the run that it asks for.
+  /// The result of a page's request to connect to a run.
   struct Admission {
-    std::shared_ptr<Session> session;  ///< Null: it may not; then the response says why.
+    std::shared_ptr<Session> session;  ///< Null if it is refused; `refusal` then contains the response.
     bool may_ask = false;
-    std::string protocol;  ///< Which the server has to name; empty: none.
+    std::string protocol;  ///< The protocol that the server must name; empty: none.
     std::string address, tab = {};
     WebResponse refusal;
   };
   void Admit(const WebRequest& request, std::function<void(Admission)> done);
 
-  /// Call it once in a while: removes what nobody needs any more.
+  /// Removes expired data. Call it periodically.
   void CleanUp();
-  /// Whether a page was there and none is any more.
+  /// Whether a page was connected and none is any more.
   bool WasLeft() const;
   void EndAll(const std::string& why);
   const Settings& settings() const { return settings_; }
@@ -75,7 +75,8 @@ class Site {
         watch_links_(settings_.state / "watch"),
         work_(io) {}
 
-  /// Refuses what comes from no page of this server, or from somebody who may not use it, and says why.
+  /// Returns false, with a response, if the request does not come from a page of this server, or from an unauthorized
+  /// user.
   bool IsWelcome(const WebRequest& request, WebResponse& refusal);
   bool HasToken(const WebRequest& request, WebResponse& refusal);
   bool IsOurHost(std::string_view host) const;
@@ -100,14 +101,14 @@ class Site {
   WebResponse WriteNote(const ClassList& list, const std::string& body);
   std::filesystem::path DeskFile() const { return settings_.state / "class_desk.json"; }
   void SaveDesk();
-  /// Tells the learner's pages what has changed.
+  /// Sends the present messages and hand to the learner's pages.
   void GreetAgain(const std::string& place);
-  /// The link by which others may watch a place's run, and what such a link leads to.
+  /// AnswerWatchLink creates the link with which others can watch a place's run; AnswerWatch resolves such a link.
   void AnswerWatchLink(const WebRequest& request, const std::string& place, Done done);
   void AnswerWatch(const std::string& link, Done done);
-  /// Answers on a thread of the pool, after what came before in the same line.
+  /// Executes a job on a thread of the pool, after the earlier jobs of the same line.
   void Do(const std::string& line, std::function<WebResponse()> job, Done done);
-  /// What somebody of the class does now, by place.
+  /// What a user of the class does now, by place.
   struct Doing {
     std::string what;
     bool is_watched = false;
@@ -131,7 +132,7 @@ class Site {
   ClassDesk desk_;
   bool was_visited_ = false;
   std::map<std::string, std::shared_ptr<Session>, std::less<>> sessions_;  ///< By place.
-  /// How often an address did something in the window that began then.
+  /// Number of times that an address did something since `since`.
   struct Count {
     Clock::time_point since;
     std::size_t count = 0;
@@ -139,7 +140,7 @@ class Site {
   bool IsOver(std::map<std::string, Count>& counts, const std::string& address, std::size_t most,
               std::chrono::seconds window);
   std::map<std::string, Count> wrong_tokens_, new_places_;
-  // A place may keep a tenth of a core busy, an address half of one.
+  // Limits of processor time: a tenth of a core per place, half a core per address.
   Costs place_costs_{100, 1'000}, address_costs_{500, 5'000};
   std::unique_ptr<Arena> arena_;
   std::unique_ptr<lti::Tool> lti_;  ///< Null: no learning platform may open lessons here.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a class adds to the site: the teacher's table, messages and raised hands, the arena, and links to watch a run.
+// The parts of the site for classes: the teacher's table, messages and raised hands, the arena, and links for watching
+// a run.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -15,7 +16,7 @@ namespace {
 
 using ClassJson = nlohmann::ordered_json;
 
-/// A cell of a table, quoted; a spreadsheet takes none for a formula.
+/// A quoted table cell that spreadsheets do not treat as a formula.
 std::string CsvCell(std::string text) {
   if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) text.insert(0, "'");
   std::string cell = "\"";
@@ -165,7 +166,7 @@ void Site::AnswerLearner(const WebRequest& request, const std::vector<std::strin
 void Site::HandIn(const std::string& game, const std::string& place, const std::string& body, Done done) {
   const ClassJson json = ClassJson::parse(body, nullptr, false);
   std::string file = FieldText(json, "file");
-  // As pages see the names of files.
+  // In the form in which pages see file names.
   const std::string home = std::string(kShownRoot) + "/home/";
   if (file.starts_with(home)) file.erase(0, home.size());
   const auto found = std::make_shared<Result<Place>>(NewProblem("not looked for"));
@@ -257,7 +258,7 @@ WebResponse Site::Table(const ClassList& list, const lti::ScoreCount& scores,
     for (const Lesson& lesson : lessons) {
       const Progress progress = catalog_->ProgressOf(place->state(), lesson.name);
       done[lesson.name] = {{"is_done", progress.is_passed}, {"tries", progress.attempts}, {"hints", progress.hints}};
-      // Of the lesson that is open now, else of the last one that is not passed.
+      // Of the currently open lesson, else of the last one that is not passed.
       const bool is_open = does.what == "lesson:" + lesson.name;
       if (!progress.last_hint.empty() && (is_open || (!has_open_hint && !progress.is_passed)))
         last_hint = progress.last_hint;
@@ -308,7 +309,7 @@ WebResponse Site::TableAsCsv(const ClassList& list, bool is_long) const {
         csv += CsvCell(learner.name) + "," + CsvCell(lesson.course) + "," + CsvCell(lesson.name) + "," +
                CsvCell(lesson.title) + "," + (progress.is_passed ? "1," : "0,") + std::to_string(progress.attempts) +
                "," + std::to_string(progress.hints) + "\r\n";
-      // A lesson that nobody has tried has no grade; in the long form it has a row.
+      // A lesson that was never tried has no grade; in the long form it has a row.
       const bool is_begun = progress.is_passed || progress.attempts > 0 || progress.hints > 0;
       cells += std::string(",") + (progress.is_passed ? "1" : is_begun ? "0" : "");
     }

@@ -10,18 +10,18 @@
 
 namespace soarbox::serve {
 
-/// The files of the built page, read once, compressed once.
+/// The files of the built page. They are read and compressed once.
 class StaticFiles {
  public:
   struct File {
     std::string type;  ///< "text/css; charset=utf-8"
     std::string bytes;
-    std::string gzipped;  ///< Empty: that would be no smaller.
-    std::string tag;      ///< Changes with the bytes.
+    std::string gzipped;  ///< Empty if compression does not make it smaller.
+    std::string tag;      ///< Changes with the content.
   };
-  /// The error says that the page was not built.
+  /// Fails if the page was not built.
   static Result<StaticFiles> Read(const std::filesystem::path& folder);
-  /// By its path from the folder, "assets/page.js"; null: there is none.
+  /// Finds a file by its path relative to the folder, "assets/page.js"; null if there is none.
   const File* Find(std::string_view path) const;
 
  private:

@@ -51,8 +51,8 @@ bool WriteTo(const char* path, const std::string& text) {
   return is_written;
 }
 
-/// Whether the kernel counts the processes of a user namespace on their own: Linux 5.14 and newer. Older ones count all
-/// processes of the user, also those of other places.
+/// Whether the kernel counts processes per user namespace: Linux 5.14 and newer. Older kernels count all processes of
+/// the user, including those of other places.
 bool CountsByNamespace() {
   utsname system{};
   int major = 0, minor = 0;
@@ -60,7 +60,7 @@ bool CountsByNamespace() {
   return std::pair(major, minor) >= std::pair(5, 14);
 }
 
-/// A user namespace of its own, in which processes are counted on their own, with an empty network if wanted. Returns
+/// Creates a user namespace, in which processes are counted separately, with an empty network if requested. Returns
 /// what is missing.
 unsigned TakeNetwork(bool may_connect) {
   const uid_t user = getuid();
@@ -73,19 +73,19 @@ unsigned TakeNetwork(bool may_connect) {
   WriteTo("/proc/self/uid_map", same_user);
   WriteTo("/proc/self/gid_map", same_group);
   if (!CountsByNamespace()) return kNoCount;
-  // The run itself, its threads, and the process that grades a lesson with one of its own for each core.
+  // The run itself, its threads, and the process that grades a lesson with one process for each core.
   const rlim_t most = 64 + 2 * static_cast<rlim_t>(std::max(sysconf(_SC_NPROCESSORS_ONLN), 1l));
   const rlimit limit{most, most};
   if (setrlimit(RLIMIT_NPROC, &limit) != 0) return kNoCount;
   return 0;
 }
 
-// Rights that are newer than the headers that this is built with.
+// Rights that are newer than the headers of this build.
 constexpr std::uint64_t kTruncate = 1ull << 14, kConnections = 3, kScopes = 3;
 constexpr std::uint64_t kRead = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t kAllFirst = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;
 
-/// The newest form of a set of rules; a kernel takes as much of it as it knows.
+/// The newest version of the structure; a kernel uses the part that it supports.
 struct RuleSet {
   std::uint64_t files, network, scopes;
 };
@@ -130,13 +130,13 @@ class Landlock {
 
 bool TakeFiles(const WallSettings& settings) {
   const Landlock landlock(settings.may_connect);
-  // What the loader and the C library read, but no folder with programs.
+  // Files that the loader and the C library read, but no folder with programs.
   for (const char* path : {"/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/usr/share/zoneinfo",
                            "/usr/share/locale", "/etc/ld.so.cache", "/etc/localtime", "/dev/urandom", "/proc/self",
                            "/proc/meminfo", "/proc/cpuinfo", "/proc/stat", "/sys/devices/system/cpu"})
     landlock.Allow(path, kRead);
   landlock.Allow("/dev/null", kRead | LANDLOCK_ACCESS_FS_WRITE_FILE);
-  // A lesson is graded by this same program, which its loader starts.
+  // This program also grades lessons, and its loader must be able to start it.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   for (const fs::path& part :
@@ -209,7 +209,7 @@ bool FilterCalls(bool may_connect) {
     program.push_back({code, yes, no, value});
   };
   const std::uint32_t refuse = SECCOMP_RET_ERRNO | EPERM;
-  // Calls of another machine's form have other numbers: they end the process.
+  // Calls of another architecture have other numbers: they end the process.
   add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
   add(BPF_JMP | BPF_JEQ | BPF_K, kMachine, 1, 0);
   add(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);

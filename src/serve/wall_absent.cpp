@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where a program has no processes (WebAssembly).
+// For systems without processes (WebAssembly).
 #include "serve/wall.h"
 
 namespace soarbox::serve {

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two places beside each other.
+/// Two places next to each other.
 class Wall : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -34,7 +34,7 @@ class Wall : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(root_); }
 
-  /// What `act` returns in a process that has the wall of a place.
+  /// The result of `act` in a process with the wall of a place.
   int Behind(const std::function<int()>& act, bool may_connect = false) const {
     const pid_t pid = fork();
     if (pid == 0) {
@@ -84,7 +84,7 @@ TEST_F(Wall, NothingCanBeConnected) {
   if (!Has("seccomp")) GTEST_SKIP() << "no seccomp here";
   for (const int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK})
     EXPECT_EQ(Behind([&] { return socket(family, SOCK_DGRAM, 0) >= 0 ? 0 : errno; }), EPERM) << family;
-  // A socket that it has already.
+  // A socket that it already has.
   const int before = socket(AF_INET, SOCK_DGRAM, 0);
   EXPECT_EQ(Behind([&] {
               sockaddr_in to{};
@@ -124,9 +124,9 @@ TEST_F(Wall, ProcessesAreCounted) {
               rlimit limit{};
               constexpr rlim_t kTooMany = 5'000;
               if (getrlimit(RLIMIT_NPROC, &limit) != 0 || limit.rlim_cur > kTooMany) return 2;
-              // The system counts no processes of root.
+              // The system does not count root's processes.
               if (getuid() == 0) return 0;
-              // Each of them waits until this process ends, so that all exist at once.
+              // Each of them waits until this process ends, so that all exist at the same time.
               int ends[2];
               if (pipe(ends) != 0) return 3;
               for (rlim_t started = 0; started <= limit.rlim_cur; ++started) {

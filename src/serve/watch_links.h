@@ -10,18 +10,19 @@
 
 namespace soarbox::serve {
 
-/// Links by which others watch the run of a place and change nothing. A link does not hold the id of the place, which
-/// is its secret. A place has at most one; if it is withdrawn, the next one is another. Kept on the disk.
+/// Links with which others can watch the run of a place, but not change anything. A link does not contain the id of the
+/// place, which is its secret. A place has at most one link. After it was withdrawn, the next link is different. Stored
+/// on the disk.
 class WatchLinks {
  public:
   explicit WatchLinks(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The id of the place's link; empty: it has none.
+  /// The id of the place's link; empty if it has none.
   std::string Find(const Place& place) const;
-  /// Likewise; makes it if there is none.
+  /// The same; creates the link if there is none.
   Result<std::string> FindOrMake(const Place& place) const;
   void Withdraw(const Place& place) const;
-  /// The id of the place that a link leads to; the error says that it leads nowhere.
+  /// The id of the place that a link refers to. Fails if the link is not valid.
   Result<std::string> PlaceOf(std::string_view link) const;
 
  private:

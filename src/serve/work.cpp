@@ -26,9 +26,9 @@ void Work::Do(const std::string& name, std::function<void()> job, std::function<
     try {
       job();
     } catch (const std::exception&) {
-      // A folder that vanishes, or no memory: the server goes on.
+      // A folder was removed, or memory is exhausted: the server continues.
     }
-    job = nullptr;  // What it holds goes before the answer is given.
+    job = nullptr;  // Its data are released before the reply is sent.
     asio::post(io_, [this, name = std::move(name), done = std::move(done)] {
       const auto found = lines_.find(name);
       if (found != lines_.end() && --found->second.waiting == 0) lines_.erase(found);

@@ -12,20 +12,20 @@
 
 namespace soarbox::serve {
 
-/// Runs what may take long (disk, archives, starting a process) on threads of its own, so that the thread that accepts
-/// connections never waits. Jobs with the same name run one after another, in the order in which they came.
+/// Executes slow work (disk, archives, starting a process) on a pool of threads, so that the thread that accepts
+/// connections never blocks. Jobs with the same name are executed one after another, in the order of the calls.
 class Work {
  public:
   explicit Work(boost::asio::io_context& io);
-  /// Waits for the jobs that have begun; forgets those that have not.
+  /// Waits for running jobs; drops those that have not started.
   ~Work();
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
-  /// Runs `job` on a thread of the pool, then `done` on the thread of `io`. If the job throws, `done` is called, too.
-  /// Call it on the thread of `io`.
+  /// Executes `job` on a thread of the pool, then `done` on the thread of `io`, also if the job throws. Call it on the
+  /// thread of `io`.
   void Do(const std::string& name, std::function<void()> job, std::function<void()> done);
-  /// Number of jobs of this name that have not ended.
+  /// Number of jobs with this name that have not finished.
   std::size_t Waiting(const std::string& name) const;
 
  private:
@@ -36,15 +36,15 @@ class Work {
   };
   boost::asio::io_context& io_;
   boost::asio::thread_pool pool_;
-  std::map<std::string, Line> lines_;  ///< Those with jobs.
+  std::map<std::string, Line> lines_;  ///< Only lines with unfinished jobs.
 };
 
-/// What each place or address has cost lately. A cost is a number of points; one point is about a millisecond of a
-/// thread. A name may cost `per_s` points in the mean, and `burst` at once.
+/// A limit of the work that each place or address causes. Costs are measured in points; one point is about a
+/// millisecond of a thread. A name may use `per_s` points per second on average, and `burst` at once.
 class Costs {
  public:
   Costs(double per_s, double burst) : per_s_(per_s), burst_(burst) {}
-  /// Whether this name may begin something now. A name may go into debt by what it has begun.
+  /// Whether this name may start something now. The cost of what it starts may exceed its remaining points.
   bool MayBegin(const std::string& name);
   void Charge(const std::string& name, double points);
 

@@ -32,7 +32,7 @@ std::uint32_t Sum(std::string_view bytes) {
       crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-/// Nothing if that is not deflated or unfolds to more than so many bytes.
+/// Returns nothing if it is not deflated data, or would be larger than `most` bytes.
 std::optional<std::string> Inflate(std::string_view bytes, std::uintmax_t most) {
   z_stream stream{};
   constexpr int kRaw = -15;

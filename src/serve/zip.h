@@ -12,21 +12,21 @@
 namespace soarbox::serve {
 
 enum class DeflateAs : std::uint8_t {
-  kRaw,   ///< As a zip archive holds it.
-  kGzip,  ///< As browsers take it: as small as can be.
+  kRaw,   ///< As in a zip archive.
+  kGzip,  ///< For browsers, with maximum compression.
 };
-/// Empty on failure.
+/// Compresses bytes. Empty on failure.
 std::string Deflate(std::string_view bytes, DeflateAs format);
 
 /// A file in a zip archive.
 struct ZipEntry {
-  std::string path;  ///< With "/" between folders.
+  std::string path;  ///< With "/" as the separator.
   std::string bytes;
 };
 
 std::string WriteZip(const std::vector<ZipEntry>& entries);
-/// Folders are passed over. The archive may be anybody's: it ends with an error where it
-/// holds more files or bytes than asked for. Paths are as they stand there.
+/// Reads a zip archive; skips folders. The archive may come from an untrusted user: fails if it contains more files or
+/// bytes than allowed. Paths are not checked.
 Result<std::vector<ZipEntry>> ReadZip(std::string_view archive, std::size_t most_files, std::uintmax_t most_bytes);
 
 }  // namespace soarbox::serve

@@ -6,7 +6,7 @@
 
 namespace soarbox::stream {
 
-/// The bytes as a stream of zlib's format, which browsers undo with DecompressionStream("deflate"). Empty on failure.
+/// Compresses bytes in zlib's format, which browsers decompress with DecompressionStream("deflate"). Empty on failure.
 std::string Deflate(std::string_view bytes);
 
 }  // namespace soarbox::stream

@@ -13,7 +13,7 @@ namespace soarbox::stream {
 inline constexpr double kPerMetre = 1000, kPerRadian = 2048, kBonePerRadian = 256, kBonePerMetre = 250,
                         kPerDirection = 500;
 
-/// A number in whole steps, at most 2^30 of them either way; 0 for what is not finite.
+/// Rounds a value to steps, at most 2^30 in both directions; 0 for values that are not finite.
 inline std::int32_t Steps(float value, double per_unit) {
   constexpr double kMost = 1 << 30;
   const double steps = static_cast<double>(value) * per_unit;
@@ -24,7 +24,8 @@ inline std::array<std::int32_t, 3> Steps(world::Vec3 value, double per_unit) {
   return {Steps(value.x, per_unit), Steps(value.y, per_unit), Steps(value.z, per_unit)};
 }
 
-/// The same, but a value that has hardly left its earlier step stays there: it would only flicker between two steps.
+/// The same, but keeps the earlier step if the value has changed only slightly, so that it does not flicker between two
+/// steps.
 inline std::array<std::int32_t, 3> SteadySteps(world::Vec3 value, double per_unit,
                                                const std::array<std::int32_t, 3>& before) {
   constexpr double kStays = 0.8;
@@ -36,7 +37,7 @@ inline std::array<std::int32_t, 3> SteadySteps(world::Vec3 value, double per_uni
   return steps;
 }
 
-/// A turn as its axis times its angle, 0 to pi.
+/// A rotation as its axis times its angle, 0 to pi.
 inline world::Vec3 TurnVector(world::Quat turn) {
   if (turn.w < 0) turn = {-turn.w, -turn.x, -turn.y, -turn.z};
   const world::Vec3 axis{turn.x, turn.y, turn.z};

@@ -42,7 +42,7 @@ float Finite(float value) {
   return std::isfinite(value) ? value : 0;
 }
 
-/// Writes ids of a list in ascending order as differences.
+/// Writes ascending ids of a list as differences.
 class Ids {
  public:
   explicit Ids(ByteWriter& out) : out_(out) {}
@@ -58,7 +58,7 @@ class Ids {
 
 }  // namespace
 
-/// The bytes of a section, and how values of the scene are put there.
+/// The bytes of a section, with functions that write the values of the scene.
 class SceneEncoder::Out : public ByteWriter {
  public:
   explicit Out(std::string& bytes) : ByteWriter(bytes) {}
@@ -78,7 +78,7 @@ class SceneEncoder::Out : public ByteWriter {
   }
 };
 
-/// The ids of those that were not seen in this block, which are forgotten, and then what changed; empty if nothing did.
+/// The ids of removed ones, which are dropped, and then the changes; empty if there are none.
 template <typename Known>
 std::string SceneEncoder::GoneAndChanged(std::map<std::uint32_t, Known>& known, const std::string& changed) {
   std::vector<std::uint32_t> gone;
@@ -104,7 +104,7 @@ void SceneEncoder::Begin() {
   minds_.clear();
 }
 
-/// Texts are written once between two full blocks; number 0 is the empty one.
+/// Each text is written once between two full blocks; number 0 is the empty text.
 std::uint64_t SceneEncoder::TextIndex(std::string_view text) {
   if (text.empty()) return 0;
   if (const auto known = texts_.find(text); known != texts_.end()) return known->second;
@@ -182,7 +182,7 @@ std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bo
     const Triple turn = Steps(TurnVector(drawn.orientation), kPerRadian);
     std::vector<Bone> bones;
     if (!drawn.bones.empty() && (with_bones || is_new)) {
-      // Relative to their parents they change least.
+      // Relative to their parents, bones change least.
       const world::BodyMesh* mesh = world::FindBodyMesh(drawn.mesh.value());
       const std::vector<world::BonePose>& poses = drawn.bones.value();
       bones.resize(std::min(poses.size(), kMostBones));
@@ -437,7 +437,7 @@ std::string SceneEncoder::OneMind(const world::AgentOverlay& agent) {
   out.Number(TextIndex(agent.doing));
   out.Byte(static_cast<std::uint8_t>((agent.has_senses ? 1 : 0) | (agent.measured ? 2 : 0) | (agent.goal ? 4 : 0) |
                                      (agent.path_is_whole ? 8 : 0)));
-  // Of what is drawn as a sign on the ground, decimetres are enough: it changes less often.
+  // A precision of decimetres is enough for marks on the ground, and they change less often.
   constexpr double kSign = 10;
   if (agent.has_senses) {
     out.Signed(Steps(agent.sight_m, kSign));
@@ -483,7 +483,7 @@ std::string SceneEncoder::Minds(const world::OverlaySnapshot& overlay) {
   return GoneAndChanged(minds_, changed);
 }
 
-/// When they were, not how long ago: that does not change from moment to moment.
+/// The times of events, not their ages, because these would change at each moment.
 std::string SceneEncoder::ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s) {
   std::string bytes;
   Out out(bytes);

@@ -13,30 +13,30 @@
 
 namespace soarbox::stream {
 
-/// One moment of a scene as bytes for a page (docs/dev/stream.md).
+/// The scene at one moment, as bytes for a page (docs/dev/stream.md).
 struct Block {
   std::string bytes;
-  bool is_full = false;  ///< A reader may begin here; else it needs the previous block.
+  bool is_full = false;  ///< A reader can start with this block; otherwise it needs the previous block.
 };
 
-/// Writes what there is to see, moment after moment, as full blocks and as differences from the previous block.
+/// Encodes a scene at consecutive moments, as full blocks and as differences from the previous block.
 ///
-/// Places are rounded to millimetres, turns to 1/2048 rad, bones to 1/256 rad and 4 mm. What is not finite is written
-/// as 0. Bones are written at most 15 times a second, 10 times where more than 4 bodies have some. A reader that got a
-/// full block and all blocks since has the whole moment. One thread at a time.
+/// Positions are rounded to millimetres, rotations to 1/2048 rad, bones to 1/256 rad and 4 mm. Values that are not
+/// finite are written as 0. Bones are written at most 15 times per second, or 10 times if more than 4 bodies have
+/// bones. A reader that has a full block and all later blocks has the complete scene. Not thread-safe.
 class SceneEncoder {
  public:
   struct Settings {
-    double full_every_s = 1;          ///< Time of the world between two full blocks; 0: each block is full.
-    std::size_t deflate_above = 300;  ///< Payloads of more bytes are compressed if that makes them smaller.
-    std::size_t most_lines = 20'000;  ///< At most this many lines, circles and triangles each; the rest is left out.
+    double full_every_s = 1;          ///< Simulated time between two full blocks; 0: each block is full.
+    std::size_t deflate_above = 300;  ///< Larger payloads are compressed if that makes them smaller.
+    std::size_t most_lines = 20'000;  ///< Maximum number of lines, of circles and of triangles; the rest is omitted.
   };
 
   SceneEncoder() = default;
   explicit SceneEncoder(const Settings& settings) : settings_(settings) {}
 
-  /// The overlay may be null. `want_full`: this block stands alone, whatever was written before. So does one whose time
-  /// does not follow that of the previous block.
+  /// `overlay` may be null. Returns a full block if `want_full`, or if the time is not the next one after the previous
+  /// block.
   Block Encode(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlay = nullptr,
                bool want_full = false);
 

@@ -14,7 +14,7 @@
 namespace soarbox::app {
 namespace {
 
-/// Above this, scenes are left out; above the second, whoever does not read is not there.
+/// If more bytes wait, scenes are left out; above the second limit, the reader counts as gone.
 constexpr std::size_t kScenesWaitAbove = 256u << 10, kMostWaiting = 64u << 20;
 
 std::string Replaced(std::string text, std::string_view what, std::string_view with) {
@@ -71,7 +71,7 @@ std::string EngineChannel::Hidden(std::string_view text) const {
 
 std::string EngineChannel::Found(std::string text) const {
   if (root_.empty()) return text;
-  // Where a text of JSON begins, and in the address of a file: not within what somebody types.
+  // Replaced at the beginning of a JSON string and in the address of a file, but not in texts that the user types.
   const std::string shown(serve::kShownRoot);
   text = Replaced(std::move(text), "\"" + shown + "/", "\"" + root_ + "/");
   return Replaced(std::move(text), "\"file://" + shown + "/", "\"file://" + root_ + "/");

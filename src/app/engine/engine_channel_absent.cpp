@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Where programs have no sockets (WebAssembly): the other end is the JavaScript that runs the engine. It calls
+// For systems without sockets (WebAssembly): the other end is the JavaScript that runs the engine. It calls
 // soarbox_take() for each request, and the engine calls its function soarboxFrame(kind, bytes) for each frame.
 #include <emscripten.h>
 

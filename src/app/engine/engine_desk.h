@@ -13,10 +13,10 @@
 
 namespace soarbox::app {
 
-/// What a desk finds around it in an engine.
+/// The surroundings of a desk in an engine.
 class EngineDesk final : public workbench::Surroundings {
  public:
-  /// `lessons` may be null: of a recording.
+  /// `lessons` may be null, for a recording.
   EngineDesk(EnginePage& page, workbench::Pace& pace, LessonDesk* lessons, std::filesystem::path home)
       : page_(page), pace_(pace), lessons_(lessons), home_(std::move(home)) {}
 

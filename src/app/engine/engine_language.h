@@ -10,16 +10,16 @@
 
 namespace soarbox::app {
 
-/// Helps whoever types rules in a page, as an editor is helped: messages of the Language Server Protocol, in and out.
-/// It reads below one folder only, and runs nothing.
+/// Supports the user who edits rules in a page in the same way as in an editor: messages of the Language Server
+/// Protocol, in and out. It reads only below one folder and executes nothing.
 class EngineLanguage {
  public:
   using Json = debugger::Json;
   virtual ~EngineLanguage() = default;
 
-  /// The answers, as JSON.
+  /// Returns the replies as JSON.
   virtual std::vector<std::string> Handle(const Json& message) = 0;
-  /// Slower work; call it while nobody asks for anything.
+  /// Does slower work; call it while there are no requests.
   virtual std::vector<std::string> Idle() = 0;
 
   /// Null: this build has none.

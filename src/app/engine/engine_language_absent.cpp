@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A build with an official Soar has no reader of rules of its own.
+// A build with an official Soar has no parser of rules.
 #include "app/engine/engine_language.h"
 
 namespace soarbox::app {

@@ -110,7 +110,7 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
 Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   const std::string request = TextOf(json, "request");
   if (request == "presence") {
-    // The server's own: how many look, and at what those look who only watch. Pages draw documents.
+    // From the server: the number of pages, and the panels of users who may only watch. Pages draw documents.
     shows_documents_ = true;
     pages_ = std::max(0, static_cast<int>(FieldNumber(json, "pages")));
     watched_ = {};
@@ -150,7 +150,7 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
              std::ranges::any_of(*on, [&](const Json& each) { return each == word; });
     };
     const world::OverlayWants wanted{has("navigation"), has("influence"), has("physics"), has("forces")};
-    // A world that stands still is shown again, with them or without.
+    // Also if the world is paused, the scene must be sent again, with or without overlays.
     wants_full_ |= wanted != overlay_wants_;
     overlay_wants_ = wanted;
     return {};
@@ -204,7 +204,7 @@ void EnginePage::Refuse(const Diagnostic& problem, const Json& id) {
 
 void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s) {
   Json flow{{"message", "flow"}, {"paused", pace.paused()}};
-  // JSON has no word for infinity.
+  // JSON has no infinity.
   flow["speed"] = std::isfinite(pace.speed()) ? Json(pace.speed()) : Json("unlimited");
   const std::string state = flow.dump();
   const auto now = Clock::now();

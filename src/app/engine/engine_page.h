@@ -23,48 +23,49 @@
 
 namespace soarbox::app {
 
-/// The browsers that show an engine's run: what they ask for, and what they are told (docs/serve.md).
-/// Only the server tells them apart.
+/// The browsers that show an engine's run: their requests, and the messages to them (docs/serve.md). Only the server
+/// distinguishes them.
 class EnginePage {
  public:
   using Json = debugger::Json;
 
-  /// Whoever types rules is helped with files below the folder.
+  /// Editing rules is supported for files below the folder.
   EnginePage(EngineChannel& channel, const std::filesystem::path& folder)
       : channel_(channel), language_(EngineLanguage::Make(folder)) {}
 
-  /// What pages have asked for since.
+  /// Requests of pages since the last call.
   struct Asked {
     std::vector<workbench::Request> requests;
     std::vector<workbench::Flow> flows;
-    std::optional<std::uint64_t> seed;  ///< From which the world begins again.
-    std::optional<bool> pause;          ///< Asked for outright, whatever it was.
+    std::optional<std::uint64_t> seed;  ///< Restart the world with this seed.
+    std::optional<bool> pause;          ///< Pause or continue, whatever the current state is.
     std::vector<sim::InputValue> inputs;
     bool empty() const { return requests.empty() && flows.empty() && !pause && inputs.empty(); }
   };
-  /// All that was asked so far has been carried out.
+  /// Reports that all requests so far have been executed.
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
-  /// Tells the server twice a second that this process does not hang. Call it in each round of the loop.
+  /// Tells the server twice a second that this process does not hang. Call it in each iteration of the loop.
   void ShowLife();
-  /// Waits at most so long for something. What cannot be understood is refused here.
+  /// Waits at most `most_ms` for requests. Malformed ones are refused here.
   Asked Receive(int most_ms);
   bool is_open() const { return channel_.is_open(); }
-  /// Nobody looks: the world may stand still.
+  /// No page is open: the world may pause.
   bool is_alone() const { return pages_ == 0; }
-  /// The panels that those who may only watch look at.
+  /// The panels that users who may only watch have open.
   const workbench::PanelSet& watched() const { return watched_; }
 
-  /// A run begins: forgets what was known of the one before.
+  /// A run begins: forgets the state of the previous one.
   void Hello(Json about);
   void Tell(const std::string& text) { Say({{"message", "told"}, {"text", text}}); }
   void Refuse(const Diagnostic& problem, const Json& id = {});
   void ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s);
-  /// Tells what has changed of the contents that these panels show.
+  /// Sends the changes of the contents that these panels show.
   void ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels);
-  /// Whether the next scene is to be whole, as somebody has nothing to add it to.
+  /// Whether the next scene must be complete, because a page has no scene yet.
   bool WantsFull() const { return wants_full_; }
-  /// As often as a page can use it, given how much there is to see. Overlays may be null.
+  /// Limits the rate of scenes, depending on their size.
   bool WantsScene(std::size_t agents) const;
+  /// `overlays` may be null.
   void ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays);
   const world::OverlayWants& overlay_wants() const { return overlay_wants_; }
 
@@ -75,9 +76,9 @@ class EnginePage {
   Result<void> Take(const Json& json, Asked& asked);
 
   EngineChannel& channel_;
-  std::unique_ptr<EngineLanguage> language_;  ///< Null: there is none.
+  std::unique_ptr<EngineLanguage> language_;  ///< Null: this build has none.
   int pages_ = 1;
-  bool shows_documents_ = false;  ///< Pages are served: panels are told as documents.
+  bool shows_documents_ = false;  ///< Panels are sent as documents, because pages are served.
   workbench::PanelSet watched_;
   stream::SceneEncoder encoder_;
   ShapeContents shapes_;
@@ -85,7 +86,8 @@ class EnginePage {
   world::OverlayWants overlay_wants_;
   Clock::time_point scene_at_, flow_at_, life_at_;
   std::string flow_;
-  std::map<std::string, std::size_t, std::less<>> told_;  ///< By the name of contents: a hash of what was told last.
+  std::map<std::string, std::size_t, std::less<>>
+      told_;  ///< By the name of contents: a hash of the last contents sent.
 };
 
 }  // namespace soarbox::app

@@ -14,7 +14,7 @@ namespace soarbox::app {
 void EndWithServer(int socket) {
   if (getpgrp() != getpid()) return;
   std::thread([socket] {
-    // Signals are for the thread that runs the world.
+    // Signals are handled by the thread that runs the world.
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);

@@ -4,8 +4,8 @@
 namespace soarbox::app {
 
 /// Ends this process and its children if the server at the other end of the socket has gone and the process has not
-/// ended by itself within 10 s. A world that hangs does not notice otherwise that its server was killed. Call it once,
-/// after the wall is raised. Does nothing if this process leads no group of its own.
+/// ended by itself within 10 s. A world that hangs would not notice that its server was killed. Call it once, after the
+/// wall is raised. Does nothing if this process is not a process group leader.
 void EndWithServer(int socket);
 
 }  // namespace soarbox::app

@@ -35,9 +35,9 @@ namespace fs = std::filesystem;
 using workbench::Flow;
 using Clock = std::chrono::steady_clock;
 
-/// Contents go out so often at most, unless somebody asked for something.
+/// Minimum interval of contents, unless there was a request.
 constexpr auto kContentsEvery = std::chrono::milliseconds(250);
-/// How long an engine whose world stands still waits before it looks at files and debuggers again.
+/// Time after which an engine with a paused world checks files and debuggers again; with and without pages.
 constexpr int kIdle_ms = 50, kAlone_ms = 500;
 
 bool IsStep(Flow flow) {
@@ -45,12 +45,12 @@ bool IsStep(Flow flow) {
          flow == Flow::kStepPhase || flow == Flow::kStepChange;
 }
 
-/// What live runs and recordings have in common: panels that are looked at, and when contents are due.
+/// Common parts of live runs and recordings: the open panels, and the time of the next contents.
 class PanelsOfPage {
  public:
   explicit PanelsOfPage(EnginePage& page) : page_(page) {}
 
-  /// Lets the desk carry out what was asked, and tells what has changed.
+  /// Lets the desk execute the requests, and sends the changed contents.
   void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests) {
     bool is_told = shown_ == (panels_ | page_.watched());
     for (workbench::Request& request : requests) {
@@ -66,11 +66,11 @@ class PanelsOfPage {
     }
     if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
     served_ = Clock::now();
-    // Where nothing was filled in again, only the moment may be another one.
+    // If no contents were filled in, only the moment may have changed.
     const bool is_new = desk.Serve(requests, contents_);
     page_.ShowContents(contents_, is_new ? shown_ : workbench::PanelSet());
   }
-  /// The desk is another one: what it shows is filled in anew.
+  /// After the desk was replaced, all contents are filled in again.
   std::vector<workbench::Request> BeginAgain() {
     std::string agent = contents_.agent;
     contents_ = {};
@@ -80,8 +80,8 @@ class PanelsOfPage {
 
  private:
   EnginePage& page_;
-  workbench::PanelSet panels_;  ///< Of the person whose run it is.
-  workbench::PanelSet shown_;   ///< And of those who watch.
+  workbench::PanelSet panels_;  ///< Of the user whose run it is.
+  workbench::PanelSet shown_;   ///< Including those of users who watch.
   workbench::Contents contents_;
   Clock::time_point served_;
 };
@@ -109,7 +109,7 @@ class LiveEngine {
     }
     desk_.emplace(session, run.header, run.scenario, run.settings, surroundings_);
     Hello();
-    // Somebody new sees at once what the panels are for.
+    // Selects an agent with a mind, so that a new user sees what the panels are for.
     for (const world::AgentSnapshot& agent : session.simulation().Snapshot().agents) {
       if (!session.simulation().HasMind(agent.name)) continue;
       panels_.Serve(*desk_, {workbench::SelectRequest{agent.name}});
@@ -123,7 +123,7 @@ class LiveEngine {
     return session_.Finish();
   }
   bool IsOver() const { return session_.IsOver() || !page_.is_open(); }
-  /// How long a round may wait for requests.
+  /// Maximum time in ms that a round may wait for requests.
   int Wait_ms() {
     if (page_.is_alone()) return kAlone_ms;
     if (pace_.paused() || !desk_->past().is_live()) return kIdle_ms;
@@ -131,7 +131,7 @@ class LiveEngine {
     const double rest_s = (1 - pace_.Blend(Step_s())) * Step_s() / pace_.speed();
     return std::clamp(static_cast<int>(std::ceil(rest_s * 1000)), 1, kIdle_ms);
   }
-  /// Carries out what was asked, ticks what is due, shows it. An error ends the run.
+  /// Executes requests, executes the ticks that are due, and sends the result. An error ends the run.
   Result<void> Round(int most_ms) {
     page_.ShowLife();
     EnginePage::Asked asked = page_.Receive(most_ms);
@@ -180,7 +180,7 @@ class LiveEngine {
       desk_->change().AwaitNothing();
     }
     for (const Flow flow : asked.flows) {
-      // Who lets the world or a mind go on while he looks at the past wants to see it go on.
+      // A user who looks at the past and lets the world or a mind advance returns to the present.
       if (IsStep(flow)) desk_->GoOn();
       pace_.Obey(flow);
       if (flow == Flow::kStepChange) {
@@ -268,7 +268,7 @@ class LiveEngine {
   std::optional<workbench::Desk> desk_;
   PanelsOfPage panels_;
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
-  std::size_t agents_ = 0;  ///< In the scene that was shown last.
+  std::size_t agents_ = 0;  ///< Number of agents in the last scene sent.
   const int turn_ticks_ = sim::TurnTicks(run_.scenario);
 };
 
@@ -334,7 +334,7 @@ class ReplayEngine {
  private:
   void Obey(const EnginePage::Asked& asked) {
     if (asked.pause) {
-      // At the end, to go on means to begin again.
+      // At the end, continuing restarts the recording.
       if (!*asked.pause && desk_.past().shown_tick() >= desk_.past().last_tick()) desk_.Show(desk_.past().first_tick());
       *asked.pause ? pace_.Pause() : pace_.Resume();
     }
@@ -359,7 +359,7 @@ class ReplayEngine {
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
 };
 
-/// What the commands take for a window.
+/// The window of the commands in an engine.
 class EngineWindow final : public Window {
  public:
   explicit EngineWindow(const EngineOptions& options)
@@ -383,8 +383,8 @@ class EngineWindow final : public Window {
   mutable EnginePage page_;
 };
 
-/// Leaves this process its place to write and the program's own files to read, before it has read anything of the
-/// place.
+/// Restricts this process to writing below its place and reading the program's own files, before it has read any file
+/// of the place.
 void RaiseWall(const EngineOptions& options) {
   serve::WallSettings wall;
   wall.may_connect = options.may_join;
@@ -394,12 +394,12 @@ void RaiseWall(const EngineOptions& options) {
     wall.readable = {data->scenarios, data->media, ShippedLessons(*data)};
   }
   if (!options.from.empty()) wall.readable.push_back(options.from);
-  // The recording of a match lies in no place.
+  // The recording of a match is outside of the place.
   if (!options.recording.empty()) wall.readable.push_back(options.recording);
   serve::RaiseWall(wall);
 }
 
-/// Plays a match without pages, records it, and tells the server the scores of the agents in their order.
+/// Runs a match without pages, records it, and sends the server the scores of the agents in their order.
 int PlayMatch(const EngineOptions& options) {
   const char* const state = std::getenv("XDG_STATE_HOME");
   RunOptions run;
@@ -425,13 +425,14 @@ int PlayMatch(const EngineOptions& options) {
     scores.push_back(agent.has_score ? nlohmann::ordered_json(agent.score) : nlohmann::ordered_json());
   EngineChannel channel(options.socket);
   channel.Send(serve::FrameKind::kText, nlohmann::ordered_json{{"message", "match"}, {"scores", scores}}.dump());
-  // What is sent goes out before this process ends.
+  // Queued data are sent before this process ends.
   constexpr int kToSend_ms = 100;
   channel.Receive(kToSend_ms);
   return kOk;
 }
 
-/// What `soarbox run` would be asked for. The learner's copy of the world or lesson is made if there is none.
+/// Returns the options of the corresponding `soarbox run`. Creates the learner's copy of the world or lesson if there
+/// is none.
 Result<RunOptions> RunOf(const EngineOptions& options) {
   std::error_code error;
   RunOptions run;
@@ -439,7 +440,7 @@ Result<RunOptions> RunOf(const EngineOptions& options) {
   run.threads = 1;
   run.memory_mb = options.memory_mb;
   run.by_strangers = true;
-  // What the user of this machine runs does as it says.
+  // A run of the user of this machine is not restricted.
   run.may_join = options.may_join || !options.run.empty();
   run.dis = options.dis;
   constexpr double kRecording_mb = 16;
@@ -548,7 +549,7 @@ class SteppedReplay final : public SteppedEngine {
   std::optional<ReplayEngine> engine_;
 };
 
-/// Null if the engine cannot begin, which it has said.
+/// Null if the engine cannot begin; the error was printed.
 template <typename Engine>
 std::unique_ptr<SteppedEngine> Begun(const EngineOptions& options) {
   auto engine = std::make_unique<Engine>(options);

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of a scenario that is none of the program's; empty: it has none.
+/// The folder of a scenario that is not one of the program's; empty: none.
 fs::path FolderOf(const std::string& scenario) {
   std::error_code error;
   const fs::path path = fs::absolute(scenario, error).lexically_normal();
@@ -55,7 +55,7 @@ std::vector<std::string> EngineFor(const std::string& what, const serve::Place& 
   if (kind == "recording") {
     const Result<fs::path> file = place.FindRecording(name);
     if (!file) return {};
-    // The process begins in the folder of its place.
+    // The process starts in the folder of its place.
     words.insert(words.end(), {"--recording", file->lexically_relative(place.root()).string()});
     return words;
   }
@@ -90,7 +90,7 @@ Result<void> ReadListen(const std::string& listen, serve::Settings& settings) {
   return {};
 }
 
-/// "https://school.example:8443": a scheme, a name and perhaps a port, as browsers name the site of a page.
+/// Whether it is an origin as browsers use it, "https://school.example:8443": a scheme, a name and an optional port.
 bool IsOrigin(std::string_view site) {
   const std::size_t name = site.starts_with("https://") ? 8 : site.starts_with("http://") ? 7 : std::string_view::npos;
   return name < site.size() && std::ranges::all_of(site.substr(name), [](char c) {
@@ -103,7 +103,8 @@ bool IsThisMachine(const std::string& address) {
   return address.starts_with("127.") || address == "::1";
 }
 
-/// The token from the command line, from a file, or from the environment, which other users of this machine cannot see.
+/// Returns the token from the command line, from a file, or from the environment, which other users of this machine
+/// cannot see.
 Result<std::string> TokenOf(const ServeOptions& options) {
   std::string token = options.token;
   if (!options.token_file.empty()) {
@@ -115,7 +116,7 @@ Result<std::string> TokenOf(const ServeOptions& options) {
   } else if (const char* kept = std::getenv("SOARBOX_TOKEN"); token.empty() && kept != nullptr && !options.open) {
     token = kept;
   }
-  // A browser sends it as the name of a protocol of a WebSocket.
+  // A browser sends it as the name of a WebSocket subprotocol.
   const bool is_good = std::ranges::all_of(token, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("-_.~!$*+").find(c) != std::string_view::npos;
@@ -126,7 +127,7 @@ Result<std::string> TokenOf(const ServeOptions& options) {
   return token;
 }
 
-/// What both commands have in common; the error says why nothing can be served.
+/// Settings that both commands have in common; the error says why pages cannot be served.
 Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::DataFolders& data) {
   serve::Settings settings;
   if (const Result<void> read = ReadListen(options.listen, settings); !read) return read.error();
@@ -152,7 +153,7 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   return settings;
 }
 
-/// The program that runs engines: soarbox, which lies beside this one.
+/// The program of engines: soarbox, next to this one.
 Result<std::string> EngineProgram() {
   std::error_code error;
   const fs::path program = BesideThisProgram("soarbox", error);
@@ -160,7 +161,7 @@ Result<std::string> EngineProgram() {
   return program.string();
 }
 
-/// Opens a link in the user's browser, if there is a program that does it.
+/// Opens a link in the user's browser, if there is a program for this.
 void OpenInBrowser(const std::string& link) {
   std::string program = "xdg-open", address = link;
   char* const words[] = {program.data(), address.data(), nullptr};
@@ -241,7 +242,7 @@ int ShowInBrowser(const BrowserOptions& shown) {
   ServeOptions options;
   options.listen = "127.0.0.1:0";
   options.page = shown.page;
-  // Other users of this machine cannot look.
+  // Other users of this machine must not have access.
   options.token = serve::NewId();
   Result<serve::Settings> settings = SettingsFor(options, *data);
   if (!settings) return Refuse(settings.error());

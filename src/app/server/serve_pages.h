@@ -5,7 +5,7 @@
 
 namespace soarbox::app {
 
-/// `soarbox serve`: lessons and worlds, each in an engine of its own, until Ctrl-C. Returns an ExitCode.
+/// `soarbox serve`: serves lessons and worlds, each in its own engine, until Ctrl-C. Returns an ExitCode.
 int ServePages(const ServeOptions& options);
 
 /// `--browser`: opens a page with one run or one recording and serves it until it is closed. Returns an ExitCode.

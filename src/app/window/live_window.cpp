@@ -15,7 +15,7 @@
 namespace soarbox::app {
 namespace {
 
-/// Sends what the user did through the simulation's door.
+/// Submits a user event as an input of the simulation.
 void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
   const auto x = static_cast<float>(event.x), y = static_cast<float>(event.y);
   switch (event.kind) {
@@ -39,7 +39,7 @@ void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
   }
 }
 
-/// What a frame and a tick take, for the status bar.
+/// The times of a frame and of a tick, for the status bar.
 std::string CostText(const SmoothTime& frame, const SmoothTime& tick) {
   if (tick.us() == 0) return {};
   char text[64];
@@ -79,8 +79,8 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
     session.Tick();
   }
   desk_.emplace(session, header_, scenario_, settings_, window_desk_);
-  if (!options.remark.empty()) viewer.Tell(options.remark);  // Where the recording goes.
-  // A lesson stands beside the scene, and so does the panel that it is about.
+  if (!options.remark.empty()) viewer.Tell(options.remark);  // The file of the recording.
+  // Opens the panel of the lesson and the panel that it introduces.
   if (lessons_.HasLesson()) {
     for (const workbench::PanelInfo& info : workbench::kPanelInfos)
       if (info.title == lessons_.Panel()) viewer.ShowPanel(info.id);
@@ -88,7 +88,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
   }
   if (session.gateway() != nullptr) viewer.OfferPanel(workbench::PanelId::kExercise);
   newest_ = previous_ = session.simulation().Snapshot();
-  // Without a wish, an agent with a mind: somebody new sees at once what the panels are for.
+  // By default selects an agent with a mind, so that a new user sees what the panels are for.
   for (const world::AgentSnapshot& agent : newest_.agents) {
     if (viewer.selected_agent() == 0 && session.simulation().HasMind(agent.name)) viewer.SelectAgent(agent.id);
   }
@@ -104,7 +104,7 @@ void LiveWindow::Draw() {
   }
   const world::OverlayWants wants = viewer_.overlay_wants();
   if (!desk_->past().is_live()) {
-    // They are of the newest tick.
+    // Overlays belong to the newest tick.
     if (overlays_tick_ != 0) viewer_.ShowOverlays({});
     overlays_tick_ = 0;
   } else if (newest_.tick + 1 != overlays_tick_ || wants != overlay_wants_) {
@@ -137,7 +137,7 @@ void LiveWindow::Tick(double step_s) {
       is_cut = true;
       pace_.Owe(due - i - 1);
     }
-    // Only the last two are drawn.
+    // Only the last two snapshots are drawn.
     if (i + 2 >= due && !is_cut) previous_ = std::exchange(newest_, session_.simulation().Snapshot());
   }
   if (is_cut) previous_ = newest_ = session_.simulation().Snapshot();
@@ -148,7 +148,7 @@ Result<void> LiveWindow::Obey() {
   using viewer::ViewerCommand;
   RunCommands control;
   for (const ViewerCommand command : viewer_.TakeCommands()) {
-    // Who lets the world or a mind go on while he looks at the past wants to see it go on.
+    // A user who looks at the past and lets the world or a mind advance returns to the present.
     const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
                          command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange;
     if (command == ViewerCommand::kTogglePause || is_step) desk_->GoOn();
@@ -166,7 +166,7 @@ Result<void> LiveWindow::Obey() {
   }
   if (control.has_ticked) previous_ = newest_ = session_.simulation().Snapshot();
   if (!control.has_begun_again) return {};
-  // What the user made in panels stays.
+  // Keeps what the user created in panels.
   workbench::Desk::Belongings belongings = desk_->TakeBelongings();
   desk_.emplace(session_, header_, scenario_, settings_, window_desk_);
   desk_->Bring(std::move(belongings));

@@ -12,7 +12,7 @@
 
 namespace soarbox::app {
 
-/// A time that is smoothed over the last second or so, in microseconds.
+/// A time in microseconds, smoothed over about the last second.
 class SmoothTime {
  public:
   void Add(std::chrono::steady_clock::duration passed) {
@@ -25,12 +25,12 @@ class SmoothTime {
   double us_ = 0;
 };
 
-/// Sends the window's size, the camera's pose and the user's events through the simulation's door; the first two if
-/// they changed.
+/// Submits the window's size, the camera's pose and the user's events as inputs of the simulation; the first two only
+/// if they changed.
 class Deliverer {
  public:
   void Deliver(viewer::Viewer& viewer, sim::Simulation& simulation);
-  /// Drops what the user does now: the world that is shown is a past one.
+  /// Drops the user's events, because a past moment is shown.
   static void Drop(viewer::Viewer& viewer) { viewer.TakeEvents(); }
 
  private:
@@ -38,12 +38,12 @@ class Deliverer {
   sim::CameraInput camera_;
 };
 
-/// A run in a visible window: its frames, its ticks at the user's pace, and the panels' desk.
+/// A run in a visible window: its frames, its ticks at the user's speed, and the panels' desk.
 class LiveWindow {
  public:
   LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options);
 
-  /// Until the window is closed or the time is up. Returns an ExitCode.
+  /// Runs until the window is closed or the time is over. Returns an ExitCode.
   int Run();
 
  private:
@@ -51,16 +51,16 @@ class LiveWindow {
 
   void Draw();
   void Tick(double step_s);
-  /// What the user asks of the run. An error means that it cannot go on.
+  /// Executes the user's commands for the run. After an error the run cannot continue.
   Result<void> Obey();
 
   RunSession& session_;
   viewer::Viewer& viewer_;
   const sim::Scenario& scenario_;
-  const sim::SimulationSettings& settings_;  ///< With the seed of the present run.
+  const sim::SimulationSettings& settings_;  ///< With the seed of the current run.
   const record::Header& header_;             ///< Likewise.
   int turn_ticks_;                           ///< sim::TurnTicks of the scenario.
-  bool has_script_;                          ///< A script plays the user; the run ends with it.
+  bool has_script_;                          ///< A script plays the user; the run ends when the script does.
   workbench::Pace pace_;
   LessonDesk lessons_;
   WindowDesk window_desk_;
@@ -69,7 +69,7 @@ class LiveWindow {
   SmoothTime frame_time_, tick_time_;
   Clock::time_point frame_start_ = Clock::now();
   world::SceneSnapshot newest_, previous_;
-  std::uint64_t overlays_tick_ = 0;  ///< One more than the tick whose overlays are shown; 0: none are.
+  std::uint64_t overlays_tick_ = 0;  ///< The tick whose overlays are shown, plus 1; 0: none.
   world::OverlayWants overlay_wants_;
   bool was_live_ = true;
 };

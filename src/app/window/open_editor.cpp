@@ -23,7 +23,7 @@ std::string FirstSet(std::initializer_list<const char*> names) {
   return {};
 }
 
-/// Editors that need a terminal get one: the window has none to lend.
+/// Editors that need a terminal get a new one, because the window has none.
 bool NeedsTerminal(const std::string& editor) {
   for (const char* name : {"vi", "vim", "nvim", "nano", "emacs -nw", "micro", "hx", "joe", "ed"}) {
     if (editor == name) return true;
@@ -74,7 +74,7 @@ Result<void> OpenInEditor(const std::string& file, int line) {
     problem.hint = "set the environment variable VISUAL to your editor";
     return problem;
   }
-  // Somebody has to hear that it has ended.
+  // Waits for the child process, so that it does not stay a zombie.
   std::thread([child] { waitpid(child, nullptr, 0); }).detach();
   return {};
 }

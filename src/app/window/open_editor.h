@@ -8,11 +8,11 @@
 
 namespace soarbox::app {
 
-/// The command that opens a file at a line (0: anywhere): $VISUAL, $EDITOR, else the desktop's choice. Editors whose
-/// way to name a line we know get it.
+/// Returns the command that opens a file at a line (0: none): $VISUAL, $EDITOR, else the desktop's default. The line is
+/// passed to editors whose syntax for it is known.
 std::vector<std::string> EditorCommand(const std::string& file, int line);
 
-/// Opens it beside the running program. Fails if there is no such file or no program can be started.
+/// Opens the file without waiting. Fails if there is no such file or no program can be started.
 Result<void> OpenInEditor(const std::string& file, int line);
 
 }  // namespace soarbox::app

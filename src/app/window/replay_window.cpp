@@ -20,7 +20,7 @@
 namespace soarbox::app {
 namespace {
 
-/// A recording in a window: the desk's panels, with a head that runs along it.
+/// A recording in a window: the desk's panels, and a position in the recording.
 class ReplayWindow {
  public:
   ReplayWindow(record::Reader& recording, record::TickRange range, const sim::DataFolders& data, viewer::Viewer& viewer,
@@ -34,7 +34,7 @@ class ReplayWindow {
         ticks_per_second_(std::max<std::int64_t>(1, std::llround(1 / recording.header().step_s))),
         has_script_(has_script) {}
 
-  /// The agent that is selected from the start: this one, or else one that has a mind. False if it is not there.
+  /// Selects this agent, or by default one with a mind. False if it does not exist.
   bool Select(const std::string& wanted) {
     // A recorded client makes its agents in the first tick.
     if (desk_.PastScene()->agents.empty()) Move(1);
@@ -71,7 +71,7 @@ class ReplayWindow {
   }
 
  private:
-  /// Goes so many ticks on, or back.
+  /// Moves by a number of ticks, forwards or backwards.
   void Move(std::int64_t ticks) {
     if (ticks == 0) return;
     const auto first = static_cast<std::int64_t>(desk_.past().first_tick()),
@@ -88,14 +88,15 @@ class ReplayWindow {
                command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange) {
       viewer_.Tell(std::string(viewer::InfoOf(command).title) + ": only in a run; this is a recording of one");
     } else {
-      // At the end, to go on means to begin again.
+      // At the end, continuing restarts the recording.
       const bool is_at_end = desk_.past().shown_tick() >= desk_.past().last_tick();
       if (command == ViewerCommand::kTogglePause && pace_.paused() && is_at_end) desk_.Show(desk_.past().first_tick());
       if (const std::optional<workbench::Flow> flow = FlowOf(command)) pace_.Obey(*flow);
     }
   }
 
-  /// Arrow keys move by a second, with the page keys by ten; comma steps back; with insert and end it goes to the ends.
+  /// Arrow keys move by a second, the page keys by ten seconds; comma moves back; insert and end go to the beginning
+  /// and the end.
   void Obey(const viewer::InputEvent& event) {
     if (event.kind != viewer::InputKind::kKey || !event.pressed) return;
     if (event.name == "left_key") Move(-ticks_per_second_);
@@ -106,7 +107,7 @@ class ReplayWindow {
     if (event.name == "end_key") desk_.Show(desk_.past().last_tick());
     if (event.name == "comma_key") {
       pace_.Pause();
-      // To the end of the turn before.
+      // To the end of the previous turn.
       const auto turn = static_cast<std::uint64_t>(turn_ticks_);
       const std::uint64_t over = desk_.past().shown_tick() % turn;
       Move(-static_cast<std::int64_t>(over == 0 ? turn : over));
@@ -122,7 +123,7 @@ class ReplayWindow {
   double step_s_;
   int turn_ticks_;
   std::int64_t ticks_per_second_;
-  bool has_script_;  ///< A script plays the user; the window closes with it.
+  bool has_script_;  ///< A script plays the user; the window closes when it ends.
 };
 
 }  // namespace

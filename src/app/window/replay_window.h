@@ -8,8 +8,8 @@
 
 namespace soarbox::app {
 
-/// Shows a recording in the window, forwards and backwards, with the panels of a run around it; returns an ExitCode
-/// when the window has closed.
+/// Shows a recording in the window, forwards and backwards, with the panels of a run around it. Returns an ExitCode
+/// after the window has closed.
 int ShowReplay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
                const RecordingOptions& options);
 

@@ -6,12 +6,12 @@
 
 namespace soarbox::app {
 
-/// Carries out those commands of a window that change the run itself rather than its pace; false for others.
+/// Executes the commands of a window that change the run itself; returns false for others.
 ///
-/// Reset and the next seed make the simulation anew: what pointed into the old one is dead when this returns, and
+/// Reset and the next seed create the simulation again: pointers into the old one are invalid afterwards, and
 /// `has_begun_again` is set.
 ///
-/// Steps of the selected agent's mind are those of mind_steps.h. An error means that the run cannot go on.
+/// Steps of the selected agent's mind are those of mind_steps.h. After an error the run cannot continue.
 struct RunCommands {
   bool has_begun_again = false, has_ticked = false;
 

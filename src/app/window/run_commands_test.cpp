@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The flow of time in a window, and runs that begin again; no display is needed.
+// The pace of a run in a window, and runs that restart; needs no display.
 #include "app/window/run_commands.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Pace, PausesStepsAndChangesSpeed) {
   pace.Obey(Flow::kUnlimited);
   EXPECT_TRUE(std::isinf(pace.speed()));
   EXPECT_GT(pace.TicksDue(kStep_s), 1'000'000);
-  // A busy machine may take long between two lines.
+  // On a busy machine, much time may pass between two lines.
   bool had_time = false;
   for (int tries = 0; tries < 1000 && !had_time; ++tries) {
     pace.TicksDue(kStep_s);
@@ -97,7 +97,7 @@ TEST(Pace, AStepOfAGameGoesToTheEndOfItsTurn) {
   EXPECT_EQ(pace.TicksDue(kStep_s, 7, 1), 1) << "no turns";
 }
 
-/// A session over a scenario of the repository, as a window has it.
+/// A session for a scenario of the repository, as in a window.
 struct SkirmishRun {
   explicit SkirmishRun(std::uint64_t seed) {
     const std::string root = SOARBOX_SOURCE_DIR;
@@ -212,7 +212,7 @@ TEST(RunSession, WhatComesAfterGoingBackIsRecordedInAFileOfItsOwn) {
   EXPECT_EQ((*second)->last_tick(), 30u);
   EXPECT_EQ((*second)->header().branched_from, options.record.string());
   EXPECT_EQ((*second)->header().branch_tick, 20u);
-  // Nothing was changed, so both futures are one; and the second is whole enough to be run again.
+  // Nothing was changed, so both continuations are equal; and the second recording is complete enough to be run again.
   const Result<record::Comparison> compared = record::Compare(**first, **second);
   ASSERT_TRUE(compared) << Format(compared.error());
   EXPECT_FALSE(compared->difference) << compared->difference->element;

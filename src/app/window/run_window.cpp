@@ -17,7 +17,7 @@ namespace soarbox::app {
 
 namespace {
 
-/// Turns on what the command line asks for; a word that means nothing is told with those that do.
+/// Applies the options of the command line; an unknown word is reported with the known ones.
 Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, const RunOptions& options) {
   const auto find = [](const std::string& word, viewer::CommandGroup group,
                        const char* option) -> Result<viewer::ViewerCommand> {
@@ -63,7 +63,7 @@ Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, 
   return {};
 }
 
-/// Runs to the moment asked for without drawing, then draws it.
+/// Runs to the requested time without drawing, then draws the picture.
 int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
   workbench::Pace pace(options.speed.value_or(1));
@@ -72,12 +72,12 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   std::optional<workbench::Desk> desk;
   if (!options.panels.empty()) desk.emplace(session, run.header, run.scenario, run.settings, window_desk);
   if (desk) simulation.Submit(sim::ScreenInput{viewer.width(), viewer.height()});
-  // Trails want to have been watched for a while.
+  // Trails are noted for this time before the picture.
   constexpr double kWatched_s = 20;
   while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) {
     if (simulation.time_s() > options.screenshot_at_s - kWatched_s) viewer.Show(simulation.Snapshot());
     if (desk) {
-      // Notes are taken of the agent that is selected.
+      // The selected agent is recorded in detail.
       desk->Follow(options.select);
       desk->Prepare();
     }
@@ -86,7 +86,7 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
-  // Panels ask for what they need while they are laid out, and show it a moment later; the scene is drawn at the end.
+  // Panels request their contents while they are laid out and show them later; the scene is drawn at the end.
   const int frames = desk ? 16 : 3;
   for (int i = 0; i < frames; ++i) {
     if (desk) {

@@ -7,7 +7,7 @@
 
 namespace soarbox::app {
 
-/// Runs in a window until it is closed, the time is up or the screenshot is taken. Returns an ExitCode.
+/// Runs in a window until it is closed, the time is over or the screenshot is taken. Returns an ExitCode.
 int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFolders& data, const WindowRun& run);
 
 }  // namespace soarbox::app

@@ -59,7 +59,7 @@ Result<void> WindowDesk::OpenRun(const std::string& what, const std::string& les
 }
 
 void WindowDesk::SavePicture() {
-  // The menu that it was asked from is closed by then.
+  // The menu from which the picture was requested is closed by then.
   constexpr int kSoon = 6;
   picture_in_frames_ = kSoon;
 }
@@ -68,7 +68,7 @@ void WindowDesk::SaveAwaitedPicture(workbench::Desk& desk) {
   if (picture_in_frames_ == 0 || --picture_in_frames_ > 0) return;
   const std::string name = "soarbox-" + std::to_string(desk.past().shown_tick());
   std::string file = name + ".png";
-  std::error_code error;  // What is there already stays.
+  std::error_code error;  // Existing files are kept.
   for (int i = 2; std::filesystem::exists(file, error); ++i) file = name + "-" + std::to_string(i) + ".png";
   if (const Result<void> saved = viewer_.SaveScreenshot(file); !saved) {
     desk.NoteProblem(saved.error(), {});
@@ -78,7 +78,7 @@ void WindowDesk::SaveAwaitedPicture(workbench::Desk& desk) {
 }
 
 std::vector<workbench::ScenarioOffer> WindowDesk::Scenarios() {
-  // Those that come with the program, with what their files say of them.
+  // The program's scenarios, with the descriptions in their files.
   static const std::vector<workbench::ScenarioOffer> shipped = [] {
     std::vector<workbench::ScenarioOffer> offers;
     const Result<sim::DataFolders> data = FindDataFolders();
@@ -95,7 +95,7 @@ std::vector<std::string> WindowDesk::RecentRuns() {
 }
 
 std::optional<workbench::Flow> FlowOf(viewer::ViewerCommand command) {
-  // They come in the same order.
+  // Both enumerations have the same order.
   using viewer::ViewerCommand;
   using workbench::Flow;
   static_assert(static_cast<int>(ViewerCommand::kTogglePause) == static_cast<int>(Flow::kTogglePause));

@@ -14,17 +14,17 @@
 
 namespace soarbox::app {
 
-/// Connects a window with a desk: requests go to the desk, contents to the panels. Does what the
-/// desk leaves to the window: remarks, pictures, editors, the next run.
+/// Connects a window with a desk: passes requests to the desk and contents to the panels. Does what the desk leaves to
+/// the window: remarks, pictures, editors, the next run.
 class WindowDesk final : public workbench::Surroundings {
  public:
-  /// `lessons` may be null: of a recording.
+  /// `lessons` may be null, for a recording.
   WindowDesk(viewer::Viewer& viewer, workbench::Pace& pace, LessonDesk* lessons)
       : viewer_(viewer), pace_(pace), lessons_(lessons) {}
 
-  /// Each frame.
+  /// Call it once per frame.
   void Serve(workbench::Desk& desk);
-  /// The scenario or recording that the user wants to see instead, if any. Once.
+  /// Returns the scenario or recording that the user wants to open instead, if any; resets it.
   std::optional<NextRun> TakeWantedRun() { return std::exchange(wants_run_, std::nullopt); }
 
   bool IsPaused() const override { return pace_.paused(); }
@@ -41,17 +41,17 @@ class WindowDesk final : public workbench::Surroundings {
   workbench::Lessons* lessons() override { return lessons_; }
 
  private:
-  /// Writes the window that was asked for as a picture, once menus have closed.
+  /// Saves the requested picture of the window, after menus have closed.
   void SaveAwaitedPicture(workbench::Desk& desk);
 
   viewer::Viewer& viewer_;
   workbench::Pace& pace_;
   LessonDesk* lessons_;
-  int picture_in_frames_ = 0;         ///< Until a picture is saved; 0: none is wanted.
-  std::optional<NextRun> wants_run_;  ///< What is to be opened instead of this run.
+  int picture_in_frames_ = 0;         ///< Frames until a picture is saved; 0: none is requested.
+  std::optional<NextRun> wants_run_;  ///< To be opened instead of this run.
 };
 
-/// What a command of a window asks of the flow of time; nothing if it asks for something else.
+/// Converts a command of a window to a change of pace; nothing for other commands.
 std::optional<workbench::Flow> FlowOf(viewer::ViewerCommand command);
 
 }  // namespace soarbox::app

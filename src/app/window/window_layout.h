@@ -8,7 +8,7 @@
 
 namespace soarbox::app {
 
-/// The panels that a window shows this time: "default", or their words separated by commas.
+/// Returns a layout with these panels: "default", or their words separated by commas.
 Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent);
 
 }  // namespace soarbox::app

@@ -9,7 +9,7 @@
 namespace soarbox::app {
 namespace {
 
-/// What is asked for by name is for once; else the user's own arrangement is used, and remembered.
+/// Panels on the command line are used once; otherwise the user's own arrangement is used and saved.
 bool HasOwnLayout(const WindowWishes& wishes) {
   return wishes.panels.empty() && wishes.ui_script.empty();
 }

@@ -8,12 +8,12 @@
 
 namespace soarbox::app {
 
-/// What a window is opened with, except its size and title. A hidden one is for a picture. The error names a panel
-/// that does not exist.
+/// Returns the options of a window except its size and title. `hidden` is for pictures. The error names a panel that
+/// does not exist.
 Result<viewer::ViewerOptions> WindowOptionsOf(const WindowWishes& wishes, const sim::DataFolders& data, bool hidden);
 
-/// When a window that a user saw has closed: keeps the user's own arrangement of panels, and tells what stopped the
-/// script that played the user. Returns the ExitCode given, or that of the script.
+/// Call it after a visible window has closed. Saves the user's arrangement of panels, and reports the error of the
+/// script that played the user. Returns `code`, or the ExitCode of the script.
 int AfterWindow(const viewer::Viewer& viewer, const WindowWishes& wishes, int code);
 
 }  // namespace soarbox::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The engine and the place of a page without a server: what JavaScript calls in a worker (web/src/local). Each function
-// is called from JavaScript only, and none waits. Texts that are returned are freed by the caller.
+// The engine and the user's place for a page without a server. JavaScript calls these functions in a worker
+// (web/src/local); none of them blocks. The caller frees returned texts.
 #include <emscripten.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 using namespace soarbox;
 namespace fs = std::filesystem;
 
-/// The place of this worker; its files are kept by the browser.
+/// The place of this worker; the browser stores its files.
 constexpr char kPlace[] = "/place", kPlaceId[] = "local";
 
 serve::Place& ThePlace() {
@@ -36,7 +36,7 @@ serve::Place& ThePlace() {
   return place;
 }
 
-/// Null if the program's own files are not there.
+/// Null if the program's own files do not exist.
 const app::ShippedCatalog* Catalog() {
   static const std::unique_ptr<const app::ShippedCatalog> catalog = [] {
     const Result<sim::DataFolders> data = app::FindDataFolders();
@@ -100,8 +100,8 @@ std::vector<std::string> PartsOf(const std::string& path) {
 
 extern "C" {
 
-/// Ends the run that there is, and begins another. Returns an error as JSON, with `error` and `hint`, or null. If the
-/// run cannot begin for a reason of its files, the reason was printed on standard error, and `error` is empty.
+/// Ends the current run and begins another. Returns an error as JSON, with `error` and `hint`, or null. If the run
+/// cannot begin because of an error in its files, the error was printed on standard error, and `error` is empty.
 EMSCRIPTEN_KEEPALIVE char* soarbox_open(const char* what) {
   const Result<app::EngineOptions> options = OptionsFor(what);
   if (!options)
@@ -112,7 +112,8 @@ EMSCRIPTEN_KEEPALIVE char* soarbox_open(const char* what) {
   return TheEngine() == nullptr ? NewText(R"({"error":"","hint":""})") : nullptr;
 }
 
-/// One round of the engine's loop: returns how many ms may pass until the next one, or -1 if there is no run any more.
+/// Executes one iteration of the engine's loop. Returns the longest time in ms until the next one, or -1 if the run has
+/// ended.
 EMSCRIPTEN_KEEPALIVE int soarbox_step() {
   if (TheEngine() == nullptr) return -1;
   const std::optional<int> wait_ms = TheEngine()->Step();
@@ -120,8 +121,8 @@ EMSCRIPTEN_KEEPALIVE int soarbox_step() {
   return wait_ms.value_or(-1);
 }
 
-/// Grades a learner's rules in this module, which has no run: what `soarbox learn check LESSON --progress` prints.
-/// `from`: the folder of the lessons. Returns an ExitCode.
+/// Grades a learner's rules in this module, which has no run, like `soarbox learn check LESSON --progress`. `from` is
+/// the folder of the lessons. Returns an ExitCode.
 EMSCRIPTEN_KEEPALIVE int soarbox_grade(const char* lesson, const char* from) {
   app::LearnOptions options;
   options.words = {"check", lesson};
@@ -132,8 +133,8 @@ EMSCRIPTEN_KEEPALIVE int soarbox_grade(const char* lesson, const char* from) {
   return code;
 }
 
-/// Answers a request about the place, as the server does (docs/serve.md): `path` without "/api/p/ID" before it. The
-/// answer is JSON with `status`, `type` and `file`: the name of a file that holds its body, as of a zip archive.
+/// Answers a request about the place as the server does (docs/serve.md): `path` without "/api/p/ID" before it. The
+/// answer is JSON with `status`, `type` and `file`: the name of a file with the body, for example a zip archive.
 EMSCRIPTEN_KEEPALIVE char* soarbox_answer(const char* method, const char* path, const char* body, int length) {
   serve::PlaceRequest request;
   request.method = method;
