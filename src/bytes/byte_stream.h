@@ -10,9 +10,8 @@
 
 namespace soarbox {
 
-/// Appends values to a string of bytes, little-endian; whole numbers in groups of seven bits, the lowest first.
-/// Everything that Soarbox stores or sends as bytes is written this way: recordings, streams, images of rules,
-/// long-term memories.
+/// Appends values to a byte string, little-endian. Integers are stored in groups of seven bits, the lowest first. All
+/// bytes that Soarbox stores or sends are written this way: recordings, streams, images of rules, long-term memories.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& out) : out_(out) {}
@@ -30,7 +29,7 @@ class ByteWriter {
   void Fixed64(std::uint64_t value) { Fixed(value, 8); }
   void Float(float value) { Fixed32(std::bit_cast<std::uint32_t>(value)); }
   void Double(double value) { Fixed64(std::bit_cast<std::uint64_t>(value)); }
-  /// Several floats at once: most of what a recording holds.
+  /// Writes several floats at once, which are most of a recording.
   template <typename... Floats>
   void ManyFloats(Floats... values) {
     char bytes[4 * sizeof...(Floats)];
@@ -42,7 +41,7 @@ class ByteWriter {
     Number(text.size());
     Append(text);
   }
-  /// Bytes as they are.
+  /// Appends bytes unchanged.
   void Append(std::string_view bytes) { out_.append(bytes); }
 
  private:
@@ -58,8 +57,8 @@ class ByteWriter {
   std::string& out_;
 };
 
-/// Reads what ByteWriter wrote. Input may be anything: once something does not fit, failed() is true for good and every
-/// further value is zero or empty.
+/// Reads the output of ByteWriter. Accepts any input. After the first error, failed() stays true, and all further
+/// values are zero or empty.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -91,7 +90,7 @@ class ByteReader {
     Fail();
     return 0;
   }
-  /// A value of an enumeration that ends with `last`.
+  /// Reads a value of an enumeration whose last value is `last`.
   template <typename Enum>
   Enum Kind(Enum last) {
     const std::uint8_t value = Byte();
@@ -99,23 +98,23 @@ class ByteReader {
     Fail();
     return Enum{};
   }
-  /// A count of things that take at least `least_bytes` each: fails if so many cannot follow, so that a damaged count
-  /// never asks for more memory than the input justifies.
+  /// Reads the number of items that use at least `least_bytes` each. Fails if so many cannot follow, so that a damaged
+  /// number never causes a large allocation.
   std::size_t Count(std::size_t least_bytes = 1) {
     const std::uint64_t count = Number();
     if (count <= bytes_.size() / least_bytes) return static_cast<std::size_t>(count);
     Fail();
     return 0;
   }
-  /// What is made of the input takes this much more memory: fails once the sum exceeds the budget, since few bytes can
-  /// ask for many empty things.
+  /// Records that decoding allocates `bytes` of memory. Fails when the total exceeds the budget, because few bytes of
+  /// input can request many empty items.
   void Charge(std::uint64_t bytes) {
     if (bytes > budget_) return Fail();
     budget_ -= bytes;
   }
   void SetBudget(std::uint64_t bytes) { budget_ = bytes; }
   std::uint64_t budget() const { return budget_; }
-  /// Count, with a charge for the things.
+  /// Count, with a charge for the items.
   std::size_t CountOf(std::size_t bytes_each, std::size_t least_bytes = 1) {
     const std::size_t count = Count(least_bytes);
     Charge(static_cast<std::uint64_t>(count) * bytes_each);

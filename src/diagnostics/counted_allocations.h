@@ -3,18 +3,18 @@
 
 #include <cstdint>
 
-/// What a test program that links soarbox_counted_allocations knows of its own `new` and `delete`, on one thread.
+/// For test programs that link soarbox_counted_allocations: counts and control of `new` and `delete`, on one thread.
 namespace soarbox::allocations {
 
-/// How often memory was asked for and given since the program began.
+/// Number of allocations since the program began.
 std::int64_t Count();
-/// How many of these are still held.
+/// Number of allocations that were not freed.
 std::int64_t Live();
 
 enum class Refusal : std::uint8_t { kOnce, kFromThenOn };
-/// This many allocations succeed; the next one throws std::bad_alloc: once, or each from then on.
+/// Lets this many allocations succeed. The next one throws std::bad_alloc, either only once or each from then on.
 void RefuseAfter(std::int64_t allocations, Refusal refusal);
-/// Nothing is refused any more.
+/// Ends RefuseAfter: all allocations succeed again.
 void Allow();
 
 }  // namespace soarbox::allocations

@@ -20,8 +20,8 @@ const char* Word(Severity severity) {
   return "error";
 }
 
-/// Optimal string alignment: insertions, deletions, replacements and swapped neighbours each cost 1. `most` + 1 if
-/// there are more. Only the band of the table that can lead to so few is filled in.
+/// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours each cost 1. Returns
+/// `most` + 1 if it is greater. Computes only the band of the table that can lead to small values.
 std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
   const std::size_t beyond = most + 1;
   std::vector<std::size_t> before_last(b.size() + 1, beyond), last(b.size() + 1, beyond), row(b.size() + 1, beyond);
@@ -39,13 +39,13 @@ std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t mos
       if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
       least = std::min(least, row[j]);
     }
-    // A swap reaches over one row.
+    // A swap refers to the row before the last one.
     if (least > most && *std::min_element(last.begin(), last.end()) > most) return beyond;
   }
   return row[b.size()];
 }
 
-/// A message may name what a stranger wrote, however long that is.
+/// Truncates a message, which may contain a long text of a stranger.
 std::string Bounded(const std::string& text) {
   constexpr std::size_t kMost = 4'000, kShown = 1'000;
   if (text.size() <= kMost) return text;
@@ -55,8 +55,8 @@ std::string Bounded(const std::string& text) {
 constexpr int kWidestExcerpt = 300;
 constexpr int kBeforeColumn = 100;
 
-/// The line of a source with a mark below the place. Of a long line the part around the place; what a terminal would
-/// not show as it is becomes one character each, so that the mark stays below its place.
+/// The source line with a mark below the position. A long line is reduced to the part around the position. Characters
+/// that a terminal does not show as one column are replaced by one character each, so that the mark is aligned.
 std::string FormatExcerpt(const Diagnostic& diagnostic) {
   std::string excerpt = diagnostic.excerpt;
   int column = diagnostic.column;
@@ -72,7 +72,7 @@ std::string FormatExcerpt(const Diagnostic& diagnostic) {
   }
   std::string text = "   " + excerpt + '\n';
   if (column <= 0) return text;
-  // Tabs are kept, so that the caret stands under its character whatever a tab's width.
+  // Tabs are kept, so that the caret is below its character for any tab width.
   std::string pad;
   for (int i = 0; i + 1 < column; ++i) {
     const bool is_tab = i < static_cast<int>(excerpt.size()) && excerpt[static_cast<std::size_t>(i)] == '\t';
@@ -106,7 +106,8 @@ std::string Format(const Diagnostic& diagnostic) {
 
 std::string_view Suggest(std::string_view word, const std::vector<std::string_view>& candidates) {
   std::string_view best;
-  // Words come from strangers, and may be of any length: a name is not longer than this, nor a slip larger.
+  // Words may come from strangers and have any length. Real names are shorter than this, and typing mistakes are
+  // smaller.
   constexpr std::size_t kLongestName = 100, kMostChanges = 6;
   if (word.size() > kLongestName) return best;
   std::size_t most = std::clamp<std::size_t>(word.size() / 3, 1, kMostChanges);

@@ -10,8 +10,8 @@ namespace soarbox {
 
 enum class Severity : std::uint8_t { kNote, kWarning, kError };
 
-/// What is wrong with something that a user wrote, where, and what to do about it.
-/// The command line, the panels and the JSON output all show this same struct.
+/// An error in something that a user wrote: what is wrong, where, and what to do about it. The command line, the panels
+/// and the JSON output all show this struct.
 struct Diagnostic {
   Severity severity = Severity::kError;
   std::string file;        ///< As the user named it; empty for typed input.
@@ -20,15 +20,15 @@ struct Diagnostic {
   std::string message;     ///< One sentence without a full stop: what is wrong.
   std::string excerpt;     ///< The offending source line, if known.
   int excerpt_length = 1;  ///< How many characters of the excerpt to underline.
-  std::string hint;        ///< What to do, if we can say: "did you mean <target>?".
-  int more = 0;            ///< In this many further places the same is wrong; this is the first.
+  std::string hint;        ///< What to do, if that is known: "did you mean <target>?".
+  int more = 0;            ///< Number of further places with the same error; this is the first.
 };
 
 /// "file:line:column: error: message", the excerpt with a caret line, "   note: hint".
 /// Ends with a newline. Parts that are unknown are left out.
 std::string Format(const Diagnostic& diagnostic);
 
-/// The candidate that a misspelt word most likely meant, by edit distance; empty if none is near.
+/// The candidate that is most similar to a misspelt word, by edit distance; empty if none is similar.
 std::string_view Suggest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace soarbox

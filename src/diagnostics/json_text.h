@@ -5,8 +5,8 @@
 
 namespace soarbox {
 
-/// A nlohmann::json, or an ordered one, on one line. Names and texts of users may hold any bytes: what is not UTF-8 is
-/// replaced. `indent`: blanks per level, on many lines; -1: one line.
+/// Prints a nlohmann::json or ordered_json. Texts of users can contain any bytes; invalid UTF-8 is replaced. `indent`:
+/// blanks per level for output on several lines; -1: output on one line.
 template <typename Json>
 std::string JsonText(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -6,7 +6,7 @@
 
 namespace soarbox {
 
-/// The text with small letters instead of A to Z; other characters stay, whatever the locale.
+/// Converts A to Z to lower case, independent of the locale. Other characters are not changed.
 inline std::string LowerCase(std::string_view text) {
   std::string lower(text);
   for (char& c : lower)

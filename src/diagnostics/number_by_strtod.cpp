@@ -20,7 +20,7 @@ std::size_t DigitsAt(std::string_view text, std::size_t at, bool hexadecimal) {
   return count;
 }
 
-/// Whether the text begins with a word of lower-case letters, however the text writes it.
+/// Whether the text begins with a lower-case word, ignoring case in the text.
 bool BeginsWith(std::string_view text, std::string_view word) {
   return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(), [](char letter, char c) {
            return c == letter || c == letter - 'a' + 'A';
@@ -57,7 +57,7 @@ std::size_t NumberLength(std::string_view text, bool hexadecimal) {
   return end;
 }
 
-/// Whether any digit before the exponent is not 0.
+/// Whether a digit before the exponent is not 0.
 bool HasValue(std::string_view number, bool hexadecimal) {
   const std::string_view mantissa = number.substr(0, number.find_first_of(hexadecimal ? "pP" : "eE"));
   return mantissa.find_first_not_of("0.") != std::string_view::npos;

@@ -18,8 +18,8 @@ std::from_chars_result NumberFromChars(std::string_view text, float& value);
 std::from_chars_result NumberFromChars(std::string_view text, double& value,
                                        std::chars_format format = std::chars_format::general);
 
-/// The same by C's strtod, for libraries without the above. The locale must be C's, as it is in a program that does not
-/// set it.
+/// An implementation with C's strtod, for standard libraries without floating-point std::from_chars. The locale must be
+/// "C", which is the default of a program.
 std::from_chars_result NumberByStrtod(std::string_view text, float& value);
 std::from_chars_result NumberByStrtod(std::string_view text, double& value, std::chars_format format);
 

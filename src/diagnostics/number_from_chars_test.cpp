@@ -12,7 +12,7 @@
 namespace soarbox {
 namespace {
 
-/// What both ways of reading have to agree on.
+/// The results on which both functions must agree.
 struct Reading {
   std::ptrdiff_t length;
   std::errc error;
@@ -27,7 +27,7 @@ std::ostream& operator<<(std::ostream& out, const Reading& reading) {
 
 template <typename Number>
 Reading ReadingOf(std::string_view text, const std::from_chars_result& result, Number value) {
-  // The bits of what is no number are left to the library.
+  // The bits of NaN depend on the library.
   const double wide = std::isnan(value) ? 0.5 : static_cast<double>(value);
   return {result.ptr - text.data(), result.ec, std::bit_cast<std::uint64_t>(wide)};
 }
@@ -119,7 +119,7 @@ TEST(NumberFromChars, StrtodReadsWhatTheLibraryReadsInTextsMadeByChance) {
   for (int i = 0; i < 200'000; ++i) {
     std::string text;
     for (std::uint32_t length = random() % 12; length > 0; --length) text += letters[random() % letters.size()];
-    // libstdc++ 12 takes the hexadecimal 1p+-2 for a number.
+    // libstdc++ 12 accepts the hexadecimal 1p+-2 as a number.
     if (text.find("+-") == std::string::npos) ExpectTheSame(text);
   }
 }

@@ -13,7 +13,7 @@ void AppendHex(std::string& text, unsigned char byte) {
   text += kDigits[byte & 15];
 }
 
-/// Whether a character of UTF-8 that is cut ends here.
+/// Whether a byte is within a UTF-8 character, so that the text must not be cut before it.
 bool IsInside(unsigned char byte) {
   return (byte & 0xC0) == 0x80;
 }
@@ -27,7 +27,7 @@ std::string Printable(std::string_view text, const char* indent, std::size_t mos
   safe.reserve(shown);
   for (std::size_t i = 0; i < shown; ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    // The control characters that UTF-8 has beside those of ASCII are 0xC2 and one of 0x80 to 0x9F.
+    // The control characters that UTF-8 adds to those of ASCII are 0xC2 followed by 0x80 to 0x9F.
     const bool is_c1 = byte == 0xC2 && i + 1 < shown && static_cast<unsigned char>(text[i + 1]) < 0xA0;
     if (byte == '\n') {
       if (indent == nullptr) {

@@ -7,16 +7,17 @@
 
 namespace soarbox {
 
-/// A foreign text as a terminal may show it: control characters other than tabs as \xNN, so that no text moves the
-/// cursor or colours what is not its own. Lines after the first begin with `indent`, so that none of them passes for a
-/// message; a null pointer gives \n instead. A text longer than `most` bytes ends in a count of the rest.
+/// Makes an untrusted text safe for a terminal. Control characters except tabs are printed as \xNN, so that a text
+/// cannot move the cursor or change colours. Lines after the first begin with `indent`, so that none of them looks like
+/// a message; if `indent` is null, line ends are printed as \n. A text longer than `most` bytes is truncated and ends
+/// with the number of omitted bytes.
 std::string Printable(std::string_view text, const char* indent = "   ", std::size_t most = 4000);
 
-/// Why bytes that were read as rules, a script or a scenario are not what anybody wrote: UTF-16, or a zero byte in
-/// them. Empty if they may be.
+/// Why bytes that were read as rules, a script or a scenario are not a text file: they are UTF-16 or contain a zero
+/// byte. Empty if they can be text.
 std::string WhyNoPlainText(std::string_view content);
 
-/// The text after the byte order mark that some editors put before UTF-8.
+/// The text without the byte order mark that some editors add to UTF-8.
 std::string_view WithoutByteOrderMark(std::string_view content);
 
 }  // namespace soarbox

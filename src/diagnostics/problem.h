@@ -9,7 +9,7 @@
 
 namespace soarbox {
 
-/// An error in something that has no lines: what is wrong, and what to do about it.
+/// Creates an error about something without lines.
 inline Diagnostic NewProblem(std::string message, std::string hint = {}) {
   Diagnostic problem;
   problem.message = std::move(message);
@@ -17,7 +17,7 @@ inline Diagnostic NewProblem(std::string message, std::string hint = {}) {
   return problem;
 }
 
-/// An error about a whole file.
+/// Creates an error about an entire file.
 inline Diagnostic ProblemIn(const std::filesystem::path& file, std::string message, std::string hint = {}) {
   Diagnostic problem = NewProblem(std::move(message), std::move(hint));
   problem.file = file.string();

@@ -10,7 +10,7 @@ namespace soarbox {
 constexpr std::uintmax_t kMostTextBytes = std::uintmax_t{1} << 30;
 
 std::optional<std::string> ReadText(const std::filesystem::path& file, ReadFrom from) {
-  // A folder opens as a file does, and fails only when it is read; a pipe that nobody writes to never opens.
+  // A folder can be opened like a file and fails only when it is read. Opening a pipe without a writer blocks.
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return std::nullopt;
   if (from == ReadFrom::kPlainFiles) {

@@ -10,14 +10,14 @@
 namespace soarbox {
 
 enum class ReadFrom : std::uint8_t {
-  kPlainFiles,  ///< Pipes and devices, which may never end, count as unreadable; so does what is larger than 1 GB.
-  kAnything,    ///< Somebody named it on purpose.
+  kPlainFiles,  ///< Pipes and devices, which may never end, and files larger than 1 GB are treated as unreadable.
+  kAnything,    ///< The user has named the file explicitly.
 };
 
-/// All that a file holds; nothing if it cannot be read.
+/// The content of a file; nothing if it cannot be read.
 std::optional<std::string> ReadText(const std::filesystem::path& file, ReadFrom from = ReadFrom::kPlainFiles);
 
-/// Whether this is a plain file that lies below one of the folders, all links followed.
+/// Whether a path is a plain file below one of the folders, after resolving links.
 bool IsPlainFileBelow(const std::filesystem::path& file, std::span<const std::filesystem::path> folders);
 
 }  // namespace soarbox

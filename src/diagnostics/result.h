@@ -10,7 +10,7 @@
 
 namespace soarbox {
 
-/// A value, or the diagnostic that says why there is none.
+/// A value, or a diagnostic that says why there is none.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -40,7 +40,7 @@ class [[nodiscard]] Result {
   std::variant<T, Diagnostic> content_;
 };
 
-/// Success, or the diagnostic that says what failed.
+/// Success, or a diagnostic that says what failed.
 template <>
 class [[nodiscard]] Result<void> {
  public:

@@ -6,9 +6,9 @@
 
 namespace soarbox {
 
-/// Whether a text matches a pattern in which * stands for anything.
+/// Whether a text matches a pattern in which * matches any text.
 inline bool IsLikePattern(std::string_view text, std::string_view pattern) {
-  // Greedy with one point to come back to.
+  // A greedy match that backtracks to the last star only.
   std::size_t t = 0, p = 0, star = std::string_view::npos, mark = 0;
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

@@ -7,8 +7,8 @@
 
 namespace soarbox {
 
-/// For tests: while one exists, no thread can be started, as with too little memory for another stack. std::thread then
-/// throws std::system_error.
+/// For tests: while an object exists, no thread can be started, as if memory for another stack were exhausted.
+/// std::thread then throws std::system_error.
 class WithoutThreads {
  public:
   WithoutThreads() {

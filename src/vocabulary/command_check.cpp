@@ -9,7 +9,7 @@
 namespace soarbox::vocabulary {
 namespace {
 
-/// What the world itself puts below a command.
+/// Attributes that the world adds below a command.
 constexpr std::string_view kAnswers = "status reason parameter progress";
 
 const ParameterRow* FindParameter(const CommandRow& row, std::string_view name) {
@@ -76,7 +76,7 @@ CommandFault CheckCommand(const SaidCommand& command) {
             "there is too much below ^" + command.name +
                 ": up to 1000 elements of a command are read, and circular links count each time"};
   }
-  // Whatever stands beside what say and broadcast know travels with the message.
+  // Additional parameters of say and broadcast are sent with the message.
   const bool is_message = row->part == BodyPart::kVoice;
   bool has_place = false;
   for (const Percept& given : command.parameters) {

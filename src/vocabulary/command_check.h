@@ -9,25 +9,25 @@
 
 namespace soarbox::vocabulary {
 
-/// A command as a mind put it on its output link.
+/// A command of a mind on its output link.
 struct SaidCommand {
-  std::uint64_t tag = 0;  ///< Names it for as long as it stays there.
+  std::uint64_t tag = 0;  ///< Identifies the command while it is on the output link.
   std::string name;
   PerceptList parameters;
-  bool is_object = true;      ///< False: the rules gave the attribute a constant instead of an identifier.
-  bool is_too_large = false;  ///< More stands below it than is read; nothing of it is.
+  bool is_object = true;      ///< False: its value is a constant instead of an identifier.
+  bool is_too_large = false;  ///< It has more parameters than are read; none of them are read.
 };
 
-/// What is wrong with a command before anybody tries it; `reason` is empty if nothing is.
+/// An error in a command that is found before it is executed; `reason` is empty if there is none.
 struct CommandFault {
   std::string reason;
   std::string parameter;
-  std::string text;  ///< For people, with what to do: "^within is 500: it takes m, 0.1 to 100".
+  std::string text;  ///< For users, with what to do: "^within is 500: it takes m, 0.1 to 100".
 
   bool ok() const { return reason.empty(); }
 };
 
-/// Checks the name and the parameters against the table.
+/// Checks the name and the parameters of a command against the table.
 CommandFault CheckCommand(const SaidCommand& command);
 
 }  // namespace soarbox::vocabulary

@@ -35,7 +35,7 @@ std::string Describe(const PerceptList& list) {
   for (const Percept& percept : list) {
     if (!text.empty()) text += ' ';
     std::string value = DescribeValue(percept);
-    // What would look like another attribute stands between bars.
+    // Bars around a value that contains text like an attribute.
     if (percept.Text() != nullptr && value.find(" ^") != std::string::npos) value = "|" + value + "|";
     text += "^" + percept.attribute + " " + value;
   }

@@ -12,13 +12,14 @@
 
 namespace soarbox::vocabulary {
 
-/// An attribute with its value, as it stands on an input link or below a command: a constant, or an object with
-/// attributes of its own. Plain data: who keeps it owns it.
+/// An attribute and its value, as on an input link or below a command. The value is a constant, or an object with
+/// attributes. Plain data without references.
 struct Percept {
   using Object = std::vector<Percept>;
 
   std::string attribute;
-  std::uint32_t key = 0;  ///< Tells siblings of one attribute apart from tick to tick: the number of an agent, say.
+  std::uint32_t key = 0;  ///< Identifies one of several siblings with the same attribute in all ticks, for example by
+                          ///< the number of an agent.
   std::variant<std::int64_t, double, std::string, Object> value;
 
   bool IsObject() const { return std::holds_alternative<Object>(value); }
@@ -29,9 +30,9 @@ struct Percept {
 };
 using PerceptList = Percept::Object;
 
-/// The first attribute of that name; null if there is none.
+/// The first percept with this attribute; null if there is none.
 const Percept* FindPercept(const PerceptList& list, std::string_view attribute);
-/// "^waypoint gate ^within 2" on one line; objects as "(...)".
+/// Formats percepts on one line: "^waypoint gate ^within 2"; objects as "(...)".
 std::string Describe(const PerceptList& list);
 std::string DescribeValue(const Percept& percept);
 

@@ -12,39 +12,40 @@
 
 namespace soarbox::vocabulary {
 
-/// What std::round gives, but for the sign of zero, without a call: every percept is rounded in each look around.
+/// Same as std::round, except for the sign of zero, but without a call, because every percept is rounded in each
+/// update.
 [[gnu::always_inline]] inline double Rounded(double value) {
-  constexpr double kNoFraction = 4503599627370496;  // From here on.
+  constexpr double kNoFraction = 4503599627370496;  // Larger numbers have no fraction.
   if (!(std::abs(value) < kNoFraction)) return value;
   const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
   const double rest = value - whole;
   return rest >= 0.5 ? whole + 1 : rest <= -0.5 ? whole - 1 : whole;
 }
 
-/// A finite value as rules see it: within the row's range, rounded to its step. Where the row is one that the compiler
-/// knows, little is left of this.
+/// A finite value as rules perceive it: clamped to the row's range and rounded to its step. If the row is a
+/// compile-time constant, most of this is optimized away.
 [[gnu::always_inline]] inline double AsPerceived(const PerceptRow& row, double value) {
   if (row.min != row.max) value = value < row.min ? row.min : value > row.max ? row.max : value;
-  // Division by a whole number of steps keeps 0.1 and its like exactly what a rule's text says.
+  // Dividing by an integer number of steps gives exactly the value of a literal such as 0.1 in a rule.
   if (row.steps_per_unit > 0) {
     value = Rounded(value * row.steps_per_unit) / row.steps_per_unit;
   } else if (row.step > 0) {
     value = Rounded(value / row.step) * row.step;
   }
-  return value + 0.0;  // No negative zero.
+  return value + 0.0;  // Avoids negative zero.
 }
 
-/// A value that is no object.
+/// A constant value of a percept.
 using ConstantValue = std::variant<std::int64_t, double, std::string>;
 
-/// Takes what a body perceives, attribute by attribute, in the order in which it stands on the input link.
+/// Receives what a body perceives, attribute by attribute, in the order of the input link.
 ///
-/// Siblings of one attribute are told apart by a key, the number of an agent or a message, say.
+/// Siblings with the same attribute are distinguished by a key, such as the number of an agent or a message.
 class PerceptSink {
  public:
   virtual ~PerceptSink() = default;
 
-  /// A number with its row's type, range and step. What is not finite is left out.
+  /// Reports a number with the type, range and step of its row. Ignores values that are not finite.
   void Number(const PerceptRow& row, double value) {
     if (!std::isfinite(value)) return;
     const double perceived = AsPerceived(row, value);
@@ -55,9 +56,9 @@ class PerceptSink {
     }
   }
   virtual void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) = 0;
-  /// A constant that is not in the table, such as a parameter of a message.
+  /// Reports a constant that is not in the table, such as a parameter of a message.
   virtual void Other(std::string_view attribute, const ConstantValue& value) = 0;
-  /// An object; what comes until its Close() stands below it.
+  /// Begins an object. Everything up to its Close() is below it.
   virtual void Open(const PerceptRow& row, std::uint32_t key = 0) = 0;
   virtual void Close() = 0;
 
@@ -66,14 +67,14 @@ class PerceptSink {
   virtual void Float(const PerceptRow& row, double value) = 0;
 };
 
-/// Makes a list of what it is told.
+/// Converts the reported percepts to a list.
 class PerceptLister final : public PerceptSink {
  public:
   PerceptLister() { open_.push_back(&list_); }
   PerceptLister(const PerceptLister&) = delete;
   PerceptLister& operator=(const PerceptLister&) = delete;
 
-  /// Everything that is closed.
+  /// Contains all objects that were closed.
   const PerceptList& list() const { return list_; }
 
   void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) override;
@@ -87,7 +88,7 @@ class PerceptLister final : public PerceptSink {
   Percept& Add(std::string_view attribute, std::uint32_t key);
 
   PerceptList list_;
-  std::vector<PerceptList*> open_;  ///< From the outermost to the one that is told now.
+  std::vector<PerceptList*> open_;  ///< From the outermost object to the current one.
 };
 
 }  // namespace soarbox::vocabulary

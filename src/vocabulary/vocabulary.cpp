@@ -65,7 +65,7 @@ std::string DescribeRange(std::string_view unit, double min, double max, std::st
   std::string text;
   if (!words.empty()) return "one of: " + std::string(words);
   if (!unit.empty()) text = unit;
-  constexpr double kShown = 1e5;  // Larger limits are only there to keep numbers finite.
+  constexpr double kShown = 1e5;  // Larger limits only keep numbers finite, so they are not shown.
   if (min == max || max >= kShown) return text;
   if (!text.empty()) text += ", ";
   return text + Short(min) + " to " + Short(max);

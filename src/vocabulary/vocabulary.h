@@ -10,17 +10,17 @@
 
 namespace soarbox::vocabulary {
 
-// What Soar agents perceive and what they can say, as data. The tables below are the source of the input link, of the
-// checks of the output link, of docs/percepts.md and docs/commands.md, of `soarbox check` and of the gap reports.
+// What Soar agents perceive and which commands they can give, as data. These tables are the source of the input link,
+// the checks of the output link, docs/percepts.md and docs/commands.md, `soarbox check` and the gap reports.
 
 enum class ValueType : std::uint8_t {
-  kNumber,   ///< A float; integers are taken too.
-  kInteger,  ///< A whole number.
+  kNumber,   ///< A float; integers are accepted, too.
+  kInteger,  ///< An integer.
   kWord,     ///< A constant; one of `words` if there are any.
-  kObject,   ///< An identifier with attributes of its own.
+  kObject,   ///< An identifier with attributes.
 };
 
-/// How many steps make 1; 0 if that is no whole number.
+/// Number of steps per unit; 0 if that is not an integer.
 constexpr double WholeStepsPerUnit(double step) {
   if (step <= 0) return 0;
   const double steps = 1 / step, whole = static_cast<double>(static_cast<long long>(steps + 0.5));
@@ -28,15 +28,15 @@ constexpr double WholeStepsPerUnit(double step) {
   return whole > 0 && error < 1e-9 && error > -1e-9 ? whole : 0;
 }
 
-/// One thing that an agent may perceive: an attribute below ^io.input-link.
+/// A percept: an attribute below ^io.input-link.
 struct PerceptRow {
-  std::string_view path;   ///< Dotted, from the input link: "self.position.x".
+  std::string_view path;   ///< Path with dots from the input link: "self.position.x".
   std::string_view sense;  ///< The sense that writes it; authors switch senses on and off by this name.
   ValueType type = ValueType::kNumber;
-  std::string_view unit = {};   ///< "m", "m/s", "deg", "s"; empty: none.
-  double min = 0, max = 0;      ///< Numbers only; both 0: any.
-  double step = 0;              ///< Numbers are rounded to multiples of this, so that noise below it changes nothing.
-  std::string_view words = {};  ///< Words only: the possible ones, separated by blanks; empty: any.
+  std::string_view unit = {};   ///< "m", "m/s", "deg", "s"; empty if it has none.
+  double min = 0, max = 0;      ///< For numbers only; both 0: no limits.
+  double step = 0;              ///< Numbers are rounded to multiples of this, so that smaller noise causes no change.
+  std::string_view words = {};  ///< For words only: the possible words, separated by blanks; empty: any.
   std::string_view meaning = {};
   double steps_per_unit = WholeStepsPerUnit(step);
 
@@ -46,18 +46,18 @@ struct PerceptRow {
   }
 };
 
-/// One parameter of a command: an attribute below the command's identifier.
+/// A parameter of a command: an attribute below the command's identifier.
 struct ParameterRow {
   std::string_view name;
   ValueType type = ValueType::kNumber;
   std::string_view unit = {};
-  double min = 0, max = 0;  ///< Numbers only; both 0: any.
+  double min = 0, max = 0;  ///< For numbers only; both 0: no limits.
   bool required = false;
-  std::string_view words = {};  ///< Words only: the possible ones.
+  std::string_view words = {};  ///< For words only: the possible words.
   std::string_view meaning = {};
 };
 
-/// What of a body a command needs. A new command interrupts the one that holds the same part.
+/// The part of a body that a command uses. A new command interrupts the one that uses the same part.
 enum class BodyPart : std::uint8_t { kLegs, kHead, kHands, kVoice, kPosture, kNone };
 
 enum class TakesPlace : std::uint8_t {
@@ -66,7 +66,7 @@ enum class TakesPlace : std::uint8_t {
   kRequired,  ///< One of the parameters in PlaceParameters().
 };
 
-/// One command: an attribute directly on the output link, with an identifier as its value.
+/// A command: an attribute directly on the output link, with an identifier as its value.
 struct CommandRow {
   std::string_view name;
   BodyPart part = BodyPart::kNone;
@@ -74,17 +74,17 @@ struct CommandRow {
   TakesPlace place = TakesPlace::kNo;
   std::string_view meaning;
   std::vector<ParameterRow> parameters;
-  std::string_view ends;     ///< When it is complete, in words.
-  std::string_view reasons;  ///< What ^reason may say besides what the checks find, separated by blanks.
+  std::string_view ends;     ///< When it is complete, as text.
+  std::string_view reasons;  ///< Values of ^reason, in addition to those of the checks, separated by blanks.
 };
 
-/// One word that ^reason may hold.
+/// A possible value of ^reason.
 struct ReasonRow {
   std::string_view name;
   std::string_view meaning;
 };
 
-/// One sense that authors can switch on and off.
+/// A sense, which authors can turn on and off.
 struct SenseRow {
   std::string_view name;
   std::string_view meaning;
@@ -94,27 +94,27 @@ std::span<const PerceptRow> Percepts();
 std::span<const CommandRow> Commands();
 std::span<const ReasonRow> Reasons();
 std::span<const SenseRow> Senses();
-/// The ways to name a place: ^x and ^z, ^waypoint, ^region, ^agent, ^object.
+/// The parameters that specify a place: ^x and ^z, ^waypoint, ^region, ^agent, ^object.
 std::span<const ParameterRow> PlaceParameters();
 
-/// Null if there is none of that name.
+/// Null if the name does not exist.
 const CommandRow* FindCommand(std::string_view name);
 const SenseRow* FindSense(std::string_view name);
 const ReasonRow* FindReason(std::string_view name);
-/// The command or percept attribute that a misspelt word most likely meant; empty if none is near.
+/// The most similar command or percept attribute for a misspelt word; empty if none is similar.
 std::string_view NearestCommand(std::string_view word);
 std::string_view NearestAttribute(std::string_view word, std::span<const std::string> more = {});
-/// Whether some percept has this attribute.
+/// Whether any percept has this attribute.
 bool IsPerceptAttribute(std::string_view attribute);
 
 std::string_view NameOf(BodyPart part);
 std::string_view NameOf(ValueType type);
-/// "m, 0 to 100", "one of: a b c"; empty if there is nothing to say.
+/// "m, 0 to 100", "one of: a b c"; empty if there is no restriction.
 std::string DescribeRange(std::string_view unit, double min, double max, std::string_view words);
-/// Whether a blank-separated list holds a word.
+/// Whether a list of words, separated by blanks, contains a word.
 bool HoldsWord(std::string_view list, std::string_view word);
 
-/// docs/percepts.md and docs/commands.md.
+/// Generates docs/percepts.md and docs/commands.md.
 std::string PerceptReference();
 std::string CommandReference();
 

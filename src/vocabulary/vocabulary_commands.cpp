@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "vocabulary/vocabulary.h"
 
-// The table of commands. Each name has its conduct in conduct_*.cpp; a test compares the two.
+// The table of commands. Each is implemented by a conduct (sim/conduct.h); a test compares the two lists.
 namespace soarbox::vocabulary {
 namespace {
 

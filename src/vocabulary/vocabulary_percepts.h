@@ -25,7 +25,7 @@ inline constexpr PerceptRow Word(std::string_view path, std::string_view sense, 
 
 inline constexpr double kFar_m = 1e6;
 
-/// The table of percepts. A row stands behind the row of the object that it belongs to.
+/// The table of percepts. Each row follows the row of its parent object.
 inline constexpr PerceptRow kPerceptTable[] = {
     Number("distance", "distance", "m^2", 0, 0, 0,
            "The thesis' percept: the squared distance between the centres of the agent and its target or leader"),
@@ -123,7 +123,7 @@ inline constexpr PerceptRow kPerceptTable[] = {
     Number("order.time", "orders", "s", 0, 0, 0.1, "When it was given"),
 };
 
-/// The row of a path. A path that is not in the table does not compile.
+/// The row of a path. An unknown path is a compile-time error.
 consteval const PerceptRow& RowOf(std::string_view path) {
   for (const PerceptRow& row : kPerceptTable) {
     if (row.path == path) return row;

@@ -3,7 +3,7 @@
 
 #include "vocabulary/vocabulary.h"
 
-// The pages of docs/ that are made from the tables.
+// Generates pages of docs/ from the tables.
 namespace soarbox::vocabulary {
 namespace {
 
