@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What an exercise of other simulations costs: PDUs read per second on one core, and a tick with foreign entities.
+// Cost of an exercise of other simulations: PDUs read per second on one core, and a tick with foreign entities.
 //   dis_traffic [ENTITIES [SECONDS]]
 #include <chrono>
 #include <cmath>
@@ -20,7 +20,7 @@ double Seconds(std::chrono::steady_clock::time_point from) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
 }
 
-/// A datagram for each entity, each somewhere else on a circle and on its way.
+/// A datagram for each entity; each entity is at another point of a circle and moves.
 std::vector<std::vector<std::byte>> Datagrams(int entities, const dis::LocalFrame& frame, double time_s) {
   std::vector<std::vector<std::byte>> datagrams;
   for (int i = 0; i < entities; ++i) {
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   const dis::LocalFrame frame(settings.anchor);
   const dis::StateSender ours(settings);
 
-  // Reading alone: decoded, filed, and made inputs once per tick's worth.
+  // Reading only: decoded, stored, and converted to inputs once per tick.
   const auto datagrams = Datagrams(1000, frame, 0);
   dis::ExerciseView flood(settings);
   std::uint64_t read = 0;
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   std::printf("read: %.0f PDUs/s of 1000 entities on one core (%zu inputs)\n",
               static_cast<double>(read) / Seconds(begin), inputs);
 
-  // A world with nobody of its own but one walker, with and without the foreign entities.
+  // A world with one walker of its own, with and without the foreign entities.
   for (const int count : {0, entities}) {
     sim::Scenario scenario;
     const sim::DataFolders data{SOARBOX_SOURCE_DIR "/scenarios", SOARBOX_SOURCE_DIR "/media"};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Types into a file of 5,000 rules, as an editor does: how long until the language server has said what is wrong.
+// Types into a file of 5,000 rules, as in an editor, and measures the time until the language server has reported the
+// problems.
 //
 // usage: editor_keystroke [RULES]
 #include <algorithm>
@@ -60,7 +61,7 @@ int main(int argc, char** argv) {
   server.Idle();
   std::printf(", slips of all rules %.0f ms\n", Milliseconds(since));
 
-  // A condition is typed letter by letter into the rule in the middle.
+  // A condition is typed letter by letter into the middle rule.
   const std::string typed = "\n   (<p> ^goal <x>)";
   const long line =
       std::count(text.begin(), text.begin() + static_cast<long>(text.find("*go*" + std::to_string(count / 2))), '\n') +

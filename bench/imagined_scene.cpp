@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a large scene costs: an agent with many nodes and many extracts over all of them, of which some nodes move in
-// each decision. usage: imagined_scene [NODES [EXTRACTS [MOVING [DECISIONS]]]]
+// Cost of a large scene: an agent with many nodes and many extracts over all of them; in each decision some nodes move.
+// usage: imagined_scene [NODES [EXTRACTS [MOVING [DECISIONS]]]]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,11 +16,11 @@ namespace {
 using namespace soarbox::kernel;
 
 double Now() {
-  // Of the processor: other programs may run beside.
+  // Processor time, because other programs may run at the same time.
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Filters over all nodes, as agents ask them.
+/// Filters over all nodes, as agents use them.
 constexpr const char* kFilters[] = {
     "^type distance ^distance_type centroid",
     "^type distance ^distance_type hull",

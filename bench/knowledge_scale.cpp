@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What semantic memory costs when it is large: making it, its image, cues that few and that many objects fit, touches,
+// Cost of a large semantic memory: building it, its image, cues with few and with many matching objects, accesses,
 // spreading. usage: knowledge_scale [OBJECTS [EDGES_EACH]]
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +20,7 @@ using namespace soarbox::kernel;
 
 template <typename Work>
 double Seconds(Work work) {
-  // Of the processor: other programs may run beside.
+  // Processor time, because other programs may run at the same time.
   const std::clock_t begin = std::clock();
   work();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What agents that learn take in memory beside others with the same file: KB that each of them adds as it learns some
-// rules, and as it runs as long without learning.
+// Memory of agents that learn, next to others with the same file: the KB that each of them adds when it learns some
+// rules, and when it runs for the same time without learning.
 //
 //   learner_memory FILE.soar [AGENTS [RULES...]]     defaults: 100 agents that learn 10 and 100 rules
 //
-// FILE is learning-scale.soar, with other rules or without (`generate.py` writes learners-311 and learners-3011): a
-// task is three decisions, and the agent learns a rule for each. Prints one line of JSON for each number of rules.
-// Pages are counted by their share (the kernel's Pss), so that pages which agents share count once. Only the public SML
-// client interface is used, so the same source builds against any library that offers it.
+// FILE is learning-scale.soar, with or without other rules (`generate.py` writes learners-311 and learners-3011). A
+// task is three decisions, and the agent learns a rule for each task. Prints one line of JSON for each number of rules.
+// Shared pages are counted proportionally (the kernel's Pss). Only the public SML client interface is used, so the same
+// source builds against any library that offers it.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,7 +52,7 @@ struct Cost {
   int learned;
 };
 
-/// Makes the agents, lets them begin, and then run for the decisions of so many rules.
+/// Creates the agents, starts them, and runs them for the decisions that this number of rules needs.
 Cost Measure(const char* file, int agents, int rules, bool learning) {
   sml::Kernel* const kernel = sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener);
   const double before = ProportionalKilobytes();
@@ -76,7 +76,7 @@ Cost Measure(const char* file, int agents, int rules, bool learning) {
   return {(made - before) / agents, (after - made) / agents, LearnedRules(*all.back())};
 }
 
-/// Measures in a process of its own: memory that another measurement left behind would be used first.
+/// Measures in a separate process, because memory that another measurement freed would be used first.
 Cost MeasureApart(const char* file, int agents, int rules, bool learning) {
   int ends[2];
   if (pipe(ends) != 0) std::exit(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What 10,000 learned rules cost: tasks and decisions per second before, while and after an agent learns them, and with
-// tasks that none of them fits; memory per rule.
+// Cost of 10,000 learned rules: tasks and decisions per second before, while and after an agent learns them, and with
+// tasks for which none of them matches; memory per rule.
 //
 //   learning_scale agents/learning-scale.soar
 //
@@ -46,7 +46,8 @@ int learned_rules(sml::Agent* agent) {
   return count;
 }
 
-/// Runs the agent through its tasks, which must end with (halt), and prints a line. Gives its instructions a name.
+/// Runs the agent through its tasks, which must end with (halt), and prints a line. A separate function, so that a
+/// profiler can count its instructions.
 template <typename Run>
 void measure(sml::Agent* agent, const char* phase, Run run) {
   const double before = resident_mb();

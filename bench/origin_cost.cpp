@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What it costs an agent that its kernel notes origins: for each element with o-support and each command, what made it.
+// Cost of noting origins in the kernel: for each element with o-support and each command, what created it.
 //
 //   origin_cost AGENT.soar DECISIONS on|off     runs the agent; 0: until it halts
 //   origin_cost AGENT.soar TICKS on|off io      changes a percept in each tick, runs until output, completes the

@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-/// The most memory that this process has had, in MB: the system's own figure for this process image where there is one,
-/// because getrusage also knows the memory of the process that started this one.
+/// Peak memory of this process in MB. Uses the system's own value for this process image if there is one, because
+/// getrusage includes the memory of the process that started this one.
 inline double peak_rss_mb() {
 #ifdef __linux__
   if (std::FILE* status = std::fopen("/proc/self/status", "r")) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What it costs to record a run, at each level: of a tick, and on disk.
+// Cost of recording a run, at each level: per tick, and on disk.
 //
 //   recording_cost [SCENARIO [SECONDS]]     all levels; two runs side by side, one recorded, tick by tick in turns:
 //                                           processor time of the world's thread per tick, and
@@ -43,7 +43,7 @@ int Fail(const Diagnostic& problem) {
   return 1;
 }
 
-/// One run; recorded if a level is given.
+/// A run; recorded if a level is given.
 struct Run {
   std::unique_ptr<sim::Simulation> simulation;
   std::unique_ptr<record::Recorder> recorder;
@@ -82,7 +82,7 @@ double ProcessorTime(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// One tick; the processor time that the thread that runs the world takes for it.
+/// Executes a tick and returns the processor time of the thread that runs the world.
 double Measure(Run& run) {
   const double begin = ProcessorTime(CLOCK_THREAD_CPUTIME_ID);
   run.Tick();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What rules cost in memory: how much the first agent with them takes beyond an agent without any, and how much each
-// further agent with the same rules, since agents share them.
+// Memory of rules: how much more the first agent with them takes than an agent without rules, and how much each further
+// agent with the same rules takes, because agents share them.
 //
 //   rule_memory FILE.soar [AGENTS]     AGENTS with the rules are made (default 11)
 //
-// Prints one line of JSON. Counted is what the C library's allocator has handed out.
+// Prints one line of JSON. Counts the memory that the C library's allocator has returned.
 
 #include <malloc.h>
 
@@ -22,7 +22,7 @@ double HeapMegabytes() {
   return static_cast<double>(info.uordblks + info.hblkhd) / (1024.0 * 1024.0);
 }
 
-/// Makes an agent, lets it decide once (rules are shared when a run begins) and returns what it takes.
+/// Creates an agent, lets it decide once (rules are shared when a run begins) and returns its memory.
 double CostOfAgent(sml::Kernel& kernel, const std::string& name, const char* rules) {
   const double before = HeapMegabytes();
   sml::Agent* const agent = kernel.CreateAgent(name.c_str());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// How fast a scenario runs headless.
+// Speed of a scenario, headless.
 //
 //   scenario_ticks SCENARIO [SECONDS [THREADS [WARM]]]     SECONDS are simulated (default 10); THREADS for the minds
 //                                                          (default: one per core); WARM seconds before are not
 //                                                          measured
 //
-// Prints one line of JSON. On a machine that does other things too, what counts is the CPU time: that of all threads
-// and, because no run can be faster than it, that of the thread that runs the world.
+// Prints one line of JSON. On a busy machine, use the CPU times: that of all threads, and that of the thread that runs
+// the world, because no run can be faster than that thread.
 
 #include <sys/resource.h>
 
@@ -30,7 +30,7 @@ double CpuSeconds(int whose) {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// A function of its own, so that valgrind can be told to count it alone.
+/// A separate function, so that valgrind can count its instructions.
 [[gnu::noinline]] void MeasuredTicks(soarbox::sim::Simulation& world, double seconds) {
   for (const double end_s = world.time_s() + seconds; world.time_s() < end_s;) {
     world.Tick();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What it costs an agent to be watched: decisions per second of an agent that applies one operator after the other,
-// with nobody attached and with one client on a socket that takes the trace at level 1, as text and as XML.
+// Cost of watching an agent: decisions per second of an agent that applies one operator after the other, without a
+// client and with one client on a socket that receives the trace at level 1, as text and as XML.
 //
 //   watched [DECISIONS]     default 100000, at least 10
 //
-// Prints one line of JSON. Both runs have the trace at level 1; `kept` is the share of the speed that is left.
+// Prints one line of JSON. Both runs have the trace at level 1; `kept` is the remaining fraction of the speed.
 
 #include <algorithm>
 #include <atomic>
@@ -37,7 +37,7 @@ void OnDocument(sml::smlXMLEventId, void*, sml::Agent*, sml::ClientXML*) {
   ++g_documents;
 }
 
-/// The best of ten parts, so that what else the machine does counts little.
+/// The best of ten parts, to reduce the influence of other programs.
 double DecisionsPerSecond(sml::Agent& agent, int decisions) {
   constexpr int kParts = 10;
   double best = 0;
@@ -49,7 +49,7 @@ double DecisionsPerSecond(sml::Agent& agent, int decisions) {
   return best;
 }
 
-/// A client in a thread of its own: connects, subscribes, and takes what comes until it is told to leave.
+/// A client in a separate thread: connects, subscribes, and receives events until it is stopped.
 void Watch(int port, std::atomic<bool>& watching, std::atomic<bool>& failed, const std::atomic<bool>& leave) {
   sml::Kernel* kernel = sml::Kernel::CreateRemoteConnection(true, "127.0.0.1", port);
   sml::Agent* agent = kernel->HadError() ? nullptr : kernel->GetAgent("watched");

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// How many ticks per second the world makes, headless, with 1 to 10,000 agents, half Soar and half Lua, what the parts
-// of a tick take, and the memory.
+// Ticks per second of the world, headless, with 1 to 10,000 agents, half Soar and half Lua; times of the parts of a
+// tick, and memory.
 //
 //   world_ticks [AGENTS [SECONDS [THREADS]]]
 //
 // Without AGENTS: all crowds. SECONDS are simulated (default 10; for 10,000 agents 1). THREADS for the minds (default:
-// one per core). Prints one line of JSON per crowd. On a machine that does other things too, what counts is the CPU
-// time of all threads and that of the thread that runs the world: on idle cores a tick would take as long as the
-// latter.
+// one per core). Prints one line of JSON per crowd. On a busy machine, use the CPU times of all threads and of the
+// thread that runs the world: on idle cores a tick would take as long as the latter.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -27,7 +26,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of all threads of this process, or of the one that asks; it hardly depends on what else the machine does.
+/// Processor time of all threads of this process, or of the calling thread; it depends little on the load of the
+/// machine.
 double CpuSeconds(int whose = RUSAGE_SELF) {
   rusage used{};
   getrusage(whose, &used);
@@ -43,7 +43,7 @@ double PeakMegabytes() {
   return static_cast<double>(used.ru_maxrss) / 1024;
 }
 
-/// What is timed, and what count_ticks.py counts.
+/// The measured function; count_ticks.py counts its instructions.
 [[gnu::noinline]] void MeasuredTicks(soarbox::sim::Simulation& world, double until_s) {
   while (world.time_s() < until_s) world.Tick();
 }
@@ -66,7 +66,7 @@ int Measure(int agents, double seconds, int threads) {
     return 1;
   }
   soarbox::sim::Simulation& world = **simulation;
-  // A crowd whose minds have no rules, or whose scripts fail, measures nothing.
+  // A crowd without rules, or with failing scripts, measures nothing.
   for (const soarbox::sim::RunEvent& event : world.TakeEvents()) {
     if (event.diagnostic.message.empty()) continue;
     std::fputs(soarbox::Format(event.diagnostic).c_str(), stderr);
@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   const int threads = argc > 3 ? std::atoi(argv[3]) : 0;
   if (argc > 1) return Measure(std::atoi(argv[1]), seconds, threads);
   for (const int agents : {1, 10, 100, 1000, 10000}) {
-    // Each crowd in a process of its own: its peak of memory is then its own too.
+    // Each crowd runs in a separate process, so that its peak memory is measured separately.
     const pid_t child = fork();
     if (child == 0) return Measure(agents, agents < 10000 ? seconds : 1, threads);
     int status = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What all languages are given of the client API. A language's own file includes this one after it has defined
+// The parts of the client API for all languages. The file of a language includes this one after it has defined
 //
-//   %soarbox_shared(TYPE)   how objects of the library (kernels, agents, elements) travel: as shared pointers (life.h)
-//   %soarbox_after_shared   what differs from that
+//   %soarbox_shared(TYPE)   how objects of the library (kernels, agents, elements) are passed: as shared pointers (life.h)
+//   %soarbox_after_shared   exceptions from this
 //
 // and how calls are made (%exception, call.h).
 
@@ -16,7 +16,7 @@
 #include "soarbox_ClientLog.h"
 %}
 
-// What is for C++ alone, or cannot be handed over.
+// Functions that are only for C++, or whose arguments cannot be passed.
 %ignore sml::EventHandlerPlusData;
 %ignore sml::WMElement::GetValueAsString(std::string&) const;
 %ignore sml::StringElement::GetValueAsString(std::string&) const;
@@ -42,13 +42,13 @@
 %ignore soarxml::ElementXML::element;
 %ignore soarxml::ElementXML::operator=;
 
-// Recordings are not part of Soar's interface, and of use in every language.
+// Recordings are not part of Soar's interface, but are useful in every language.
 %extend sml::Kernel {
-  // What is wrong, or an empty text.
+  // Returns the error, or an empty text.
   std::string Record(char const *pFile) { return soarbox::RecordClients(*$self, pFile ? pFile : ""); }
 }
 
-// Texts that C++ programs allocate and give back: other languages have texts of their own.
+// Texts that C++ programs allocate and release: other languages have their own strings.
 %define %soarbox_own_texts(TYPE)
 %ignore TYPE::AllocateString;
 %ignore TYPE::DeleteString;
@@ -70,7 +70,7 @@
 %soarbox_own_texts(sml::ClientAnalyzedXML)
 %newobject soarxml::ElementXML::ParseXMLFromString;
 
-// A piece of trace is an object of its own, so that it outlives what it was taken from.
+// A part of the trace is a separate object, so that it outlives the object that it came from.
 %ignore sml::ClientXML::ConvertToTraceXML;
 %header %{
 namespace {
@@ -85,7 +85,7 @@ struct OpenXml : sml::ClientXML {
   sml::ClientTraceXML* SoarboxTrace() { return new sml::ClientTraceXML(OpenXml::Element(*$self)); }
 }
 
-// The parts of an answer, as objects of their own; they share its text.
+// The parts of an answer, as separate objects that share its text.
 %ignore sml::ClientAnalyzedXML::GetCommandTag;
 %ignore sml::ClientAnalyzedXML::GetResultTag;
 %ignore sml::ClientAnalyzedXML::GetErrorTag;
@@ -103,7 +103,7 @@ struct OpenXml : sml::ClientXML {
 %soarbox_part(GetResultTag)
 %soarbox_part(GetErrorTag)
 
-// Handlers are registered in each language in its own way.
+// Each language registers handlers in its own way.
 %ignore RegisterForRunEvent;
 %ignore RegisterForProductionEvent;
 %ignore RegisterForPrintEvent;
@@ -141,7 +141,7 @@ struct OpenXml : sml::ClientXML {
 %soarbox_after_shared
 %newobject sml::Kernel::GetConnectionInfo;
 
-// An agent that runs in another thread holds its kernel: stopping must not wait for that.
+// An agent that runs in another thread locks its kernel: stopping must not wait for the lock.
 %ignore sml::Agent::StopSelf;
 %extend sml::Agent {
   %rename(StopSelf) SoarboxStop;
@@ -154,7 +154,7 @@ struct OpenXml : sml::ClientXML {
   }
 }
 
-// Unions hold the library's own data.
+// Unions contain internal data of the library.
 #pragma SWIG nowarn=312
 %include "sml_Names.h"
 %include "ElementXML.h"

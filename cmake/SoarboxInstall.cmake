@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-# What `cmake --install` puts into a prefix. Each component becomes a Debian package (packaging/debian, packaging/make_debs):
+# The files that `cmake --install` installs. Each component becomes a Debian package (packaging/debian, packaging/make_debs):
 #
 # command        the command and the server, with its scenarios, lessons, media, the page for browsers, manual pages and completion
 # window         the program with the window, which needs Ogre and SDL
@@ -15,12 +15,12 @@ if(TARGET soarbox_window)
 endif()
 install(DIRECTORY media scenarios lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command)
 install(FILES "${PROJECT_BINARY_DIR}/share/soarbox/commit" DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command OPTIONAL)
-# The page for browsers, where npm has built it, and a service that serves it.
+# The page for browsers, if npm has built it, and a service that serves it.
 install(DIRECTORY web/dist/page DESTINATION ${CMAKE_INSTALL_DATADIR}/soarbox COMPONENT command OPTIONAL)
 install(CODE "set(SOARBOX_BINDIR \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")
   configure_file(\"${PROJECT_SOURCE_DIR}/cmake/soarbox-serve.service.in\"
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/soarbox-serve.service\" @ONLY)" COMPONENT command)
-# The manual: the help of the command and of each sub-command, as it prints it itself.
+# The manual pages: the command prints its own help and that of each sub-command.
 set(manual "${PROJECT_BINARY_DIR}/man/man1")
 add_custom_command(OUTPUT "${manual}/soarbox.1" COMMAND soarbox help --pages "${manual}" DEPENDS soarbox
   COMMENT "Writing the manual" VERBATIM)
@@ -30,8 +30,8 @@ install(FILES packaging/completion/soarbox.bash DESTINATION ${CMAKE_INSTALL_DATA
         COMPONENT command)
 install(FILES packaging/completion/_soarbox DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT command)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT licence)
-# What a user reads, with the description of Soar 9.6.3 and of the client interface. Maintainers' pages stay with the source: links to
-# what is not installed become plain text.
+# The pages for users, with the description of Soar 9.6.3 and of the client interface. Pages for maintainers are not installed: links to them become
+# plain text.
 install(FILES README.md CHANGELOG.md CITATION.cff SECURITY.md CODE_OF_CONDUCT.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox
         COMPONENT documentation)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/soarbox COMPONENT documentation PATTERN docs/dev EXCLUDE)
@@ -50,7 +50,7 @@ if(TARGET soarbox_sml)
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/SoarboxConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
   install(FILES "${PROJECT_BINARY_DIR}/SoarboxConfig.cmake" "${PROJECT_BINARY_DIR}/SoarboxConfigVersion.cmake"
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Soarbox COMPONENT development)
-  # The file finds its prefix from where it lies, so that an installed tree can be moved.
+  # The file determines its prefix from its own path, so that an installed tree can be moved.
   file(RELATIVE_PATH SOARBOX_PC_TO_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
   configure_file("${CMAKE_CURRENT_SOURCE_DIR}/cmake/soarbox-sml.pc.in" "${PROJECT_BINARY_DIR}/soarbox-sml.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/soarbox-sml.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -9,14 +9,14 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 
-# Sockets, processes and the like have a file without this ending, and one with it for where there are none: WebAssembly.
+# Code for sockets, processes and similar has a file without this suffix, and a replacement with it for platforms that lack them (WebAssembly).
 set(SOARBOX_ABSENT "")
 if(EMSCRIPTEN)
   set(SOARBOX_ABSENT _absent)
 endif()
 
 find_program(SOARBOX_CCACHE ccache)
-# em++ calls it itself (cmake/wasm/get).
+# em++ calls the cache itself (cmake/wasm/get).
 if(SOARBOX_CCACHE AND NOT EMSCRIPTEN)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER "${SOARBOX_CCACHE}")
@@ -28,30 +28,30 @@ endif()
 
 add_library(soarbox_options INTERFACE)
 target_include_directories(soarbox_options INTERFACE "${PROJECT_SOURCE_DIR}/src")
-# Developers' builds accept no warning. A release is what users compile, with whatever compiler they have, and nobody looks for
-# warnings in a first build in batches: to find them would take a tenth of the time.
+# Builds for developers treat warnings as errors. Users compile releases with any compiler, and do not look for warnings in a first build. Searching
+# for them would take a tenth of the time.
 set(soarbox_warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 if(NOT SOARBOX_CI AND NOT SOARBOX_SANITIZE AND (CMAKE_BUILD_TYPE STREQUAL "Release" OR SOARBOX_PRECOMPILE))
   set(soarbox_warnings -w)
 endif()
 target_compile_options(soarbox_options INTERFACE
   ${soarbox_warnings}
-  # Large batches: GCC first looks for what it no longer needs when it holds half a gigabyte.
+  # Large batches: GCC starts to free memory only when it has allocated half a gigabyte.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${SOARBOX_UNITY}>>:SHELL:--param ggc-min-heapsize=500000>
   # Determinism is a public contract: no fused multiply-add, no machine-specific code.
   -ffp-contract=off
-  # GCC 12 warns of impossible overlaps and sizes in std::string at -O3 (its bug 105651).
+  # GCC 12 reports false overlaps and sizes in std::string at -O3 (its bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-stringop-overflow>)
 # Functions that no shared library exports can be inlined across files; the client API marks what it exports.
 target_compile_options(soarbox_options INTERFACE
   $<$<CONFIG:Release>:-fvisibility=hidden;-fvisibility-inlines-hidden;-fno-semantic-interposition>
-  # False alarms of GCC 12 in optimised std::string and std::variant.
+  # False warnings of GCC 12 in optimised std::string and std::variant.
   $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 if(SOARBOX_SANITIZE STREQUAL "address")
   target_compile_options(soarbox_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(soarbox_options INTERFACE -fsanitize=address,undefined)
 elseif(SOARBOX_SANITIZE STREQUAL "thread")
-  # asio's fences are unknown to GCC's thread sanitizer; it says so as a warning.
+  # GCC's thread sanitizer does not support asio's fences and warns about this.
   target_compile_options(soarbox_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer
     $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
   target_link_options(soarbox_options INTERFACE -fsanitize=thread)
@@ -65,8 +65,8 @@ endif()
 find_package(Threads REQUIRED)
 target_link_libraries(soarbox_options INTERFACE Threads::Threads)
 
-# Reading TOML: the compiled library where the package brings it, as its headers alone take seconds in each file. What is
-# sanitized or fuzzed is compiled from the headers, so that it is checked, too.
+# Parsing TOML: uses the compiled library if the package has it, because its headers alone take seconds per file. Builds with sanitizers and fuzzers
+# compile the headers, so that their code is checked, too.
 find_package(tomlplusplus REQUIRED)
 find_library(SOARBOX_TOML_LIBRARY tomlplusplus)
 add_library(soarbox_toml INTERFACE)
@@ -77,17 +77,15 @@ if(SOARBOX_TOML_LIBRARY AND NOT SOARBOX_SANITIZE)
   target_link_libraries(soarbox_toml INTERFACE "${SOARBOX_TOML_LIBRARY}")
 endif()
 
-# Files of a target are compiled together: reading headers is half of a build that nobody repeats for one changed file.
-# Eight at a time, in order; names that only one file uses differ from those of its neighbours all the same. ALWAYS: whatever
-# the option says. Of libraries
-# that are LARGE_BATCHES a batch is as large as SOARBOX_BATCH_BYTES, and files that define a name twice get into different
-# batches (soarbox_sort_into_batches).
+# Compiles files of a target together, because reading headers takes half of the time of a full build. A batch has eight files, in order. File-local
+# names should still differ between neighbouring files. ALWAYS: independent of the option. In libraries with LARGE_BATCHES, a batch has up to
+# SOARBOX_BATCH_BYTES, and files that define the same name are put into different batches (soarbox_sort_into_batches).
 option(SOARBOX_UNITY "Compile files in batches (the builds with sanitizers)" OFF)
 set(SOARBOX_BATCH_BYTES 160000 CACHE STRING "Text of a large batch, at most, if it has more than one file")
 function(soarbox_in_batches target)
   if(SOARBOX_UNITY OR "ALWAYS" IN_LIST ARGN)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    # GCC takes the files of a batch for headers, in which an unnamed namespace would be a slip.
+    # GCC treats the files of a batch as headers, in which an unnamed namespace would be a mistake.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
@@ -96,12 +94,12 @@ endfunction()
 function(soarbox_in_large_batches target)
   soarbox_in_batches(${target} ${ARGN})
   if(SOARBOX_UNITY OR "ALWAYS" IN_LIST ARGN)
-    # When the folder has named all sources; the argument would be expanded only then.
+    # Deferred until the folder has added all sources; the argument would be expanded too late without EVAL.
     cmake_language(EVAL CODE "cmake_language(DEFER CALL soarbox_sort_into_batches ${target})")
   endif()
 endfunction()
 
-# The names that a file keeps to itself, in its unnamed namespace: functions and constants at the beginning of a line.
+# Finds the file-local names of a file, in its unnamed namespace: functions and constants at the beginning of a line.
 function(soarbox_names_defined_in file result)
   file(READ "${file}" text)
   string(FIND "${text}" "\nnamespace {" begin)
@@ -114,7 +112,7 @@ function(soarbox_names_defined_in file result)
   string(SUBSTRING "${text}" ${begin} ${length} text)
   string(REGEX REPLACE "//[^\n]*" "" text "${text}")
   string(REGEX MATCHALL "\n[a-zA-Z][a-zA-Z0-9_:<>,&* ]*[ &*][a-zA-Z_0-9]+ *[({=]" functions "${text}")
-  # Aliases may be repeated; what a class derives from is no name of it.
+  # Aliases may be repeated; a base class is not a name of the file.
   list(FILTER functions EXCLUDE REGEX "^\n(namespace|using|class|struct|enum) ")
   string(REGEX MATCHALL "\n(constexpr|const|static)[a-zA-Z0-9_:<>,&* ]*[ &*]k[a-zA-Z_0-9]+" constants "${text}")
   string(REGEX MATCHALL "\n(enum class|struct|class|enum) [a-zA-Z_0-9]+" types "${text}")
@@ -128,9 +126,9 @@ function(soarbox_names_defined_in file result)
   set(${result} "${names}" PARENT_SCOPE)
 endfunction()
 
-# Puts each source of a target that is in no batch into the first one that has room and none of its names. Those that have
-# options of their own CMake compiles alone. Of a target with the property SOARBOX_HUGE_BATCHES there are as few batches as
-# there can be, of about the same size: each reads the headers again. (In what runs all the time the compiler would inline less.)
+# Puts each source of a target that is in no batch into the first batch that has space and none of its names. CMake compiles sources with their own
+# options alone. A target with the property SOARBOX_HUGE_BATCHES gets as few batches as possible, of about the same size, because each batch reads
+# the headers again. (In frequently executed code the compiler would inline less.)
 function(soarbox_sort_into_batches target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(is_huge ${target} SOARBOX_HUGE_BATCHES)
@@ -144,7 +142,7 @@ function(soarbox_sort_into_batches target)
         math(EXPR total "${total} + ${bytes}")
       endif()
     endforeach()
-    # A little more than its share, as files do not fit exactly.
+    # Slightly larger than the average, because files do not fit exactly.
     math(EXPR most "${total} / (${total} / 280000 + 1) + 12000")
   endif()
   set(last -1)
@@ -180,17 +178,16 @@ function(soarbox_sort_into_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# All test programs read the headers of GoogleTest and those of the standard library that most files include from one place: a
-# second and a half less for each. Not while somebody develops: a file that forgets a header should not compile. Libraries in
-# large batches gain nothing. (GCC keeps the level of optimisation with what it precompiled and uses that one, whatever the
-# options of a file say.)
+# All test programs share one precompiled header with GoogleTest and the most common standard headers, which saves a second and a half per program.
+# It is off in developers' builds, because a file with a missing include must not compile. Libraries in large batches gain nothing. (GCC stores the
+# optimisation level in a precompiled header and uses it, whatever the options of a file are.)
 option(SOARBOX_PRECOMPILE "Precompile headers for tests (builds that nobody repeats)" OFF)
 if(SOARBOX_PRECOMPILE AND SOARBOX_TESTS)
-  # A compiler cache has to be told that what reads these headers may be kept.
+  # Without this option, a compiler cache does not cache files that read these headers.
   if(SOARBOX_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${SOARBOX_CCACHE}")
   endif()
-  # GCC 12 takes what it precompiled for no system header and then warns of impossible bounds in std::string.
+  # GCC 12 does not treat a precompiled header as a system header, and then reports false bounds in std::string.
   target_compile_options(soarbox_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-stringop-overread>)
   file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/headers/program.cpp" CONTENT "int main() {}\n")
   add_executable(soarbox_test_headers EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/headers/program.cpp")
@@ -200,21 +197,21 @@ if(SOARBOX_PRECOMPILE AND SOARBOX_TESTS)
       <map> <memory> <optional> <set> <span> <sstream> <string> <string_view> <unordered_map> <utility> <variant> <vector>
       <gmock/gmock.h> <gtest/gtest.h>)
 endif()
-# The kernel, and what reaches it, is counted by instruction.
+# Instructions of the kernel and of its callers are counted.
 set(soarbox_counted "^soarbox_(diagnostics|kernel|mind|journal|sml|soar_client)")
-# soarbox_is_fuzzed(TARGET): fuzzers follow the paths through it, as it reads foreign text or bytes. What counts them makes
-# compiling a fifth longer and running slower, so only what is fuzzed has it.
+# soarbox_is_fuzzed(TARGET): instruments a target for fuzzers, because it parses foreign text or bytes. Instrumented code takes a fifth longer to
+# compile and runs slower, so only these targets are instrumented.
 function(soarbox_is_fuzzed target)
   if(SOARBOX_SANITIZE STREQUAL "fuzzer")
-    # What -fsanitize=fuzzer-no-link stands for; that itself would forbid the headers that others precompiled.
+    # The equivalent of -fsanitize=fuzzer-no-link, which would not permit precompiled headers.
     target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table,trace-cmp,indirect-calls)
   endif()
 endfunction()
 
 # soarbox_library(NAME [LARGE_BATCHES] [SELDOM_RUN | EACH_PICTURE] SOURCES file... [DEPENDS target...] [PRIVATE_DEPENDS target...])
-# A static library soarbox_NAME (alias soarbox::NAME) of the sources listed. What runs for EACH_PICTURE or reads many files a release compiles with
-# -O1, which takes a quarter less time than -O3; what is SELDOM_RUN (at the speed at which somebody looks or types) with -Og,
-# which takes a fifth less again.
+# A static library soarbox_NAME (alias soarbox::NAME) of these sources. Releases compile libraries with EACH_PICTURE (executed for each picture, or
+# to read many files) with -O1, which takes a quarter less time than -O3. They compile libraries with SELDOM_RUN (executed at the speed of a user)
+# with -Og, which takes another fifth less.
 function(soarbox_library name)
   cmake_parse_arguments(arg "LARGE_BATCHES;SELDOM_RUN;EACH_PICTURE" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(soarbox_${name} STATIC ${arg_SOURCES})
@@ -233,15 +230,15 @@ function(soarbox_library name)
   elseif(arg_EACH_PICTURE)
     target_compile_options(soarbox_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
-  # What is counted stays as users run it; sanitizers check its assertions.
+  # Assertions are left out where instructions are counted; sanitizers check them.
   if(SOARBOX_CI AND NOT soarbox_${name} MATCHES "${soarbox_counted}")
     target_compile_options(soarbox_${name} PRIVATE -UNDEBUG)
   endif()
 endfunction()
 
-# soarbox_paths_for(TARGET FILES regex definition...): defines paths of this machine for those of a target's files whose text
-# matches. All others have the same command line in every checkout, so that a compiler cache knows them. Batches, which
-# nobody compiles twice, all have the paths: CMake would take files with definitions of their own out of them.
+# soarbox_paths_for(TARGET FILES regex definition...): defines paths of this machine for those files of a target whose text matches. All other files
+# have the same command line in every checkout, so that a compiler cache recognises them. In batches, which are not cached, all files have the
+# definitions, because CMake would take files with their own definitions out of batches.
 function(soarbox_paths_for target files pattern)
   foreach(file ${files})
     file(STRINGS "${file}" uses REGEX "${pattern}" LIMIT_COUNT 1)
@@ -255,15 +252,15 @@ function(soarbox_paths_for target files pattern)
 endfunction()
 
 # soarbox_test(NAME SOURCES file... [DEPENDS target...] [LABELS label...] [STAGES stage...])
-# A GoogleTest program whose cases become tests of CTest; with SOARBOX_WHOLE_TESTS it is one test, as continuous
-# integration wants it: a thousand processes less. STAGES says which stages of continuous integration build and run it
-# (tests/CMakeLists.txt): release, sanitized, threads; without it, sanitized.
+# A GoogleTest program whose cases become tests of CTest. With SOARBOX_WHOLE_TESTS it is one test, for continuous integration, which saves a
+# thousand processes. STAGES lists the stages of continuous integration that build and run it (tests/CMakeLists.txt): release, sanitized, threads;
+# the default is sanitized.
 function(soarbox_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS;STAGES" ${ARGN})
   if(NOT SOARBOX_TESTS)
     return()
   endif()
-  # The stages become labels, as the name does, so that what is built there is run, too.
+  # The stages and the name become labels, so that each stage runs the programs that it builds.
   if(NOT arg_STAGES)
     set(arg_STAGES sanitized)
   endif()
@@ -279,7 +276,7 @@ function(soarbox_test name)
     target_precompile_headers(${name} REUSE_FROM soarbox_test_headers)
   endif()
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  # Virtual displays that start at the same moment may pick the same number.
+  # Virtual displays that start at the same time may choose the same number.
   set(lock "")
   if("display" IN_LIST arg_LABELS)
     set(lock RESOURCE_LOCK display)
@@ -287,7 +284,7 @@ function(soarbox_test name)
   foreach(stage ${stages})
     set_property(GLOBAL APPEND PROPERTY soarbox_${stage} ${name})
   endforeach()
-  # One label that says all: of a list, CMake hands on the first item only.
+  # One label that contains all: CMake passes on only the first item of a list.
   set(labels "${name}" ${stages} ${arg_LABELS})
   list(JOIN labels "+" labels)
   if(SOARBOX_WHOLE_TESTS)

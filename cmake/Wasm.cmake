@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-2-Clause
 # Compiles to WebAssembly (docs/dev/wasm.md; `./dev wasm` calls it): cmake --preset wasm -DSOARBOX_EMSCRIPTEN=FOLDER
-# -DSOARBOX_WASM_SOURCES=FOLDER. The first has em++, the second the sources of libraries (cmake/wasm/get).
+# -DSOARBOX_WASM_SOURCES=FOLDER. The first folder contains em++, the second the sources of libraries (cmake/wasm/get).
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SOARBOX_EMSCRIPTEN)
 if(NOT EXISTS "${SOARBOX_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake")
   message(FATAL_ERROR "SOARBOX_EMSCRIPTEN is '${SOARBOX_EMSCRIPTEN}', which is no folder of emscripten's; call ./dev wasm")
 endif()
 include("${SOARBOX_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake")
 
-# Exceptions are the processor's own: JavaScript's are slower.
+# Uses WebAssembly's own exceptions; JavaScript's are slower.
 set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions")
-# Memory grows as needed, 4 GB at most. The stack is as large as a native one, since minds and scripts count on it. What a link
-# optimises takes ten times as long as the link, and makes nothing faster that was measured.
+# Memory grows as needed, up to 4 GB. The stack is as large as in native builds, because minds and scripts need it. Optimising in the linker would
+# take ten times as long and did not improve any measurement.
 set(CMAKE_EXE_LINKER_FLAGS_INIT
   "-fwasm-exceptions -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=8MB -sINITIAL_MEMORY=64MB -Wno-limited-postlink-optimizations")

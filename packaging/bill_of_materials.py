@@ -50,9 +50,9 @@ def linked_packages(build):
     paths = set()
     for file in files:
         real = str(pathlib.Path(file).resolve())
-        # dpkg knows the files of /usr/lib, also where /lib is a link to it.
+        # dpkg lists the files under /usr/lib, also if /lib is a link to it.
         paths |= {real, real.removeprefix("/usr")}
-    # It fails if one of the paths is unknown, and names the owners of the others.
+    # The command fails if one of the paths is unknown, but still prints the owners of the others.
     done = subprocess.run(["dpkg", "-S", *sorted(paths)], capture_output=True, text=True, check=False) if paths and shutil.which("dpkg") else None
     for line in done.stdout.splitlines() if done else ():
         yield line.split(": ")[0].split(":")[0]
@@ -68,7 +68,7 @@ def header_packages():
 
 def debian_packages(build):
     names = sorted({*linked_packages(build), *header_packages()})
-    # A library may be installed for several architectures; a package that is not there has no line.
+    # A library may be installed for several architectures; a package that is not installed has no line.
     found = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${Version} ${Architecture}\n", *names], capture_output=True, text=True,
                            check=False).stdout if shutil.which("dpkg-query") else ""
     seen = set()

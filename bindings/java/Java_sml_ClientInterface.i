@@ -31,7 +31,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
 }
 %}
 
-// Objects are numbers (handles.h); no class has a pointer, and what the garbage collector finds is released.
+// Objects are numbers (handles.h). No class has a pointer; the garbage collector releases unused objects.
 %typemap(javabody) SWIGTYPE %{
   final long swigCPtr;
 
@@ -87,12 +87,12 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
 %define %soarbox_shared(TYPE...)
 %enddef
 
-// What an element is, Java sees by its class.
+// The Java class of an element depends on its type.
 %typemap(javaout) sml::WMElement * {
     return Handles.element($jnicall);
   }
 
-// Texts are UTF-8 in the library. Only where the library knows what to do without one, a text may be null.
+// Texts are UTF-8 in the library. A text may be null only if the library accepts a null pointer.
 %typemap(in, canthrow=1) char * (soarbox::java::Text text) %{
   if (!text.Take(jenv, $input, "$symname")) return $null;
   $1 = text.c_str();
@@ -161,7 +161,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
 %soarbox_call(sml::Kernel::CreateAgent, kKernel, %soarbox_require_name)
 %soarbox_call(sml::Kernel::GetAgent, kKernel, %soarbox_require_name)
 
-// Who registered with a kernel that is shut down is let go.
+// Handlers of a kernel that was shut down are released.
 %rename(ShutdownInternal) sml::Kernel::Shutdown;
 %exception sml::Kernel::Shutdown {
   try {
@@ -174,7 +174,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
     return $null;
   }
 }
-// An agent that is gone is not valid.
+// An agent that no longer exists is not valid.
 %exception sml::Kernel::IsAgentValid {
   try {
     soarbox::java::CallLibrary(soarbox::bindings::Call::Hold::kKernel, [&] { $action });
@@ -188,7 +188,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
   }
 }
 
-// A kernel lives until it is shut down or deleted, whoever still knows it.
+// A kernel exists until it is shut down or deleted, even if references remain.
 %define %soarbox_factory(NAME)
 %exception sml::Kernel::NAME {
   try {
@@ -249,7 +249,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
   }
 }
 
-// The library forgets a handler, then we do.
+// First the library removes a handler, then the binding.
 %define %soarbox_forgets(CLASS, NAME)
 %extend sml::CLASS {
   %rename(NAME) Soarbox##NAME;
@@ -262,7 +262,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
 }
 %enddef
 
-// Other threads may look at the answer meanwhile: it is changed at the end, at once.
+// Other threads may read the answer meanwhile, so it is changed at the end in one step.
 %header %{
 namespace {
 struct OpenAnswer : sml::ClientAnalyzedXML {
@@ -424,7 +424,7 @@ struct OpenAnswer : sml::ClientAnalyzedXML {
   }
 %}
 
-// Java's texts are its own.
+// Java has its own strings.
 %typemap(javacode) sml::ClientXML, sml::ClientAnalyzedXML %{
   /** There is nothing to give back; for programs that do as in C++. */
   public static void DeleteString(String text) {}

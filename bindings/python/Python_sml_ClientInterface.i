@@ -7,7 +7,7 @@
 #include "callbacks.h"
 %}
 
-// Objects of the library are shared pointers; where one is an argument, the call looks first whether it is still there.
+// Objects of the library are shared pointers. A call first checks that an object among its arguments still exists.
 %define %soarbox_shared(TYPE...)
 %feature("smartptr", noblock=1) TYPE { std::shared_ptr< TYPE > }
 %feature("unref") TYPE %{ (void)arg1; delete smartarg1; %}
@@ -35,14 +35,14 @@
 %types(std::shared_ptr< TYPE > *);
 %enddef
 
-// What an element is, Python sees by its type.
+// The Python type of an element depends on its type in the library.
 %define %soarbox_after_shared
 %typemap(out) sml::WMElement * {
   $result = $1 ? soarbox::python::NewElement($1, *soarbox::bindings::LastReturned().life) : SWIG_Py_Void();
 }
 %enddef
 
-// No method has nothing for its object.
+// The object of a method is never None.
 %typemap(check) SWIGTYPE *self {
   if (!$1) SWIG_exception_fail(SWIG_TypeError, "in method '$symname', the object is None");
 }
@@ -107,7 +107,7 @@
 %soarbox_factory(CreateKernelInCurrentThread)
 %soarbox_factory(CreateKernelInNewThread)
 %soarbox_factory(CreateRemoteConnection)
-// Who registered with a kernel that is shut down is let go.
+// Handlers of a kernel that was shut down are released.
 %exception sml::Kernel::Shutdown {
   try {
     soarbox::python::CallLibrary(soarbox::bindings::Call::Hold::kNothing, [&] {
@@ -119,7 +119,7 @@
     SWIG_fail;
   }
 }
-// An agent that is gone is not valid.
+// An agent that no longer exists is not valid.
 %exception sml::Kernel::IsAgentValid {
   try {
     soarbox::python::CallLibrary(soarbox::bindings::Call::Hold::kKernel, [&] { $action });
@@ -132,7 +132,7 @@
     SWIG_fail;
   }
 }
-// What is gone can be let go of.
+// Objects that no longer exist can be released.
 %exception sml::ClientErrors::~ClientErrors { $action }
 %exception sml::Agent::~Agent { $action }
 %exception sml::WMElement::~WMElement { $action }
@@ -141,7 +141,7 @@
 %exception sml::FloatElement::~FloatElement { $action }
 %exception sml::Identifier::~Identifier { $action }
 %exception sml::IdentifierSymbol::~IdentifierSymbol { $action }
-// Without the interpreter's lock: handlers run while the kernel shuts down.
+// Releases the interpreter's lock, because handlers run while the kernel shuts down.
 %exception sml::Kernel::~Kernel {
   PyThreadState *thread = PyEval_SaveThread();
   $action
@@ -189,7 +189,7 @@
   }
 }
 
-// The library forgets a handler, then we do.
+// First the library removes a handler, then the binding.
 %define %soarbox_forgets(CLASS, NAME)
 %extend sml::CLASS {
   %rename(NAME) Soarbox##NAME;
@@ -201,7 +201,7 @@
 }
 %enddef
 
-// Before the interpreter ends, nobody is in it any more.
+// Before the interpreter ends, all calls into it have returned.
 %exception _End { $action }
 %inline %{
 void _End() { soarbox::python::End(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The extension translates: what it knows of Soar it asks the soarbox command.
+// The extension only translates: everything about Soar comes from the soarbox command.
 'use strict';
 
 const vscode = require('vscode');

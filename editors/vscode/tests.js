@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Missions in the test explorer: `soarbox test --json` says what passed.
+// Missions in the test explorer: `soarbox test --json` reports the results.
 'use strict';
 
 const childProcess = require('child_process');

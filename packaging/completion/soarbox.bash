@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-# What bash offers behind soarbox. The command itself knows what that is (soarbox complete).
+# Completion for bash. The candidates come from the command itself (soarbox complete).
 # Needs the package bash-completion, which loads this file.
 
 _soarbox() {

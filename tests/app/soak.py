@@ -21,7 +21,7 @@ PANELS = ("Problems", "Why", "Messages", "Memory", "Plots", "Rules", "Trace", "E
 BACK = ("Mind", "Timeline")
 WIDTH, HEIGHT = 1280, 720
 MOST_GROWTH = 1.2
-# What a machine with other work does to figures this small.
+# Tolerance for such small figures on a busy machine.
 SLACK_MS, SLACK_MB, SLACK_CORNERS = 2.0, 24, 4000
 LIMIT_S = 1500
 
@@ -63,7 +63,7 @@ def play(arguments, file, text):
                               env=environment(WIDTH, HEIGHT), errors="replace")
     except subprocess.TimeoutExpired as error:
         raise Failure(f"does not come to its end within {LIMIT_S} s: {' '.join(command)}") from error
-    # 1: something in the run was a problem, as scenarios may have it.
+    # 1: the run had a problem, which scenarios may have.
     if done.returncode not in (0, 1):
         raise Failure(f"ended with {done.returncode}: {' '.join(command)}\n{done.stderr[-3000:]}")
     if "too much to be drawn" in done.stderr:
@@ -105,7 +105,7 @@ def soak(name, seconds, folder, timed=True):
     recording.unlink(missing_ok=True)
     run = play(["run", name, "--port", "0", "--speed", "1000", "--record", str(recording)], user, script(until, early))
     complaints = compare("run", run["early"], run["late"], timed)
-    # As fast as it goes: a replay begins at the speed of the run.
+    # As fast as possible, because a replay begins at the speed of the run.
     again = f"key O\nuntil {early}\n" + at_rest("early") + f"until {until}\n" + at_rest("late")
     replay = play(["replay", str(recording)], user, again)
     complaints += [text for text in compare("replay", replay["early"], replay["late"], timed) if "memory" not in text]

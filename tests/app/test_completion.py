@@ -38,7 +38,7 @@ ask() { zpty -w shell "$1"; }
 ask "PS1= PS2= RPS1=; unset zle_bracketed_paste; stty cols 400 rows 900"
 ask "fpath=($COMPLETION \$fpath); autoload -Uz compinit; compinit -D -u; LISTMAX=0; setopt no_auto_menu"
 ask "zstyle ':completion:*' menu no; zle -C listed .list-choices _main_complete; bindkey '^L' listed"
-# What is typed before the shell shows its prompt, the terminal would take for itself.
+# The terminal would process text typed before the shell shows its prompt.
 ask "path=(${COMMAND:h} \$path); cd $PLACE; PS1='REA''DY'"
 zpty -r shell text "*READY*"
 zpty -w -n shell "$1"$'\t'$'\x0c'

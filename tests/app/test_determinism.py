@@ -49,7 +49,7 @@ class Determinism(unittest.TestCase):
         self.assertEqual(self.first.out, run(3, "--speed", 1000).out)
 
     def test_the_processor_changes_nothing(self):
-        # The C library has other functions for processors with a fused multiply-add; this variable makes it do without.
+        # The C library has other functions for processors with a fused multiply-add; this variable disables them.
         plain = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4"}
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "Sandbox.lua").write_text(YARD, encoding="utf-8")

@@ -82,7 +82,7 @@ class Drawings(MissionCase):
         self.assertIn("the name of a video ends with its kind", self.draw("--video", self.folder / "clip", code=3).stderr)
 
     def test_a_program_that_makes_videos_gets_all_pixels(self):
-        # In the place of ffmpeg, a program that counts.
+        # Instead of ffmpeg, a program that counts.
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "ffmpeg").write_text(f"#!/bin/sh\necho \"$@\" > {self.folder}/words\nwc -c > {self.folder}/count\n", encoding="utf-8")

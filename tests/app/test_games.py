@@ -98,7 +98,7 @@ sp {tanksoar*apply*turn
         recording = self.folder / "run.soarrec"
         run_json("eaters", "--seconds", 5, "--rules", f"eater={rules}", "--record", recording, code=0)
         Run("verify", recording, code=0)
-        # The recording holds them, whatever becomes of the file.
+        # The recording contains them, even if the file changes.
         rules.write_text(NORTH.replace("direction north", "direction south"))
         self.assertEqual(Run("verify", recording, "--as-recorded").code, 0)
 

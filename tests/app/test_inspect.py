@@ -51,7 +51,7 @@ sp {hero*propose*flee
 }
 """
 
-# a is better than b, b is better than a, and nothing speaks of c.
+# a is better than b, b is better than a, and there are no preferences about c.
 CIRCLE = """
 sp {hero*propose
    (state <s> ^superstate nil ^io.input-link.self)
@@ -77,7 +77,7 @@ sp {hero*prefer*ba
 }
 """
 
-# What rejects the other one comes after go has been selected, by its doing.
+# The reject of the other one is created after go was selected, by its application.
 LATER = """
 sp {hero*propose
    (state <s> ^superstate nil ^io.input-link.self)

@@ -59,7 +59,7 @@ class LiveMistakes(LiveEditCase):
         """A byte order mark in front of the first rule, and line ends of Windows."""
         def edit():
             (self.folder / "hero.soar").write_bytes(b"\xef\xbb\xbf" + COUNT.strip().replace("\n", "\r\n").encode() + b"\r\n")
-        # There is no message: the run continues as long as anybody would wait.
+        # There is no message: the run continues until the time-out.
         texts, err, _ = self.run_and_edit(edit, COUNT.strip() + "\n", until=lambda _: True, goes_on=150)
         self.assertNotIn("error", err)
         counted = [int(line.split()[1]) for line in texts]

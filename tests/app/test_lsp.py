@@ -64,7 +64,7 @@ class LanguageServer(WithFolder):
         uri = self.editor.open(self.main)
         told = self.editor.wait_for(uri, lambda found: any("relaton" in one["message"] for one in found))
         self.assertEqual(1, len(told), told)
-        # Corrected, it is sound again.
+        # After the correction it is valid again.
         where = at(self.main.read_text(), "^relaton", offset=6)
         self.editor.change(uri, {"range": {"start": where, "end": where}, "text": "i"})
         self.editor.wait_for(uri, lambda found: not found)

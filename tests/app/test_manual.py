@@ -71,7 +71,7 @@ class Manual(ScenarioCase):
         environment.pop("WAYLAND_DISPLAY", None)
         made = set()
         tried = 0
-        # What the others are about comes first.
+        # The topic of the others comes first.
         for command in sorted(commands(), key=lambda name: (name != "new", name != "run")):
             for line in examples(command):
                 if "| man" in line and not shutil.which("man"):

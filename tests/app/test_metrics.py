@@ -10,7 +10,7 @@ from mission_case import REPOSITORY, SWEEP, MissionCase
 from soarbox_command import Run
 
 SEED = 5
-# Each metric of docs/missions.md that is a number, in a world in which it is no zero.
+# Each metric of docs/missions.md that is a number, in a world in which it is not zero.
 WORLDS = {
     ("soar_skirmish", "blue-1", 7): ("health", "ammunition", "speed", "distance", "rounds", "damage", "idle", "answered", "repeats",
                                      "decisions", "firings", "elements"),

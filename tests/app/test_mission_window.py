@@ -191,7 +191,7 @@ class Lessons(WindowUser):
         self.assertEqual(progress["01-a-rule"], {"attempts": 2, "passed": 1})
         self.assertTrue((self.folder / "soarbox-lessons" / "02-operators" / "mower.soar").exists())
         self.assertIn("^visible yes", rules.read_text(encoding="utf-8"), "what the learner wrote stays")
-        # It is known the next time, and the next lesson is the one that comes.
+        # It is stored, and the next lesson is opened.
         self.learn("""
             expect "2. Operators: propose, select, apply"
             """, "next")

@@ -256,7 +256,7 @@ class Watch(MissionCase):
         # A mission that was not there before is tested, too.
         self.write("second.toml", 'scenario = "scenario.toml"\n' + checks)
         self.wait_for("2 missions, all passed")
-        # What was saved while a round was under way may have asked for another.
+        # A file that was saved during a round may have caused another one.
         rounds, end = -1, time.monotonic() + 60
         while time.monotonic() < end and (rounds != self.told().count(waiting) or waiting not in self.told().splitlines()[-1]):
             rounds = self.told().count(waiting)
@@ -287,6 +287,6 @@ class Watch(MissionCase):
         self.wait_for("waiting")
         self.write("scout.soar", RULES.replace("(<command> ^waypoint gate)", "(<command> ^waypoint mill)"))
         self.wait_for("1 failed")
-        # Interrupted while it waits, it ends with what the last round came to.
+        # If interrupted while it waits, it ends with the result of the last round.
         self.wait_for("waiting", 2)
         self.assertEqual(self.end(watch), 1, self.told())

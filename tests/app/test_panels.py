@@ -8,7 +8,7 @@ from soarbox_command import Run, end, start_kernel, wait_until
 from virtual_display import can_draw
 from window_user import WALKER, WORLD, WindowUser
 
-# Knows two crates and a rope; asks for ammunition, then for what nobody knows, and for an episode.
+# Has two crates and a rope in memory; queries ammunition, then something that is not in memory, and an episode.
 REMEMBERER = """
 smem --enable
 epmem --enable

@@ -57,9 +57,9 @@ class PlantedSlips(ScenarioCase):
         for file, is_told in zip(programs(), self.told(sound)):
             text = file.read_text(encoding="utf-8")
             places = [] if is_told else list(pattern.finditer(without_comments(text)))
-            # Of its own for each program, so that a new lesson changes no draw of the others.
+            # A separate one for each program, so that a new lesson does not change the random choices of the others.
             dice = random.Random(f"48 {file.relative_to(ROOT)}")
-            # A variable that is there once in its rule may have any name.
+            # A variable that occurs once in its rule may have any name.
             places = [place for place in places if pattern is ATTRIBUTE or rule_at(text, place.start()).count(place[0]) > 1]
             for place in dice.sample(places, min(PER_PROGRAM, len(places))):
                 lost = dice.randrange(place.start(1), place.end(1))

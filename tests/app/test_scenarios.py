@@ -56,11 +56,11 @@ class Movement(unittest.TestCase):
         self.assertTrue(all(abs(agent["position"][1] - 0.8) < 0.05 for state in states for agent in state["agents"]))
         courier = way(self.COURIER)
         gaps = [math.dist(a, b) for a, b in zip(courier, way(self.DOG))]
-        # Caught, and off again: the gap closes and opens.
+        # It is caught and escapes again: the gap closes and opens.
         self.assertLess(min(gaps), 2.5)
         caught = gaps.index(min(gaps))
         self.assertGreater(max(gaps[caught:], default=0), 6, "the dog lets it go")
-        # It never creeps: in any eight seconds it is somewhere else.
+        # It is never stuck: its position changes within any eight seconds.
         for begin in range(0, len(courier) - 16, 8):
             self.assertGreater(length(courier[begin:begin + 16]), 6, f"at {begin / 2} s")
         followed = [math.dist(a, b) for goose in self.GEESE for a, b in list(zip(courier, way(goose)))[40:]]
@@ -149,7 +149,7 @@ class MindAndBody(unittest.TestCase):
 
     def test_soldiers_do_as_they_are_told(self):
         run = asked(self, "mind_body", self.KEYS, "--seconds", 90, "--report", 1)
-        # The second one walks behind the first, which is in its line of fire.
+        # The second soldier follows the first, who is in its line of fire.
         _, second = [text.split()[0] for _, text in prints(run) if text.endswith(" IDLE")][:2]
         deeds = [text.split()[1] for _, text in prints(run) if text.startswith(second + " ")]
         self.assertEqual(deeds, ["IDLE", "MOVE", "CHANGE_STANCE", "MOVE", "SHOOT", "IDLE", "DIE"])
@@ -159,7 +159,7 @@ class MindAndBody(unittest.TestCase):
         self.assertGreater(max(position[0][1] for position in states.values() if position), 4.7, "over the terraces")
         self.assertAlmostEqual(states[65][0][1], 0.65, delta=0.02, msg="it crouches")
         self.assertLess(math.dist(states[81][0], states[90][0]), 0.01, "the dead stay where they are")
-        # Two soldiers, a shot each 0.5 s, for ten seconds.
+        # Two soldiers, each with a shot every 0.5 s, for ten seconds.
         shots = numbers(run, r"^shots (\d+)$")[0][0]
         self.assertTrue(34 <= shots <= 42, shots)
 

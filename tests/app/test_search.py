@@ -92,7 +92,7 @@ parameters = { "agent.scout.speed" = { from = 1.0, to = 5.0 }, "agent.scout.sens
         # The same file makes the same variants, elsewhere, too.
         Run("sweep", self.folder / "latin.toml", "--folder", self.folder / "again", code=0)
         self.assertEqual([row["state_hash"] for row in self.rows("again")], [row["state_hash"] for row in rows])
-        # More random variants leave the first ones as they are.
+        # More random variants do not change the first ones.
         spec = self.write("random.toml", variant % "random")
         Run("sweep", spec, code=0)
         spec.write_text(spec.read_text(encoding="utf-8").replace("variants = 8", "variants = 10"), encoding="utf-8")

@@ -198,7 +198,7 @@ class OnSlurm(SlurmCase):
         self.wait_until_shown(r"Slurm does not answer: .*; still waiting")
         self.assertIsNone(process.poll(), "the jobs run on, and it waits for them")
         self.start("slurmctld", "-D", "-f", os.environ["SLURM_CONF"])
-        # On a busy machine all runs may be over before the controller is up again.
+        # On a busy machine all runs may have ended before the controller has restarted.
         wait_until(lambda: "Slurm answers again" in self.shown or process.poll() is not None, "an answer")
         self.assertEqual(process.wait(120), 0, self.shown)
         counts = [int(number) for number in re.findall(r"\r(\d+) of 300 runs", self.shown)]

@@ -119,7 +119,7 @@ class Skirmish(Behavior):
             for leader in ("blue-leader", "red-leader"):
                 orders = [event for event in said if event["agent"] == leader and "^about order" in event["text"]]
                 self.assertEqual(len(orders), 1)
-                # Nobody moves before the order.
+                # No agent moves before the order.
                 team = leader.split("-")[0]
                 for number in (1, 2, 3):
                     moves = run.of("command", agent=f"{team}-{number}", command="move-to")
@@ -128,7 +128,7 @@ class Skirmish(Behavior):
             self.assertEqual([event for event in run.of("gap") if event["time"] < 3], [], "nobody is idle when it begins")
             self.assertGreater(len(run.of("news", news="shoots")), 20)
             covered += len(run.of("outcome", command="take-cover", text="complete"))
-            # Who is dead says and does nothing any more.
+            # A dead agent sends no messages and does not act.
             for death in run.of("news", news="dies"):
                 later = [event for event in run.of("command", agent=death["agent"]) if event["time"] > death["time"]]
                 self.assertEqual(later, [])

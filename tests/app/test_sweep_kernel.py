@@ -113,7 +113,7 @@ class Elsewhere(ScenarioCase):
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.wait)
         parts = self.folder / "sweep.sweep" / "parts"
-        # The runs in the command's own kernel come first; the next has begun when somebody is connected to this kernel.
+        # The runs in the command's own kernel come first; the next has begun when a client is connected to this kernel.
         wait_until(lambda: any(part.stat().st_size for part in parts.glob("*.rows")) and self.is_in_use())
         os.kill(kernel.pid, 9)
         out, err = process.communicate(timeout=120)

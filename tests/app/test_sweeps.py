@@ -119,7 +119,7 @@ class Sweeps(MissionCase):
         self.write("soar_hallway.toml", 'scenario = "soar_hallway"\n[[check]]\nname = "off"\nagent = "anna"\ncommand = "move-to"\nby = 5\n')
         Run("test", "soar_hallway.toml", "--no-keep", cwd=self.folder, code=0)
         self.assertEqual(Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).code, 0)
-        # A scenario of one's own of this name still comes first.
+        # A user's own scenario with this name has priority.
         self.write("thesis.toml", WORLD)
         self.write("scout.soar", RULES)
         self.assertIn("scout", Run("run", "thesis", "--headless", "--seconds", "1", cwd=self.folder).out)
@@ -162,7 +162,7 @@ class Sweeps(MissionCase):
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..2") + '[[variant]]\nname = "bold"\nrules = { "scout" = "bold.soar" }\n')
         self.assertEqual(Run("sweep", spec).code, 0)
         kept = spec.read_text(encoding="utf-8")
-        # A check, a metric or the rules of a variant: the rows that are there were made with others.
+        # A check, a metric or the rules of a variant: the existing rows were made with others.
         for old, new in (('at = "gate"', 'at = "gate"\nby = 3'), ('time_of = "there"', 'max = "distance"'), ("seconds = 8", "seconds = 7")):
             self.write("sweep.toml", kept.replace(old, new))
             run = Run("sweep", spec, code=3)
@@ -238,7 +238,7 @@ class Sweeps(MissionCase):
     @unittest.skipIf(shutil.which("sbatch"), "Slurm is installed")
     def test_a_sweep_keeps_others_out_of_its_folder(self):
         self.mission("")
-        # A run that lasts until it is ended, however fast the machine is.
+        # A run that lasts until it is ended, on any machine.
         spec = self.write("sweep.toml", SWEEP.replace("seconds = 8", "seconds = 1000000"))
         first = self.begin(spec, "--jobs", "1")
         lock = spec.with_suffix(".sweep") / "lock"
@@ -254,7 +254,7 @@ class Sweeps(MissionCase):
         first = self.begin(spec, "--jobs", "1")
         parts = spec.with_suffix(".sweep") / "parts"
         wait_until(lambda: first.poll() is not None or list(parts.glob("*.rows")))
-        # It may have made all of them by now: then the second has nothing to do.
+        # It may have finished all of them: then the second has nothing to do.
         first.send_signal(signal.SIGINT)
         self.assertIn(first.wait(60), (0, 130))
         self.assertEqual(Run("sweep", spec).code, 0)

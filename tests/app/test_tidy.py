@@ -40,7 +40,7 @@ class Tidy(MissionCase):
                 self.assertEqual(row[name], other[name])
             for name in ("time_s", "x_m", "y_m", "z_m", "speed_mps", "heading_deg", "health"):
                 self.assertAlmostEqual(float(row[name]), float(other[name]), delta=1e-4)
-        # At the gate there is nothing left to do.
+        # At the gate all tasks are done.
         self.assertEqual({row["operator"] for row in tidy[2:110]}, {"go"})
         self.assertEqual(tidy[-1]["operator"], "")
         self.assertEqual({row["alive"] for row in tidy}, {"1"})

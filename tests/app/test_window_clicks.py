@@ -11,7 +11,7 @@ PAGE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "window.
 CLICKS = ("click", "click-agent", "click-at", "double-click", "right-click", "drag", "type", "key")
 
 # The actions of a user in one window, in order: the task of the table (None: an action between two tasks), and the session.
-# Lines that are indented further are not the task's own: they see that it was done.
+# Further indented lines are not part of the task: they check its result.
 STORY = (
     (None, """
         until 0.5

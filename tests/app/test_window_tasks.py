@@ -8,7 +8,7 @@ from soarbox_command import COMMAND
 from virtual_display import can_draw
 from window_user import IDLER, WALKER, WindowUser
 
-# Opens walker.soar in Edit and types a comment in front of it.
+# Opens walker.soar in Edit and types a comment at its beginning.
 TYPE_INTO_EDIT = """
             until 0.3
             key P
@@ -122,7 +122,7 @@ class TypedText(WindowUser):
             """)
 
 
-# A mistake typed into walker.soar, as events, and what the panel says to it.
+# A mistake typed into walker.soar, as events, and the panel's message.
 TYPED_MISTAKES = (
     ('click "sp {walker*propose*seek"\nkey Home\ntype "p"', "expected sp { here, found 'psp'"),
     ('double-click "<name> ^here"\ntype "("', "line 4"),
@@ -322,7 +322,7 @@ class Looking(WindowUser):
         self.assertEqual(len(saved), 2)
         for file in saved:
             picture = Picture(file)
-            # Where the menu and the finder were.
+            # The places of the menu and the finder.
             places = [(x, y) for x in range(30, 240, 30) for y in range(64, 96, 4)] + \
                 [(x, y) for x in range(930, 955, 5) for y in range(150, 400, 10)]
             self.assertEqual([place for place in places if picture.at(*place) != plain.at(*place)], [], file.name)

@@ -16,7 +16,7 @@ from soarbox_command import COMMAND, free_port, run_json
 from test_soar_typos import TOWER
 
 
-# One small decision and one command with a parameter for each new reading; finished commands are taken back.
+# One small decision and one command with a parameter for each new reading; finished commands are removed.
 SEEKER_RULES = """
 sp {propose*advance (state <s> ^superstate nil ^io.input-link.range { <r> >= 12.0 })
    --> (<s> ^operator <o> + =) (<o> ^name advance ^speed <r>)}

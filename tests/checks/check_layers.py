@@ -14,24 +14,24 @@ import sys
 
 ALLOWED = {
     "diagnostics": set(),
-    # How values become bytes.
+    # Conversion of values to bytes.
     "bytes": set(),
     # Pixels, shapes and their files, without a display.
     "picture": set(),
-    # Called by the names that C gives its functions, so nobody includes it.
+    # Called by the names of C functions, so it is never included.
     "numerics": set(),
     "kernel": {"bytes", "diagnostics"},
-    # Facts about minds as types, and the words for them: neither knows the kernel.
+    # Data about minds as types, and their sentences: neither depends on the kernel.
     "mind": {"bytes"},
     "tell": {"diagnostics", "mind"},
-    # Rules as facts, by the kernel's own reader: the only place where explain and the kernel's reader meet.
+    # Rules as plain data, from the kernel's own parser: only here explain uses the kernel's parser.
     "rule_reading": {"kernel", "mind"},
-    # What can be perceived and said, as data.
+    # Percepts and commands, as data.
     "vocabulary": {"diagnostics"},
     "journal": {"bytes", "diagnostics", "kernel"},
     "cli": {"bytes", "diagnostics", "kernel", "journal"},
     "sml": {"diagnostics", "kernel", "mind", "cli", "rule_reading"},
-    # explain reaches the kernel through the public client API only, so that an official Soar can take its place.
+    # explain reaches the kernel through the public client API only, so that an official Soar can replace it.
     "explain": {"diagnostics", "mind", "rule_reading", "tell", "vocabulary"},
     "world": {"diagnostics"},
     # Models from files, as triangles.
@@ -46,12 +46,12 @@ ALLOWED = {
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "picture", "world", "sim", "record", "mission", "sweep"},
     "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
-    # Editors see what the kernel's own reader sees; a build with an official Soar has neither room.
+    # Editors use the kernel's own parser; a build with an official Soar has neither module.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
     "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
     # Contents and requests for all views of a run: it draws nothing.
     "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
-    # HTTP and WebSockets: it starts engines, and knows no panel and no world.
+    # HTTP and WebSockets: it starts engines, and does not depend on panels or worlds.
     "serve": {"diagnostics"},
     "viewer": {"diagnostics", "picture", "world", "model", "sim", "record", "debugger", "workbench"},
     "app": {"diagnostics", "picture", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
@@ -61,7 +61,7 @@ ALLOWED = {
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm", "imagery"]
 # The files in src/kernel itself, and the folders that may include them: the events, and the library's interface.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
-# Engine is what an agent consists of: it alone knows all parts.
+# Engine contains the parts of an agent: only it depends on all of them.
 ENGINE = "kernel/decide/engine.h"
 ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
 # Files that reach other parts through Engine. All other files get what they use from their creator. Do not add files to this list.

@@ -17,7 +17,7 @@ import sys
 
 SOURCE = re.compile(r"(\.(h|cpp|py|ts|mjs|js|java|i|cmake|css|html|glsl|vert|frag)|(^|/)CMakeLists\.txt|^dev|^\.ci/run)$")
 FIRST_BYTES = 400
-# Words that a bundle has only if this program is in it, and the words of its notice.
+# Words that a bundle contains only if it includes this program, and the words of its notice.
 EMBEDDED = [("THREE.", "three.js authors"), ("uplot", "Leon Sorokin"), ("cm-editor", "Marijn Haverbeke")]
 
 

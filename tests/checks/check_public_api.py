@@ -13,7 +13,7 @@ import sys
 
 HEADERS = ["Kernel", "Agent", "Identifier", "IntElement", "FloatElement", "StringElement", "WMElement"]
 GUARD = "#ifndef SOARBOX_PUBLIC_API_ONLY"
-# Ours, and used by our own library alone.
+# Ours, and used only by our own library.
 INSIDE = {"GetSymbol", "Name"}
 
 

@@ -146,7 +146,7 @@ class Exercise(unittest.TestCase):
         self.member.say(shot)
         events = self.keep_saying([visitor], run, lambda e: e["event"] == "log" and "hit by" in e["text"])
         self.assertIn("hit by visitor", events[-1]["text"])
-        # It says that it leaves.
+        # It announces that it leaves.
         self.member.say(exercise.entity_state((7, 8, 9), exercise.on_earth(0, 0, 8), appearance=1 << 23 | 1 << 16))
         events = run.events_until(lambda e: is_news(e, "leaves"))
         self.assertIsNotNone(events[-1])
@@ -163,7 +163,7 @@ class Exercise(unittest.TestCase):
         shot = exercise.detonation((7, 8, 9), (1, 1, 1), exercise.on_earth(0, 1, 0))
         events = self.keep_saying([visitor, shot], run, lambda e: is_news(e, "dies", "guard"))
         self.assertIn("shot by visitor", events[-1]["text"])
-        # The others hear of it.
+        # The others are informed.
         heard = self.member.hear_until(
             lambda d: exercise.kind_of(d) == 1 and exercise.entity_of(d) == (1, 1, 1) and exercise.damage_of(d) == 3)
         self.assertIsNotNone(heard[-1])
@@ -189,7 +189,7 @@ class Exercise(unittest.TestCase):
         self.member.say(exercise.order(13, (65535, 65535, 0)))
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
         self.assertEqual(heard[-1][24:26], b"\0\3")
-        # Who is in its world nobody else decides: it cannot comply.
+        # Other programs cannot add or remove entities of its world: it cannot comply.
         for kind, flag in ((11, 1), (12, 2)):
             self.member.say(exercise.order(kind, (1, 1, 1)))
             heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
@@ -228,7 +228,7 @@ class Exercise(unittest.TestCase):
         def falls(event):
             return is_news(event, "dies") and "shot by red" in event["text"]
 
-        # Processes that fight are never twice the same: now and then nobody of the blue team falls.
+        # Fights between processes are not deterministic: sometimes no soldier of the blue team falls.
         for fight in range(5):
             port = free_port()
             watcher = exercise.Member(port)
@@ -237,7 +237,7 @@ class Exercise(unittest.TestCase):
             runs = {"blue": self.start(SKIRMISH / "joint_blue.toml", port=port),
                     "red": self.start(SKIRMISH / "joint_red.toml", "--record", recording, port=port)}
             watch = self.start(SKIRMISH / "joint_watch.toml", port=port)
-            # Somebody of one team falls by a shot of the other.
+            # A soldier of one team is killed by the other.
             events = runs["blue"].events_until(lambda e: falls(e) or e.get("time", 0) > 45)
             if events[-1] is not None and falls(events[-1]):
                 break
@@ -246,7 +246,7 @@ class Exercise(unittest.TestCase):
         else:
             self.fail("no soldier of the blue team was ever hit")
         victim = events[-1]["agent"]
-        # All others hear of it from its owner.
+        # Its owner informs all others.
         heard = watcher.hear_until(lambda d: exercise.kind_of(d) == 1 and exercise.damage_of(d) == 3
                                    and d[129:140].rstrip(b"\0").decode() == victim[:11])
         self.assertIsNotNone(heard[-1])

@@ -162,7 +162,7 @@ def palette(counts):
     """At most 256 colours, and the number of the nearest one for each colour (median cut)."""
     boxes = [list(counts.items())]
     while len(boxes) < 256:
-        # Between the number of pixels, which keeps the ground smooth, and the distance of colours, which keeps small signs.
+        # A compromise between the number of pixels, which keeps the ground smooth, and the distance of colours, which keeps small signs.
         widest = max((box for box in boxes if len(box) > 1), key=lambda box: spread(box) ** 2 * sum(n for _, n in box) ** 0.3, default=None)
         if widest is None:
             break

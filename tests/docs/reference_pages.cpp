@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Writes the pages of docs/ that are made from tables of the source, and the page's table of panels.
+// Writes the pages of docs/ that are generated from tables of the source, and the page's table of panels.
 //
-//   reference_pages FOLDER           writes them into the folder, docs as a rule
+//   reference_pages FOLDER           writes them into the folder, usually docs
 //   reference_pages --check FOLDER   fails if one of the folder's pages differs
 
 #include <cstdio>

@@ -39,7 +39,7 @@ class Reader:
         if moved:
             self.folder = (self.folder / moved[1]).resolve()
             return (0 if self.folder.is_dir() else 1), ""
-        # A run in a window ends when it is closed; headless one ends by itself.
+        # A run in a window ends when the window is closed; a headless run ends by itself.
         done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, env=self.environment, check=False,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LIMIT_S)
         return done.returncode, done.stdout

@@ -28,7 +28,7 @@ sp {scout*apply*flee
 }
 """
 
-# Chooses by chance where to look, whenever the time has changed.
+# Chooses a random direction to look whenever the time has changed.
 CHOOSER = """sp {chooser*propose*go
    (state <s> ^superstate nil ^io.input-link <in>)
    (<in> ^time <t> ^waypoint.name <name>)
@@ -130,7 +130,7 @@ class Promises(unittest.TestCase):
         for at in ("1", "2"):
             seen = json.loads(self.run_command("inspect", "soar_seek", "--at", at, "--json"))
             decided.append(seen[0]["decisions"])
-        # Thirty ticks lie between.
+        # Thirty ticks are between them.
         self.assertLessEqual(decided[1] - decided[0], 30 * 15)
         self.assertGreater(decided[1] - decided[0], 30 * 10)
 

@@ -6,7 +6,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPLACED = {"tells": "reports", "anew": "again", "remedy": "hint", "at hand": "current", "take over": "reload"}
-# Their text comes from tables in the source.
+# Their text is generated from tables in the source.
 GENERATED = {"workbench.md", "soar_commands.md", "percepts.md", "commands.md"}
 
 

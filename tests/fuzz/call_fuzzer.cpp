@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds whole calls to the server: each line of the input is a document that a client sends, whole or without its root
-// (<command name="..."> is a call, <result> an answer). A "2" in front: the second client sends it; a line "-": that
-// client leaves, and another one comes. While the server waits for an answer, and while agents run, the documents that
-// follow are served, as they are when they come by a socket.
+// Sends entire calls to the server. Each line of the input is a document from a client, complete or without its root
+// (<command name="..."> is a call, <result> a reply). With a "2" at the beginning, the second client sends it; a line
+// "-" replaces that client by another one. While the server waits for a reply, and while agents run, the following
+// documents are processed, as if they arrived on a socket.
 //
-// Commands that reach files are left out, and runs are cut short.
+// Commands that access files are left out, and runs are limited.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +40,7 @@ bool TouchesFiles(std::string_view command) {
   return false;
 }
 
-/// Runs are cut short, whatever a command asks for.
+/// Limits runs, independent of the command.
 class ShortRuns : public server::KernelHost {
  public:
   kernel::RunResult Run(cli::Session& session, const cli::RunRequest& request) override {
@@ -63,19 +63,19 @@ class ShortRuns : public server::KernelHost {
     while (true) {
       const cli::CommandReader::Status status = reader.Next(words);
       if (status == cli::CommandReader::Status::kEnd) return true;
-      if (status == cli::CommandReader::Status::kError) return true;  // Nothing behind it is carried out.
+      if (status == cli::CommandReader::Status::kError) return true;  // The rest is not executed.
       const std::size_t count = words.size();
       interpreter().aliases().Expand(words);
       std::string error;
       const cli::CommandInfo* command = words.empty() ? nullptr : cli::FindCommand(words.front().text, error);
       if (!command) continue;
       if (TouchesFiles(command->name)) return false;
-      // `debug time COMMAND` carries out another command; `alias` may hide one.
+      // `debug time COMMAND` executes another command; `alias` may hide one.
       if ((command->name == "debug" || command->name == "alias") && std::max(count, words.size()) > 2) return false;
     }
   }
 
-  /// Commands that rules carry out are held to the same.
+  /// The same limits for commands that rules execute.
   void GuardAgents() {
     for (HostedAgent* hosted : agents()) {
       hosted->agent().SetCommandRunner([this, hosted](kernel::Agent&, std::string_view line) {
@@ -92,7 +92,7 @@ class ShortRuns : public server::KernelHost {
 
 class Stream;
 
-/// A client of which only the documents are known that it sends.
+/// A client that only consists of the documents that it sends.
 class Client : public server::Connection {
  public:
   Client(ShortRuns& host, Stream& stream, bool embedded) : host_(host), stream_(stream), embedded_(embedded) {
@@ -111,7 +111,7 @@ class Client : public server::Connection {
   void OnPrint(HostedAgent&, const std::string& text) override { Write(text); }
   void OnEcho(HostedAgent&, const std::string& text, bool) override { Write(text); }
   void OnXmlTrace(HostedAgent&, std::string_view pieces) override {
-    // What the tracer writes must be a document.
+    // The tracer must write a well-formed document.
     if (!wire::ReadXml("<trace>" + std::string(pieces) + "</trace>")) __builtin_trap();
   }
   void OnXmlInput(HostedAgent& agent, std::span<const server::InputWme> wmes) override {
@@ -128,7 +128,7 @@ class Client : public server::Connection {
     Write(name);
     Write(argument);
     std::optional<std::string> answer = Wait();
-    // A filter's answer is a command line, somewhere in a document.
+    // A filter replies with a command line in a document.
     if (event == sml::smlEVENT_FILTER && answer && !answer->empty()) {
       const Result<wire::Element> read = wire::ReadXml(*answer);
       const std::string* line = read ? read.value().Attribute("command") : nullptr;
@@ -146,7 +146,7 @@ class Client : public server::Connection {
     Write(text);
     Wait();
   }
-  /// Serves what comes until it is an answer; none if nothing more comes.
+  /// Processes documents until a reply arrives; none if there are no more documents.
   std::optional<std::string> Wait();
 
   ShortRuns& host_;
@@ -154,7 +154,7 @@ class Client : public server::Connection {
   const bool embedded_;
 };
 
-/// The documents, in the order in which they come.
+/// The documents in their order.
 class Stream {
  public:
   Stream(ShortRuns& host, std::string_view text) : host_(host), text_(text) {
@@ -170,7 +170,7 @@ class Stream {
     }
   }
 
-  /// Serves one document; false if there is none. `answer`: takes it if it is an answer.
+  /// Processes one document; false if there is none. `answer`: receives it if it is a reply.
   bool Next(std::optional<std::string>* answer = nullptr) {
     if (text_.empty() || ++count_ > kMaxDocuments) return false;
     const std::size_t end = std::min(text_.find('\n'), text_.size());
@@ -215,7 +215,7 @@ void Client::Serve(const wire::Message& call) {
   if (line && !host_.IsSafe(*line)) return;
   wire::Message response = wire::MakeResponse(call.id);
   server::Dispatcher(host_, *this).Handle(call, response);
-  // Whatever was asked, the answer is a message.
+  // Every reply must be a message.
   if (!wire::ReadMessage(wire::ToDocument(response))) __builtin_trap();
 }
 

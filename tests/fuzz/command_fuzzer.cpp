@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary command lines to the command language, with an agent that runs a few cycles at most. Commands that
-// reach files are only taken apart into words.
+// Passes arbitrary command lines to the command language, with an agent that runs at most a few cycles. Commands that
+// access files are only split into words.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace soarbox;
 
-/// Runs are cut short, whatever the command asks for.
+/// Limits runs, independent of the command.
 class ShortRuns : public cli::Host {
  public:
   kernel::RunResult Run(cli::Session& session, const cli::RunRequest& request) override {
@@ -53,9 +53,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string error;
     const cli::CommandInfo* command = words.empty() ? nullptr : cli::FindCommand(words.front().text, error);
     bool safe = command && !TouchesFiles(command->name);
-    // `debug time COMMAND` carries out another command; `alias` may hide one.
+    // `debug time COMMAND` executes another command; `alias` may hide one.
     if (command && (command->name == "debug" || command->name == "alias")) safe = words.size() < 3;
-    // Long-term memories keep files; behind a fence they write none.
+    // Long-term memories use files; with a fence they write none.
     const bool remembers = command && (command->name == "smem" || command->name == "epmem");
     const cli::Fence fence({});
     const cli::Interpreter::Fenced fenced(interpreter, remembers ? &fence : nullptr);

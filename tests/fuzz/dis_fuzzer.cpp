@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary datagrams to what a run knows of an exercise (DIS): what is read is written so that it reads back the
-// same, and the view of the exercise makes inputs of all of it.
+// Passes arbitrary datagrams to the code of DIS exercises. PDUs that were read must be written and read again with the
+// same contents, and the view of the exercise must convert all of them to inputs.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (length == 0) break;
     datagram = datagram.subspan(length);
   }
-  // What comes in is kept by recordings as text.
+  // Recordings contain inputs as text.
   for (sim::InputValue& value : view.TakeInputs(ours)) {
     const sim::Input input{1, std::move(value), false};
     const sim::InputText text = sim::ReadInputs(sim::WriteInput(input), "fuzzed");

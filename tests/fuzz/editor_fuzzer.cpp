@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to the framing of editors' messages, and what comes out of it to the language server and the
-// debugger, after a beginning that makes sense. What a client may launch or open stays out: there are no scenarios.
+// Passes arbitrary bytes to the framing of editors' messages, and its output to the language server and the debugger,
+// after a valid beginning. Launching and opening are left out: there are no scenarios.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,13 +22,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       R"("text":"sp {a (state <s> ^io.input-link <in>) --> (<s> ^b c)}\n"}}})");
   editors::DapServer debugger(nullptr);
   editors::MessageStream stream;
-  // In two pieces, as pipes give them.
+  // In two pieces, as from a pipe.
   stream.Add(bytes.substr(0, size / 2));
   for (int piece = 0; piece < 2; ++piece) {
     while (const auto message = stream.Next()) {
       if (!message->fault.empty()) continue;
       server.Handle(message->body);
-      // Launching and attaching reach files and ports.
+      // Launching and attaching access files and ports.
       if (message->body.find("launch") == std::string::npos && message->body.find("attach") == std::string::npos)
         debugger.Handle(message->body);
     }

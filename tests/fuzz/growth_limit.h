@@ -8,8 +8,8 @@
 
 namespace soarbox {
 
-/// Rules that multiply what they match are sound, but would keep a fuzzer busy for ages and fill its memory. An agent
-/// that fires very often or has very many partial matches gets no more memory, which ends it.
+/// Rules that multiply their matches are valid, but would take a fuzzer very long and fill its memory. An agent that
+/// fires very often or has very many partial matches gets no more memory, which ends it.
 class GrowthLimit : public kernel::Observer {
  public:
   void Guard(kernel::Agent& agent) {

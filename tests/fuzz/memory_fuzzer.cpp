@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds long-term memory what a stranger may hand it: the text of `smem --add`, `smem --query` and `smem --remove`, and
-// the records of database files. The first byte says which. Whatever was taken over must keep the invariants, and what
-// was written again must be read again.
+// Passes foreign input to long-term memory: the text of `smem --add`, `smem --query` and `smem --remove`, and the
+// records of database files. The first byte selects which. After each accepted input the invariants must hold, and
+// saved data must be readable.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (memory.Load(rest, {})) CheckKnowledge(memory);
       break;
     case 2: {
-      // Records, each behind its length.
+      // Records, each preceded by its length.
       std::vector<std::string> records;
       soarbox::ByteReader reader(rest);
       while (!reader.AtEnd() && records.size() < 1000) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to the wire protocol: the framing, the reader of documents, and the writer with what was read.
+// Passes arbitrary bytes to the wire protocol: the framing, the parser of documents, and the writer.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace soarbox::wire;
 
-/// What is read must be written so that it reads back the same.
+/// A parsed document must be written and parsed again with the same contents.
 void CheckDocument(std::string_view document) {
   const soarbox::Result<Element> read = ReadXml(document);
   if (!read) return;
@@ -32,7 +32,7 @@ void CheckDocument(std::string_view document) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   CheckDocument(bytes);
-  // The first byte says how large the pieces are in which the stream comes.
+  // The first byte determines the size of the pieces of the stream.
   const std::size_t piece = size > 0 ? 1 + data[0] % 64 : 1;
   FrameReader reader(1u << 16);
   std::vector<std::string> messages;

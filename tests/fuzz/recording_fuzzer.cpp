@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to the readers of what stands in a recording's blocks. The first byte says which: a header,
-// inputs, ticks, or a block's frame with its payload. What is read as ticks is written again and must read back alike.
+// Passes arbitrary bytes to the readers of a recording's blocks. The first byte selects a header, inputs, ticks, or a
+// block's frame with its payload. Ticks that were read must be written and read again with the same contents.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       BlockFrame frame;
       std::string payload;
       if (!DecodeFrame(bytes, frame)) {
-        // As if the frame were right, but no larger than a fuzzer's memory.
+        // As if the frame were valid, but limited to a fuzzer's memory.
         frame.plain_bytes = frame.plain_bytes % (1u << 20);
       }
       const std::string_view compressed = bytes.substr(std::min(bytes.size(), kFrameBytes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary text to the reader of requests: what is read is written so that it reads back the same, and what is
-// not says why.
+// Passes arbitrary text to the parser of requests. A parsed request must be written and parsed again with the same
+// contents; otherwise there must be an error.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Any text may be given to the parser of rules. What it accepts prints, and reading the print again is safe as well (it
-// need not give the same rule: Soar prints a few symbols in a form that its lexer reads as something else). Reading the
-// same text into a fresh table gives the same outcome.
+// Passes arbitrary text to the parser of rules. Accepted rules must be printable, and parsing the output must be safe
+// (it need not give the same rule, because Soar prints a few symbols in a form that its lexer reads differently).
+// Parsing the same text with a new symbol table must give the same result.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

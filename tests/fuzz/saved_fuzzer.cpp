@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to the readers of files that the command language writes: recordings of input, and images of
-// rules (whose header is put right, so that the reader goes on to what is behind it). What is read is run.
+// Passes arbitrary bytes to the readers of files that the command language writes: recordings of input, and images of
+// rules (with a corrected header, so that the reader continues). The contents are executed.
 #include <cstddef>
 #include <cstdint>
 #include <string>

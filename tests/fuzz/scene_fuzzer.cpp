@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Any lines may be given to a scene. Nodes stay a tree with unique ids, what is measured is a number, and a copy
-// answers as the original does.
+// Passes arbitrary lines to a scene. Nodes must remain a tree with unique ids, measured values must be numbers, and a
+// copy must give the same results as the original.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ void Check(const Scene& scene) {
     nodes.push_back(&node);
   });
   Require(nodes.size() == scene.size());
-  // Everything that filters measure, of the first few.
+  // All values that filters measure, for the first few nodes.
   nodes.resize(std::min<std::size_t>(nodes.size(), 5));
   PlainRandom random;
   for (const Node* const a : nodes) {

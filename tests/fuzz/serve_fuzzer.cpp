@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to what the server reads besides HTTP: archives that are uploaded, and frames. What is read of
-// an archive is within its limits, and packs and unpacks to the same.
+// Passes arbitrary bytes to the server's readers other than HTTP: uploaded archives, and frames. Archives that were
+// read must be within their limits, and must be the same after packing and unpacking.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::size_t kMostFiles = 20, kMostBytes = 100'000;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   serve::FrameReader frames;
-  // In two pieces, as a socket may give them.
+  // In two pieces, as from a socket.
   frames.Add(bytes.substr(0, size / 2));
   std::size_t taken = 0;
   while (const auto frame = frames.Take()) taken += frame->bytes.size();

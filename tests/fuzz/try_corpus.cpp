@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Gives every file of a folder and the folders in it to the entry of the fuzzer that is named, once: a regression test
-// that needs no libFuzzer.
+// Passes every file of a folder and its subfolders once to a fuzzer's entry function: a regression test without
+// libFuzzer.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

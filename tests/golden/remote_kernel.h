@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-// Put before a program that makes a kernel of its own: it then uses the kernel that listens on this machine at the port
-// in the environment variable SOARBOX_KERNEL_PORT.
+// Included before a program that creates its own kernel: it then uses the kernel on this machine at the port in the
+// environment variable SOARBOX_KERNEL_PORT.
 
 #include <cstdlib>
 

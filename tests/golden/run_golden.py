@@ -31,7 +31,7 @@ import compare
 
 TIMEOUT_S = 60
 MOST_OUTPUT_BYTES = 64 << 20
-# A file of this name marks a case in which Soar 9.6.5 does something else than Soar 9.6.3, which printed the transcript. The file says what.
+# A file of this name marks a case in which Soar 9.6.5 differs from Soar 9.6.3, which printed the transcript. The file describes the difference.
 LIKE_963 = "like-9.6.3"
 
 
@@ -117,7 +117,7 @@ def compare_remote(arguments, cases):
     failed = []
     for case in cases:
         (near, near_ending), (far, far_ending) = transcript(driver, case), transcript(remote, case, soarbox)
-        # Paths name the folder of the run.
+        # Paths contain the folder of the run.
         near, far = (re.sub(rb"/tmp/\w+/case", b"CASE", text) for text in (near, far))
         if near == far and near_ending == far_ending:
             continue

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// A client as a user would write it: one agent, one percept, one command. Prints the command's name.
+// A client as users write it: one agent, one percept, one command. Prints the command's name.
 
 #include <cstdio>
 
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// What clients take from the small headers, in a thread of its own: 0 if all of it works.
+/// The functions of the small headers that clients use, in a separate thread: 0 if all of them work.
 class Helpers : public soar_thread::Thread {
  public:
   void Run() override {

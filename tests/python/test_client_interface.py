@@ -150,7 +150,7 @@ class Handlers(WithKernel):
         self.assertIn("propose*count", [call[3] for call in seen["production"]])
         self.assertIsNone(seen["production"][0][4])
         self.assertTrue(all(isinstance(call[3], str) for call in seen["print"]))
-        # A piece of trace outlives the handler.
+        # A part of the trace outlives the handler.
         self.assertIn("<trace", seen["xml"][0][3].GenerateXMLString(True))
         self.assertEqual(seen["xml"][0][3].ConvertToTraceXML().GetTagName(), "trace")
         self.assertEqual(seen["output"][0][2], "count")
@@ -414,7 +414,7 @@ class WrongTypes(WithKernel):
                 for count in range(3):
                     for arguments in itertools.product(values, repeat=count):
                         calls += 1
-                        # A file that cannot be recorded to is an OSError.
+                        # A file that cannot be written is an OSError.
                         with contextlib.suppress(TypeError, ValueError, OverflowError, ReferenceError, OSError):
                             method(*arguments)
         self.assertGreater(calls, 30000)

@@ -9,7 +9,7 @@ import unittest
 
 COMMAND = os.environ["SOARBOX"]
 
-# It drives along a corridor, cleans what is dirty, and charges when a function of the program says that it must.
+# It drives along a corridor, cleans dirty cells, and charges when a function of the program requests it.
 ROBOT_RULES = """
 sp {propose*drive
    (state <s> ^superstate nil ^io.input-link <in>)
@@ -90,7 +90,7 @@ print(" ".join(done))
 kernel.Shutdown()
 '''
 
-# It chooses at random, from the seed that its program gives it.
+# It chooses at random, with the seed from its program.
 DICE_RULES = """
 sp {propose*throw
    (state <s> ^superstate nil ^io.input-link.turn <t>)

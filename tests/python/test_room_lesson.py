@@ -8,7 +8,7 @@ import unittest
 
 LESSON = pathlib.Path(__file__).resolve().parents[2] / "docs" / "lessons" / "27-other-programs"
 RIGHT = (LESSON / "answers" / "right.py").read_text(encoding="utf-8")
-# What is wrong, how it is made, and the first point that fails.
+# The mistake, the edit that makes it, and the first requirement that fails.
 WRONG = [
     ("a new element in each minute", ('agent.Update(felt, temperature)', 'agent.CreateFloatWME(link, "temperature", temperature)'),
      "the mind perceives one temperature"),

@@ -46,7 +46,7 @@ class Types(unittest.TestCase):
     def test_the_client_interface_has_types(self):
         modules = pathlib.Path(importlib.util.find_spec("soar_sml").origin).parent
         with tempfile.TemporaryDirectory() as folder:
-            # Where packages are installed, the checker finds the stubs by itself.
+            # For installed packages, the checker finds the stubs itself.
             for name in ("soar_sml", "Python_sml_ClientInterface"):
                 shutil.copy(modules / f"{name}-stubs" / "__init__.pyi", pathlib.Path(folder) / f"{name}.pyi")
             program = pathlib.Path(folder) / "program.py"

@@ -63,9 +63,9 @@ class Learner(threading.Thread):
             message = page.receive()
             now = time.monotonic() - begin
             if message["message"] == "flow" and not message["paused"]:
-                # Against the best moment: that is when the page saw the world on time.
+                # Relative to the best moment, when the page saw the world in time.
                 behind = now - message["time_s"]
-                # Once all have begun, which takes the processors a while; time that a world lost then it does not catch up with.
+                # After all have started, which takes a while; a world does not catch up on time that it lost then.
                 if now > self.seconds / 4:
                     first = behind if first is None else min(first, behind)
                     self.lateness.append(behind)
@@ -185,7 +185,7 @@ def main():
 
 
 def measure_learners(server, count, seconds):
-    # From several addresses: one alone may not have all runs of a server.
+    # From several addresses, because one address may not have all runs of a server.
     learners = [Learner(server, NAMES[i % len(NAMES)], seconds, f"127.0.0.{2 + i % 4}") for i in range(count)]
     for learner in learners:
         learner.start()

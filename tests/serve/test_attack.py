@@ -17,7 +17,7 @@ import zipfile
 from combined import Combined, cpu_s, memory_mb, most_memory_mb
 from web_client import COMMAND, ServeCase
 
-# Seconds of a processor for one attack, with room for slow machines and checked builds: before there were limits, one message took 50.
+# Maximum processor seconds of one attack, with a margin for slow machines and checked builds: before there were limits, one message took 50.
 MOST_WORK_S = 5
 
 
@@ -46,7 +46,7 @@ class Messages(Attack):
         for text in ('{"request":"x","a":' + "[" * 70 + "]" * 70 + "}", json.dumps({"request": "x", "a": [0] * 30_000}), "[" * 500_000):
             page.send_frame(1, text.encode())
             self.assertIn("no request", page.until_message("error")["error"])
-        # What is below the limits is understood, whatever surrounds it.
+        # Input below the limits is accepted, whatever surrounds it.
         page.send_frame(1, json.dumps({"a": {"request": "y", "id": 1}, "request": "x", "id": "mine", "b": [["id"]]}).encode())
         answer = page.until_message("error")
         self.assertEqual((answer["id"], answer["error"]), ("mine", "there is no run"))
@@ -55,7 +55,7 @@ class Messages(Attack):
         server = self.serve()
         page = self.page(server, server.new_place())
         page.until_message("none")
-        # 16 points each, of 1,000 at once and 100 a second.
+        # 16 points each, of 1,000 at once and 100 per second.
         frame, is_refused = page.frame(1, json.dumps({"request": "x", "a": "b" * 1_000_000}).encode()), threading.Event()
 
         def flood():
@@ -65,7 +65,7 @@ class Messages(Attack):
         flooding.start()
         try:
             page.until(lambda message: message["message"] == "error" and "more than this server allows" in message["error"])
-            # Its messages are read one a second now.
+            # Its messages are now read once per second.
             self.assert_others_are_served(server, cpu_s(server.process.pid))
         finally:
             is_refused.set()

@@ -50,7 +50,7 @@ class Desk(ClassCase):
         self.assertEqual(self.learners(server)["Bob"]["notes"], [])
         self.post(server, f"/api/class/{self.key}/hand", place=ada)
         page.until(lambda message: message["message"] == "class" and not message["is_hand_up"])
-        # Who was away finds the message, also after the server was stopped.
+        # A user who was away finds the message, also after the server was stopped.
         self.post(server, f"/api/class/{self.key}/message", text="To all")
         self.assertEqual(server.stop(), 0)
         server = self.again()

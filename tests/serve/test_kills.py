@@ -48,7 +48,7 @@ class Learner:
         self.page.ask(request="look", panels=["edit", "mission"])
         self.file = self.page.until_contents("edit", lambda edit: edit["files"])["files"][0]["file"]
         self.page.ask(request="edit", file=self.file)
-        # The file comes first, then the draft.
+        # The file is written first, then the draft.
         edit = self.page.until_contents("edit", lambda edit: number_in(edit["edit"]["text"]) >= self.kept["typed"] and edit["edit"]["text"])
         return edit["edit"]["text"]
 

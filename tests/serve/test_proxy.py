@@ -19,7 +19,7 @@ http {{
   access_log {folder}/access.log all;
   client_body_temp_path {folder}/body; proxy_temp_path {folder}/proxy; fastcgi_temp_path {folder}/fastcgi;
   uwsgi_temp_path {folder}/uwsgi; scgi_temp_path {folder}/scgi;
-  # The place, wherever it stands in the path; whoever has none yet goes anywhere.
+  # The place, anywhere in the path; a client without one goes to any server.
   map $uri $place {{ ~^(?:/api)?/p/(?<id>[0-9a-z]+) $id; default $request_id; }}
   upstream soarbox {{ hash $place consistent; {upstreams} }}
   server {{
@@ -113,7 +113,7 @@ class BehindNginx(ServeCase):
         counts = [len(server.engines()) for server in servers]
         self.assertEqual(sum(counts), 8)
         self.assertGreater(min(counts), 0, "both have some")
-        # Whoever comes again comes to the same server, and to the same run.
+        # A client that returns comes to the same server and to the same run.
         again = self.page(proxy, places[0])
         again.until_message("hello")
         proxy.http("PUT", f"/api/p/{places[0]}/files/mine.txt", b"mine")

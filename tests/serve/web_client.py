@@ -16,7 +16,7 @@ import unittest
 
 COMMAND = os.path.abspath(os.environ["SOARBOX"])
 LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
-# However slow the machine: a test that waits so long has failed.
+# A test that waits this long has failed, on any machine.
 PATIENCE_S = 120
 
 
@@ -188,7 +188,7 @@ class Server:
 
     def engines(self):
         """Numbers of the processes that the server has started."""
-        # Each thread of the server has the processes that it has started.
+        # Each thread of the server has the processes that it started.
         numbers = []
         for thread in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
             numbers += (thread / "children").read_text(encoding="utf-8").split()

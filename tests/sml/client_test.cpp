@@ -132,7 +132,8 @@ TEST(ClientInput, ChildrenAreWalkedBothWaysWhileOthersComeAndGo) {
   };
   for (const int gone : {0, 4, 2}) EXPECT_TRUE(parts[static_cast<std::size_t>(gone)]->DestroyWME());
   EXPECT_EQ(values(), (std::vector<long long>{1, 3}));
-  for (int n = 5; n < 50; ++n) thing->CreateIntWME("part", n);  // Some of them stand where those were that went.
+  for (int n = 5; n < 50; ++n)
+    thing->CreateIntWME("part", n);  // Some of them have the memory addresses of removed ones.
   EXPECT_EQ(thing->GetNumberChildren(), 47);
   EXPECT_EQ(values().front(), 1);
   EXPECT_EQ(values().back(), 49);
@@ -147,7 +148,7 @@ TEST(ClientInput, ChildrenAreWalkedBothWaysWhileOthersComeAndGo) {
 TEST(ClientInput, TextsAndAttributesOfAnyLengthAndNumberStayAsTheyWereGiven) {
   Program program;
   Identifier* link = program.agent->GetInputLink();
-  // More attributes, and longer ones, than agents share.
+  // More and longer attributes than agents share.
   std::vector<StringElement*> made;
   for (std::size_t n = 0; n < 6000; ++n) {
     made.push_back(link->CreateStringWME(("a" + std::to_string(n) + std::string(n % 90, '-')).c_str(),
@@ -240,7 +241,7 @@ TEST(ClientOutput, CommandsAreListedOnceAndHandlersHearOfThemAfterNotifications)
   EXPECT_EQ(agent->GetCommand(1), nullptr);
   EXPECT_TRUE(agent->IsOutputLinkChangeAdd(0));
   EXPECT_STREQ(agent->GetCommand(0)->FindByAttribute("speed", 0)->GetValueType(), "double");
-  // The next apply phase ends the command's newness.
+  // After the next apply phase the command is no longer new.
   agent->RunSelf(2);
   EXPECT_EQ(agent->GetNumberCommands(), 0);
 }
@@ -280,7 +281,7 @@ TEST(ClientErrors, LoadingAFaultyFileNamesFileLineAndColumnAndLoadsTheRest) {
                "Trying to create an agent that already exists in the kernel.");
 }
 
-/// How often `part` stands in `text`.
+/// Number of occurrences of `part` in `text`.
 std::size_t Count(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
@@ -293,7 +294,7 @@ TEST(ClientErrors, OfManyFaultyRulesEachIsToldOnceAndSoAreTheWarningsOfTheOthers
   std::string rules;
   for (int line = 1; line <= kLines; ++line) {
     const std::string number = std::to_string(line);
-    // What is wrong with the first of two is printed, what is odd about the second is not.
+    // The error in the first one is printed, the remark about the second is not.
     rules += "sp {rule*" + number + " (state <s> ^superstate nil) --> (" +
              (line % 2 == 1 ? "<unknown" + number + "> ^name value" : "<s> ^name n" + number) + ")}\n";
   }
@@ -488,7 +489,7 @@ TEST(ClientCommands, EchoCommandsShowsEveryLineAndItsAnswerToWhoeverListens) {
   EXPECT_EQ(echoed, "echo loudloud\n");
 }
 
-/// What a client puts on the input link is recorded, and replayed without it.
+/// The input of a client is recorded, and replayed without the client.
 TEST(ClientInput, RecordedPerceptsGiveTheSameRunAgain) {
   const std::string file = (std::filesystem::temp_directory_path() / "sml_client_percepts.txt").string();
   const auto live = [&](const std::string& command, bool with_client) {

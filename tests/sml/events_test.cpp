@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The order of events, as Soar 9.6.3 gives them.
+// The order of events, as in Soar 9.6.3.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -192,7 +192,7 @@ TEST(EventOrder, HaltInterruptsAndHalts) {
   listener.Listen(listener.agent, smlEVENT_AFTER_INTERRUPT, smlEVENT_AFTER_HALTED);
   EXPECT_NE(std::string(listener.agent->RunSelfForever()).find("An agent halted during the run."), std::string::npos);
   const Log log = listener.Take();
-  // The agent halts at the end of the propose phase and stands before the decide phase, as Soar's does.
+  // The agent halts at the end of the propose phase, before the decide phase, like Soar's.
   EXPECT_NE(std::find(log.begin(), log.end(), "after-halted(2)"), log.end());
   EXPECT_EQ(listener.agent->GetRunState(), sml_RUNSTATE_HALTED);
   listener.agent->InitSoar();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Three kernels with threads and ports, and a program that ends without a word to them.
+// Three kernels with threads and ports, and a program that exits without shutting them down.
 #include "sml_Client.h"
 
 int main() {

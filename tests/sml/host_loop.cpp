@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// The loop of a program that hosts agents, in its own process or through a kernel elsewhere: a new reading for each
-// agent, a run till it acts, its commands taken and marked complete.
+// The loop of a program that hosts agents, in its own process or through a kernel in another one: a new percept for
+// each agent, a run until it acts, its commands read and marked complete.
 //
 //   sml_host_loop RULES AGENTS TICKS [ADDRESS PORT]
 //

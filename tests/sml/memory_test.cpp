@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// An agent whose rules use all memory up is halted for good and says why; everything else goes on.
+// An agent whose rules use up all memory is halted permanently, with the reason; everything else continues.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(th
 constexpr bool kSanitized = false;
 #endif
 
-/// This process gets so many bytes more and no others, for as long as it lives.
+/// Limits this process to this number of additional bytes, while it exists.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::size_t more) {
@@ -50,7 +50,7 @@ std::string ValueRule(int count = 400) {
 constexpr const char* kExplodingRule =
     "sp {explode (state <s> ^value <a> ^value <b> ^value <c> ^value <d>) --> (<s> ^all yes)}\n";
 
-/// In this process, and at the other end of a socket.
+/// In this process, and with a kernel on a socket.
 class Memory : public testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
@@ -73,7 +73,7 @@ class Memory : public testing::TestWithParam<bool> {
 
   void CheckEverythingElseGoesOn() {
     EXPECT_EQ(greedy_->GetRunState(), sml_RUNSTATE_HALTED);
-    // What it knew can be read; nothing changes it.
+    // Its memory can be read, but not changed.
     EXPECT_TRUE(Has(greedy_->ExecuteCommandLine("print s1"), "^superstate nil"));
     for (const char* line :
          {"matches", "matches values", "matches explode", "stats", "production memory-usage", "preferences s1 value",
@@ -91,7 +91,7 @@ class Memory : public testing::TestWithParam<bool> {
     kernel().RunAllAgents(5);
     EXPECT_EQ(modest_->GetDecisionCycleCounter(), before + 10);
 
-    // A new one takes its place.
+    // A new agent replaces it.
     EXPECT_TRUE(kernel().DestroyAgent(greedy_));
     greedy_ = kernel().CreateAgent("greedy");
     ASSERT_NE(greedy_, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A client that speaks the wire protocol by hand, against a kernel that listens.
+// A client that implements the wire protocol itself, with a listening kernel.
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -34,7 +34,7 @@ struct Server {
   std::unique_ptr<sml::Kernel> kernel;
 };
 
-/// Answers events by itself while it waits for a response.
+/// Replies to events while it waits for a response.
 struct Client {
   explicit Client(int port) {
     auto connected = soarbox::wire::Connect(io, "127.0.0.1", port);
@@ -52,14 +52,14 @@ struct Client {
     Send(document);
     return Receive();
   }
-  /// Answers an event.
+  /// Replies to an event.
   void Answer(const std::string& document) {
     const auto message = soarbox::wire::ReadMessage(document);
     Message response = soarbox::wire::MakeResponse(message.value().id);
     response.id = std::to_string(next_id++);
     Send(ToDocument(response));
   }
-  /// Sends <command ...>...</command> and returns what stands in the response.
+  /// Sends <command ...>...</command> and returns the contents of the response.
   std::string Ask(const std::string& command) {
     const std::string id = std::to_string(next_id++);
     Send("<sml doctype=\"call\" id=\"" + id + "\" smlversion=\"9.6.3\">" + command + "</sml>");
@@ -193,7 +193,7 @@ TEST(Protocol, ForeignInputIsRefusedOrIgnoredAndTheConnectionStaysUp) {
   for (int i = 0; i < 50000; ++i) deep += "<a>";
   client.Send(deep);
   EXPECT_EQ(client.Ask("<command name=\"version\"></command>"), "<result output=\"raw\">9.6.3</result>");
-  // What crashes the reference is an error here, or works.
+  // Input that crashes the reference is an error here, or works.
   EXPECT_NE(client.Exchange("<sml doctype=\"call\"><command name=\"version\"></command></sml>").find("9.6.3</result>"),
             std::string::npos);
   EXPECT_NE(client.Ask("<command name=\"get_run_state\"><arg param=\"value\">phase</arg></command>").find("<error>"),
@@ -228,7 +228,7 @@ TEST(Protocol, AClientThatNeverAnswersStallsTheKernelOnceAndForALimitedTime) {
   EXPECT_EQ(server.kernel->GetAgent("hal")->GetDecisionCycleCounter(), 20);
 }
 
-/// The name of an event; empty if the document is none.
+/// The name of an event; empty for other documents.
 std::string EventOf(const std::string& document) {
   const auto message = soarbox::wire::ReadMessage(document);
   const auto* command = message.ok() ? message.value().Command() : nullptr;
@@ -308,7 +308,7 @@ TEST(Protocol, AHundredClientsAreServedAtOnceAndEightMayMakeInput) {
   EXPECT_EQ(with_tags, 7);
 }
 
-/// A connection that has sent the beginning of a message and no more.
+/// A connection that has sent only the beginning of a message.
 class HalfOpen {
  public:
   explicit HalfOpen(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -383,7 +383,7 @@ TEST(Protocol, AKernelThatRequiresASecretServesThoseWhoShowIt) {
     EXPECT_NE(std::string(without->GetLastErrorDescription()).find("This kernel requires a secret"), std::string::npos)
         << without->GetLastErrorDescription();
   }
-  // A debugger is told so in the answer to its first call.
+  // The reply to a debugger's first call says so.
   Client debugger(server.port());
   debugger.Send(R"(<sml doctype="call" id="7" smlversion="9.6.3"><command name="create_agent">)"
                 R"(<arg param="name">spy</arg></command></sml>)");
@@ -414,14 +414,14 @@ TEST(Protocol, AKernelIsFoundAtTheFileForItsPortAndLeavesNoneBehind) {
   {
     Server probe;
     port = probe.port();
-    // A kernel on any port is found by its process.
+    // A kernel on any port can be found by its process.
     EXPECT_TRUE(std::filesystem::is_socket(home / ".soartmp" / std::to_string(getpid())));
   }
   EXPECT_FALSE(std::filesystem::exists(home / ".soartmp" / std::to_string(getpid())));
   const std::filesystem::path file = home / ".soartmp" / std::to_string(port);
   EXPECT_EQ(std::filesystem::status(home / ".soartmp").permissions(), std::filesystem::perms::owner_all);
   {
-    // What a kernel that was killed left there.
+    // Files that a killed kernel left there.
     const int stale = socket(AF_UNIX, SOCK_STREAM, 0);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -480,7 +480,7 @@ TEST(Protocol, ADebuggersStartAndItsStopButtonWorkWhileAnAgentRuns) {
     std::this_thread::yield();
   EXPECT_NE(debugger.Line("hal", "print s1").find("^superstate nil"), std::string::npos);
   EXPECT_EQ(debugger.Line("hal", "stop-soar"), "<result output=\"raw\"></result>");
-  // Answers what still comes, so that the run can end.
+  // Replies to further events, so that the run can end.
   while (debugger.Ask("<command name=\"is_running\"></command>") == "<result output=\"raw\">true</result>") continue;
   runner.join();
   EXPECT_TRUE(debugger.Heard("system-start"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The client API on a kernel at the other end of a socket: the same programs, the same results.
+// The client API with a kernel on a socket: the same programs, the same results.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace sml;
 
-/// What a program sees of an agent: texts, commands, names and tags.
+/// The state of an agent as a program sees it: texts, commands, names and tags.
 std::vector<std::string> Play(Kernel& kernel, const std::string& rules) {
   std::vector<std::string> seen;
   Agent* agent = kernel.CreateAgent("player");

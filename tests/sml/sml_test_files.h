@@ -7,10 +7,10 @@
 #include <fstream>
 #include <string>
 
-/// A file with rules that lives as long as the object.
+/// A file with rules that exists as long as the object.
 class RuleFile {
  public:
-  /// Tests run side by side in processes of their own, so the process is in the name.
+  /// Tests run in parallel in separate processes, so the name contains the process.
   RuleFile(const std::string& name, const std::string& rules)
       : path_(std::filesystem::temp_directory_path() / (name + "_" + std::to_string(getpid()) + ".soar")) {
     std::ofstream(path_) << rules;
@@ -25,7 +25,8 @@ class RuleFile {
   std::filesystem::path path_;
 };
 
-/// An agent that tells far from near: ^distance above 3 gives (forward), else (stop), until the command is completed.
+/// An agent that distinguishes far from near: ^distance above 3 gives (forward), else (stop), until the command is
+/// completed.
 inline constexpr const char* kMoverRules = R"(
 sp {propose*forward (state <s> ^superstate nil ^io <io>) (<io> ^input-link.distance > 3 ^output-link <ol>) -(<ol> ^forward)
   --> (<s> ^operator <o> + =) (<o> ^name forward)}
@@ -41,7 +42,7 @@ sp {apply*cleanup*operator (state <s> ^operator.name cleanup ^io.output-link <ol
   --> (<ol> ^<n> <c> -)}
 )";
 
-/// An agent that counts for ever.
+/// An agent that counts forever.
 inline constexpr const char* kCounterRules =
     "sp {start (state <s> ^superstate nil -^count) --> (<s> ^operator <o> +) (<o> ^name start)}\n"
     "sp {start*apply (state <s> ^operator.name start) --> (<s> ^count 0)}\n"

@@ -19,7 +19,7 @@ namespace {
 
 using Place = std::array<std::int64_t, 3>;
 
-/// Reads of a stream what these tests compare: texts, and where drawables and agents are.
+/// Reads the parts of a stream that these tests compare: texts, and positions of drawables and agents.
 class TestReader {
  public:
   struct Thing {
@@ -220,7 +220,7 @@ TEST(SceneEncoder, WritesWhatIsGoneAndWhatIsNotFinite) {
   reader.Read(block.bytes);
   EXPECT_EQ(reader.things.size(), 2u);
   EXPECT_FALSE(reader.things.contains(2));
-  // Back in time, and on demand.
+  // After going back in time, and on demand.
   EXPECT_TRUE(encoder.Encode(scene, nullptr, true).is_full);
   scene.time_s = -1;
   EXPECT_TRUE(encoder.Encode(scene).is_full);
@@ -245,7 +245,7 @@ TEST(SceneEncoder, TakesAtMostTwentyKilobytesASecondForFewAgents) {
 }
 
 TEST(SceneEncoder, TakesAtMost400KilobytesASecondForTwoHundredSoldiers) {
-  // Soldiers of one scenario, many times over, each copy at another moment of it.
+  // Many copies of the soldiers of one scenario, each at another moment of it.
   const auto simulation = Start("tactics");
   std::vector<world::SceneSnapshot> moments;
   for (int i = 0; i < 400; ++i) {

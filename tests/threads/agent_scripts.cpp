@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Moves towards what it perceives, and tidies up its commands.
+/// Moves towards its percept, and completes its commands.
 constexpr const char* kSeeker[] = {
     "sp {move (state <s> ^superstate nil ^io.input-link.range <r>) --> (<s> ^operator <o> + =) (<o> ^name move ^speed "
     "<r>)}",
@@ -17,7 +17,7 @@ constexpr const char* kSeeker[] = {
     "(<out> ^<name> <c> -)}",
 };
 
-/// Chooses among equals by chance and by numbers, and counts what it chose.
+/// Chooses among equal operators at random and by values, and counts its choices.
 constexpr const char* kGambler[] = {
     "sp {start (state <s> ^superstate nil -^noise) --> (<s> ^operator <o> +) (<o> ^name start)}",
     "sp {started (state <s> ^operator.name start) --> (<s> ^a 0 ^b 0 ^c 0 ^noise 0)}",
@@ -30,7 +30,7 @@ constexpr const char* kGambler[] = {
     "(<s> ^<n> <v> - (+ <v> 1) ^noise <r> - (rand-int 1000))}",
 };
 
-/// Ties, a substate that compares the candidates, results that justify themselves, state no-changes three deep.
+/// Ties, a substate that compares the candidates, results that support themselves, state no-changes three levels deep.
 constexpr const char* kThinker[] = {
     "sp {start (state <s> ^superstate nil -^turn) --> (<s> ^operator <o> +) (<o> ^name start)}",
     "sp {started (state <s> ^operator.name start) --> (<s> ^turn 0 ^block <x> <y> <z>) (<x> ^size 3) (<y> ^size 1) "
@@ -67,7 +67,7 @@ std::vector<AgentScript> LocalScripts() {
   std::vector<std::string> gamble{"decide srand 7"};
   gamble.insert(gamble.end(), 30, "run 4");
   std::vector<std::string> think(20, "run 3");
-  // Rules come and go while the agent runs: the network that it shared with others is its own again.
+  // Rules are added and excised while the agent runs, so its shared network becomes its own again.
   const std::vector<std::string> change{"excise compare",          "run 5", "init-soar", kThinker[3], "run 10",
                                         "production excise --all", "run 3"};
   think.insert(think.end(), change.begin(), change.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Kernels on several threads, through the client API: each perceives, decides and acts as it would alone.
+// Kernels on several threads, through the client API: each must behave as it does alone.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -30,8 +30,8 @@ void AppendText(smlPrintEventId, void* transcript, Agent*, char const* text) {
   *static_cast<std::string*>(transcript) += text;
 }
 
-/// Runs an agent for some ticks and returns all that it printed, said and knows at the end. `number` varies what it
-/// perceives.
+/// Runs an agent for some ticks and returns all of its output, its commands and its final contents. `number` varies its
+/// percepts.
 std::string LifeOf(Kernel& kernel, const std::string& name, int number) {
   std::string transcript;
   Agent* agent = kernel.CreateAgent(name.c_str());

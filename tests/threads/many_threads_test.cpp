@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Agents share nothing that changes: their transcripts are the same to the letter whether each ran alone, all took
-// turns on one thread, or many threads drove them. Agents with equal rules share those, so each script runs several
-// times at once; some change their rules while others that share them run.
+// Agents share nothing that changes: their transcripts must be identical if each runs alone, all take turns on one
+// thread, or many threads run them. Agents with equal rules share these, so each script runs several times at once;
+// some agents change their rules while others that share them run.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -54,8 +54,8 @@ void RunInTurns(Runners& runners) {
   }
 }
 
-/// Threads take whichever agent waits longest and carry out one line of it, so that an agent wanders from thread to
-/// thread.
+/// Each thread takes the agent that has waited longest and executes one line of it, so that agents move between
+/// threads.
 void RunOnThreads(Runners& runners, int thread_count) {
   std::mutex mutex;
   std::deque<ScriptRunner*> queue;
@@ -67,7 +67,7 @@ void RunOnThreads(Runners& runners, int thread_count) {
         ScriptRunner* runner = nullptr;
         {
           const std::lock_guard<std::mutex> lock(mutex);
-          // Another thread may still put its agent back; it then goes on with that itself.
+          // Another thread may still return its agent, and then continues with it.
           if (queue.empty()) return;
           runner = queue.front();
           queue.pop_front();
@@ -81,7 +81,7 @@ void RunOnThreads(Runners& runners, int thread_count) {
   for (std::thread& thread : threads) thread.join();
 }
 
-/// Agents are made, run and destroyed by the thread that takes them, so that agents that share rules come and go.
+/// The thread that takes an agent creates, runs and destroys it, so that agents that share rules come and go.
 void RunWholeOnThreads(const std::vector<AgentScript>& scripts, const std::vector<std::string>& wanted,
                        int thread_count) {
   std::vector<std::thread> threads;

@@ -56,6 +56,6 @@ void ScriptRunner::DescribeState() {
                                     counters.wm_size_sum, counters.max_wme_changes, counters.max_firings}) {
     transcript_ += std::to_string(count) + " ";
   }
-  // The next number of its stream tells whether it drew as many as it should.
+  // The next number of its random stream shows whether it drew the right amount of numbers.
   transcript_ += std::to_string(agent_.random().Next32()) + "\n" + agent_.CheckInvariants() + "\n";
 }

@@ -10,13 +10,13 @@
 #include "kernel/agent.h"
 #include "kernel/io/input_link.h"
 
-/// One agent that works off a script, and everything that it printed. One thread at a time; which, may change between
-/// two steps.
+/// An agent that executes a script, and its output. Use it on one thread at a time; the thread may change between two
+/// steps.
 class ScriptRunner {
  public:
   explicit ScriptRunner(const AgentScript& script);
 
-  /// Carries out the next line. False if there was none left: then the transcript ends with the agent's state.
+  /// Executes the next line. False if there was none left: then the transcript ends with the agent's state.
   bool Step();
   const std::string& transcript() const { return transcript_; }
 

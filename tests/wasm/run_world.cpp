@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Runs one world as `soarbox run WORLD --headless --json --seconds S` does, and prints the last line of that: with the
-// hash of the state in which it ends. It needs a third of the command's modules, so it is compiled sooner.
+// Runs a world like `soarbox run WORLD --headless --json --seconds S` and prints the last line of its output, which
+// contains the hash of the final state. It needs a third of the command's modules, so it compiles sooner.
 //
 //   run_world WORLD SECONDS      the folders scenarios/ and media/ are those of SOARBOX_DATA
 #include <cinttypes>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Whole sessions of somebody who watches a run: requests go in as JSON, contents come out as JSON. No display.
+// Complete sessions of a user who watches a run: requests are JSON, contents are JSON. No display.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ using testing::IsEmpty;
 using testing::Not;
 using workbench::Json;
 
-/// A program around a desk that only keeps what it is told.
+/// The surroundings of a desk that only record the calls.
 class Room final : public workbench::Surroundings {
  public:
   bool IsPaused() const override { return pace.paused(); }
@@ -44,7 +44,7 @@ class Room final : public workbench::Surroundings {
   std::vector<std::string> told;
 };
 
-/// Somebody at a desk who writes and reads JSON.
+/// A user of a desk who writes and reads JSON.
 class Watcher {
  public:
   explicit Watcher(workbench::Desk& desk) : desk_(desk) {}
@@ -56,7 +56,7 @@ class Watcher {
   }
   void Serve() { desk_.Serve(std::exchange(requests_, {}), contents_); }
   Json See(const char* name) { return workbench::ToJson(contents_, name); }
-  /// Serves until there is nothing that is still being read or simulated again; that begins once seeking rests.
+  /// Serves until nothing is being read or simulated again; this begins when seeking has ended.
   void Await() {
     for (int i = 0; i < 20'000; ++i) {
       Serve();
@@ -77,7 +77,7 @@ class Sessions : public testing::Test {
   Sessions() { setenv("XDG_STATE_HOME", (scratch.path() / "state").c_str(), 1); }
   ~Sessions() override { unsetenv("XDG_STATE_HOME"); }
 
-  /// A run of soldiers with Soar minds, recorded.
+  /// A recorded run of soldiers with Soar minds.
   void Begin(record::Level level = record::Level::kDecisions) {
     scenario = sim::FindScenario("soar_skirmish", record::Data()).value();
     settings.seed = settings.soar.seed = 4;
@@ -119,7 +119,7 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   workbench::Desk desk(*session, header, scenario, settings, room);
   Watcher user(desk);
 
-  // Who looks at nothing gets nothing but where the run stands.
+  // A user with no panel open only gets the state of the run.
   Tick(desk, 10);
   user.Serve();
   EXPECT_EQ(user.See("moment")["agent"], "");
@@ -143,7 +143,7 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   EXPECT_THAT(user.See("links")["io"].dump(), HasSubstr("input-link"));
   EXPECT_THAT(user.See("trace")["lines"].dump(), HasSubstr("blue-1"));
 
-  // The command line prints the same forms.
+  // The command line prints the same JSON.
   const auto mind = session->simulation().Inspect("blue-1");
   EXPECT_EQ(stack, workbench::ToJson(
                        [&] {
@@ -164,7 +164,7 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
         << field.view;
   }
 
-  // Questions, an unfolded object, a console.
+  // Queries, an unfolded object, a console.
   user.Ask(R"({"request": "object", "id": "S1"})");
   user.Ask(R"({"request": "ask", "about": "not", "what": "no-such-operator"})");
   user.Ask(R"({"request": "console", "agent": "blue-1", "line": "print s1"})");
@@ -176,7 +176,7 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   EXPECT_THAT(user.See("console")["lines"].dump(), HasSubstr("(S1 "));
   EXPECT_THAT(user.See("console")["completion"]["words"].dump(), HasSubstr("print"));
 
-  // A breakpoint stops the world; what it cannot be is a problem.
+  // A breakpoint stops the world; an invalid one is a problem.
   user.Ask(R"({"request": "break", "kind": "command"})");
   user.Ask(R"({"request": "break", "kind": "fire", "what": ""})");
   user.Ask(R"({"request": "look", "panels": ["breakpoints", "problems"]})");
@@ -191,7 +191,7 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   user.Serve();
   EXPECT_THAT(user.See("breakpoints")["breakpoints"], IsEmpty());
 
-  // Back to a past tick, and on from there.
+  // Back to a past tick, and then forward from there.
   const std::uint64_t newest = session->simulation().tick();
   user.Ask(R"({"request": "seek", "tick": 20})");
   user.Ask(R"({"request": "look", "panels": ["mind", "futures"]})");
@@ -266,7 +266,7 @@ TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {
   const Json at_45 = user.See("mind")["stack"];
   EXPECT_THAT(at_45.dump(), HasSubstr("S1"));
   EXPECT_THAT(user.See("why")["answer"].dump(), Not(HasSubstr("Not recorded")));
-  // Back, and there again: the same mind.
+  // Back, and forward again: the same mind.
   user.Ask(R"({"request": "seek", "tick": 5})");
   user.Serve();
   user.Await();
@@ -275,7 +275,7 @@ TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {
   user.Serve();
   user.Await();
   EXPECT_EQ(user.See("mind")["stack"], at_45);
-  // What only a run can do is refused with a remark, or a problem.
+  // Requests that need a live run are refused with a remark or a problem.
   user.Ask(R"({"request": "break", "kind": "command"})");
   user.Ask(R"({"request": "open-run", "what": "soar_seek"})");
   user.Ask(R"({"request": "save-picture"})");

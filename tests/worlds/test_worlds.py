@@ -17,7 +17,7 @@ from soarbox_command import COMMAND, new_folder, run_json  # noqa: E402
 SCENARIOS, LESSONS, PAGES = REPOSITORY / "scenarios", REPOSITORY / "lessons", REPOSITORY / "docs" / "lessons"
 OFFICIAL = os.environ.get("SOARBOX_SOAR_KERNEL", "")
 
-# Those that take part in none of this.
+# These worlds are left out.
 LEFT_OUT = {
     "scenarios/crowd": "crowd_10.lua is the same with fewer agents",
     "scenarios/crowd/crowd_100.lua": "crowd_10.lua is the same with fewer agents",
@@ -31,8 +31,8 @@ LEFT_OUT = {
     "scenarios/soar_skirmish/joint_watch.toml": "it waits for another process (DIS)",
 }
 
-# In each of these, several agents draw random numbers. All agents of an official kernel draw from one generator, ours each
-# from its own: there, those named run instead, one of each, and the last of them is the only one that draws.
+# In each of these, several agents draw random numbers. All agents of an official kernel share one generator, ours have one each. There, the listed
+# agents run instead, one of each, and only the last of them draws.
 ONE_DRAWS = {
     "scenarios/eaters/four.toml": [["greedy.soar"], ["wanderer.soar"], ["learner.soar"]],
     "scenarios/soar_ambush": [["hare", "red", "blue"]],
@@ -45,14 +45,14 @@ ONE_DRAWS = {
     "lessons/tanks/t8-mission": [["tank"], ["bot"]],
 }
 
-# Where the eye or what it looks at moves, Soar 9.6.3 keeps the lines of sight of an occlusion's first computation
-# (docs/spec/imagery.md). In these worlds it runs with a copy of the rules that asks anew in each moment, for so many seconds.
+# If the eye or its target moves, Soar 9.6.3 keeps the lines of sight of an occlusion's first computation
+# (docs/spec/imagery.md). In these worlds it runs with a copy of the rules that extracts again at each moment, for this number of seconds.
 ASKED_ANEW = {
     "lessons/13-imagine": ("mouse.soar", 40),
     "scenarios/soar_hide": ("hider.soar", 40),
 }
 
-# A lesson may take long until its agent has learnt.
+# A lesson may take long until its agent has learned.
 SECONDS = {"scenarios": 5, "docs": 10, "lessons": 20}
 
 
