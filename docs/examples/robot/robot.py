@@ -57,7 +57,7 @@ def main():
     step = agent.GetInputLink().CreateIntWME("step", 0)
     for number in range(1, steps + 1):
         scene.body("robot", robot.x, robot.y, robot.heading)
-        agent.RunSelf(1)
+        agent.RunSelfTilOutput()
         for i in range(agent.GetNumberCommands()):
             command = agent.GetCommand(i)
             robot.obey(command)

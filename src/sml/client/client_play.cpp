@@ -25,7 +25,12 @@ std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from
     return std::nullopt;
   }
   const std::lock_guard lock(data.link->mutex());
-  std::optional<std::string> text = data.link->ReadLog(from, problem);
+  auto* const link = dynamic_cast<sml::LogLink*>(data.link.get());
+  if (link == nullptr) {
+    problem = "the kernel is in this process";
+    return std::nullopt;
+  }
+  std::optional<std::string> text = link->ReadLog(from, problem);
   if (text) text = server::PartsOfLogLine(*text).front();
   return text;
 }

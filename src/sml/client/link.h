@@ -149,6 +149,15 @@ class AgentLink {
   virtual void ListOutput(const std::function<void(const OutputWme&)>& visit) = 0;
 };
 
+/// A kernel elsewhere that may keep a log of what its clients do (sml/server/client_log.h).
+class LogLink {
+ public:
+  virtual ~LogLink() = default;
+  /// What they did, from this byte of the log on; empty: no more at present. Nothing, and the reason, if the kernel
+  /// keeps no log.
+  virtual std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) = 0;
+};
+
 /// The way to a kernel.
 class KernelLink {
  public:
@@ -200,13 +209,6 @@ class KernelLink {
                                                        const std::string& message) = 0;
   virtual bool FireSystem(int event) = 0;
   virtual bool SuppressSystemStop(bool on) = 0;
-  /// What clients did to the agents of a kernel elsewhere, from this byte of its log on; empty: no more at present.
-  /// Nothing, and the reason, if the kernel keeps no log.
-  virtual std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) {
-    static_cast<void>(from);
-    problem = "the kernel is in this process";
-    return std::nullopt;
-  }
   virtual bool SetInterruptCheckRate(int rate) = 0;
   virtual std::vector<soarbox::server::ConnectionInfo> Connections() = 0;
   virtual bool SetConnectionInfo(const std::string& name, const std::string& status,

@@ -42,7 +42,7 @@ constexpr int kSecretLimitMs = 10'000;
 
 /// A program's client of a remote kernel. Between calls a thread delivers events; during a call, the calling thread
 /// does.
-class RemoteLink final : public KernelLink, public RemoteCaller {
+class RemoteLink final : public KernelLink, public LogLink, public RemoteCaller {
  public:
   explicit RemoteLink(KernelData& kernel) : kernel_(kernel) {}
   ~RemoteLink() override { Shutdown(); }

@@ -135,7 +135,6 @@ void ClientLog::End(const char* reason) {
   std::fprintf(stderr, "soarbox: %s ends here: %s\n", is_named_ ? "the recording" : "the log for soarbox watch",
                reason);
   std::fclose(std::exchange(file_, nullptr));
-  end_ = written_;
 }
 
 void ClientLog::Write(const std::string& line) {
@@ -149,9 +148,9 @@ void ClientLog::Flush() {
   if (file_ != nullptr && std::fflush(file_) != 0) End(std::strerror(errno));
 }
 
-std::string ClientLog::Text(std::uint64_t from, std::size_t most) {
+std::optional<std::string> ClientLog::Text(std::uint64_t from, std::size_t most) {
   Flush();
-  if (from >= written_ || readable_ < 0) return {};
+  if (from >= written_ || readable_ < 0) return file_ == nullptr ? std::nullopt : std::optional<std::string>("");
   std::string text(std::min<std::uint64_t>(most, written_ - from), '\0');
   const ssize_t got = pread(readable_, text.data(), text.size(), static_cast<off_t>(from));
   text.resize(got < 0 ? 0 : static_cast<std::size_t>(got));

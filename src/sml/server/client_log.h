@@ -78,11 +78,9 @@ class ClientLog {
   /// Flushes the written lines to the operating system, so that they survive if the program is killed.
   void Flush();
 
-  /// What was written from this byte on, at most `most` bytes of it.
-  std::string Text(std::uint64_t from, std::size_t most);
-  /// The log has ended, because it could not be written or became too long: Text() has nothing after this byte. Nothing
-  /// while it goes on.
-  std::optional<std::uint64_t> end() const { return end_; }
+  /// What was written from this byte on, at most `most` bytes of it. Nothing if there is no more and will be none: the
+  /// log could not be written, or became too long.
+  std::optional<std::string> Text(std::uint64_t from, std::size_t most);
 
  private:
   struct Seen {
@@ -99,11 +97,10 @@ class ClientLog {
   void Write(const std::string& line);
   void End(const char* reason);
 
-  std::FILE* file_;
-  int readable_;  ///< Another descriptor of the file; -1: none.
+  std::FILE* file_;  ///< Null once the log has ended.
+  int readable_;     ///< Another descriptor of the file; -1: none.
   bool is_named_;
   std::uint64_t written_ = 0;
-  std::optional<std::uint64_t> end_;
   std::map<std::uint64_t, Seen> seen_;  ///< By the agent's number.
   std::int64_t began_ms_;
 };

@@ -331,13 +331,14 @@ void ReadLog(Request& request) {
   constexpr std::size_t kMostAtOnce = 512 * 1024;
   ClientLog* const log = request.host.log.get();
   if (log == nullptr) return request.Fail("this kernel keeps no log of what its clients do");
-  for (HostedAgent* const agent : request.host.agents())
-    if (!agent->agent().running()) log->Went(*agent);
+  // A run notes each decision itself. What was noted does not depend on who watches.
+  if (!request.host.running())
+    for (HostedAgent* const agent : request.host.agents()) log->Went(*agent);
   const std::string* const from = request.Arg(wire::kLogFrom);
   const std::uint64_t begin = from == nullptr ? 0 : std::strtoull(from->c_str(), nullptr, 10);
-  const std::string text = log->Text(begin, kMostAtOnce);
-  if (text.empty() && log->end()) return request.Fail("the log of this kernel has ended");
-  request.Raw(EscapedForLog(text));
+  const std::optional<std::string> text = log->Text(begin, kMostAtOnce);
+  if (!text) return request.Fail("the log of this kernel has ended");
+  request.Raw(EscapedForLog(*text));
 }
 
 enum class NeedsAgent { kNo, kYes };
