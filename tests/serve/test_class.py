@@ -159,7 +159,7 @@ class Tournament(ClassCase):
         viewer.ask(request="ask", about="doing")
         viewer.until_contents("why", lambda why: any(node["is"] == "tree" for node in why["document"]))
         # The working memory of that moment is recorded, too.
-        viewer.until_contents("memory", lambda memory: any(node["is"] == "tree" and node["key"] == "memory" and node["rows"] for node in memory["document"]))
+        viewer.until_contents("memory", lambda memory: "^operator" in json.dumps(memory))
         viewer.ask(request="open", what="match:" + "0" * 26)
         self.assertIn("nothing called", viewer.until_message("error")["error"])
         # The same matches have the same scores. Entries and matches are still there after a restart.
