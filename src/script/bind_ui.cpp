@@ -119,6 +119,7 @@ int SetVisible(lua_State* state) {
 
 int Remove(lua_State* state) {
   UiOf(state).Remove(UiArgument(state, 1));
+  ContextOf(state).buttons.RemoveGone(UiOf(state));
   return 0;
 }
 

@@ -19,6 +19,18 @@ void ButtonCallbacks::Remove(world::UiId panel) {
   callbacks_.erase(it);
 }
 
+void ButtonCallbacks::RemoveGone(const world::Ui& panels) {
+  std::erase_if(callbacks_, [&](const auto& each) {
+    if (panels.Contains(each.first)) return false;
+    each.second.machine->Release(each.second.function);
+    return true;
+  });
+}
+
+void ButtonCallbacks::RemoveMachine(const LuaMachine& machine) {
+  std::erase_if(callbacks_, [&](const auto& each) { return each.second.machine == &machine; });
+}
+
 void ButtonCallbacks::Press(world::UiId panel, const OnResult& on_result) {
   const auto it = callbacks_.find(panel);
   if (it == callbacks_.end()) return;

@@ -7,6 +7,7 @@
 
 #include "script/lua_machine.h"
 #include "world/ids.h"
+#include "world/ui.h"
 
 namespace soarbox::script {
 
@@ -19,6 +20,10 @@ class ButtonCallbacks {
   /// A function that `machine` keeps; it replaces an earlier one of the panel.
   void Set(world::UiId panel, LuaMachine& machine, int function);
   void Remove(world::UiId panel);
+  /// Removes those of panels that no longer exist.
+  void RemoveGone(const world::Ui& panels);
+  /// Removes those of a machine, which is about to end.
+  void RemoveMachine(const LuaMachine& machine);
   std::size_t size() const { return callbacks_.size(); }
 
   /// Calls callback(sandbox, panel). Nothing happens if the panel has none.

@@ -41,6 +41,14 @@ TEST_F(PanelPartsTest, APressCallsTheFunctionOfAButtonThatIsShown) {
   EXPECT_EQ(Run("print(UI.GetButton(ui))"), "nil");
 }
 
+TEST_F(PanelPartsTest, ARemovedPanelIsNoButtonAnyMore) {
+  Run("child = UI.CreateChild(ui) UI.SetButton(child, 'in', function() UI.Remove(ui) end)");
+  EXPECT_TRUE(host_->PressButton("in")) << "it removes itself with its parent";
+  EXPECT_FALSE(host_->PressButton("in"));
+  EXPECT_FALSE(host_->PressButton("go"));
+  EXPECT_EQ(Errors(), "");
+}
+
 TEST_F(PanelPartsTest, AFunctionThatFailsIsReportedAndTheWorldGoesOn) {
   Run("UI.SetButton(ui, 'go', function() error('no') end)");
   EXPECT_TRUE(host_->PressButton("go"));
