@@ -394,8 +394,14 @@ void RaiseWall(const EngineOptions& options) {
     wall.readable = {data->scenarios, data->media, ShippedLessons(*data)};
   }
   if (!options.from.empty()) wall.readable.push_back(options.from);
-  // The recording of a match is outside of the place.
-  if (!options.recording.empty()) wall.readable.push_back(options.recording);
+  // The recording of a match is outside of the place, and so are the files that the match was run with. Its minds are
+  // simulated again from these files.
+  if (!options.recording.empty()) {
+    wall.readable.push_back(options.recording);
+    std::error_code error;
+    if (const fs::path home = options.recording.parent_path().parent_path() / "home"; fs::is_directory(home, error))
+      wall.readable.push_back(home);
+  }
   serve::RaiseWall(wall);
 }
 
