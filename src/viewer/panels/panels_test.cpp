@@ -137,7 +137,7 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   debugger::LearningView& view = contents.learning;
   view = {};
   view.learners = 1;
-  view.numbers = {{"rl*walker*1", 1.5, 0, 1.5, 2}};
+  view.numbers = {{"rl*walker*1", "^name turn", 1.5, 0, 1.5, 2}};
   debugger::LearnedRuleRow row;
   row.name = "chunk*walker*turn*t4-1";
   row.tick = 5;
