@@ -78,7 +78,7 @@ function Sandbox_Initialize(sandbox)
 
     board = Sandbox.CreateUIComponent(sandbox, 1);
     UI.SetPosition(board, 20, 60);
-    UI.SetDimensions(board, 300, 40);
+    UI.SetDimensions(board, 380, 40);
     UI.SetTextMargin(board, 10, 6);
     UI.SetFont(board, "medium");
     UI.SetGradientColor(board, "north_south", 0, 0, 0, 0.7, 0, 0, 0, 0.4);
