@@ -278,7 +278,7 @@ class Pages(LessonCase):
         self.assertRegex(run.out, r"lesson\.toml:1:\d+: error: .*'titel'")
         grades.write_text(grades.read_text(encoding="utf-8").replace("titel =", "title =").replace('panel = "Memory"', 'panel = "Memroy"'), encoding="utf-8")
         run = Run("check", self.folder / lesson.name, code=1)
-        self.assertRegex(run.out, r"lesson\.toml:4:\d+: error: there is no panel 'Memroy'\n.*\n.*\n.*did you mean 'Memory'")
+        self.assertRegex(run.out, r"lesson\.toml:4:\d+: error: there is no panel 'Memroy'\n +note: did you mean 'Memory'\?")
 
     def test_each_lesson_names_the_panels_in_which_it_is_to_be_seen(self):
         for page in sorted(LESSONS.glob("*/README.md")):

@@ -119,7 +119,7 @@ public class TestMistakes {
     Check.contains(Check.fails(NullPointerException.class,
         () -> kernel.RegisterForSystemEvent(null, (event, data, which) -> {}, this)), "the event is null");
     // Where nothing is meant by it, null is no mistake.
-    Check.contains(kernel.ExecuteCommandLine("version", null), "9.6.3");
+    Check.contains(kernel.ExecuteCommandLine("version", null), "9.6.5");
   }
 
   public void testTextWithTheCharacterZeroIsAnException() {
