@@ -27,10 +27,6 @@ void ButtonCallbacks::RemoveGone(const world::Ui& panels) {
   });
 }
 
-void ButtonCallbacks::RemoveMachine(const LuaMachine& machine) {
-  std::erase_if(callbacks_, [&](const auto& each) { return each.second.machine == &machine; });
-}
-
 void ButtonCallbacks::Press(world::UiId panel, const OnResult& on_result) {
   const auto it = callbacks_.find(panel);
   if (it == callbacks_.end()) return;

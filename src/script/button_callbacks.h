@@ -11,7 +11,7 @@
 
 namespace soarbox::script {
 
-/// Functions that scripts registered for the buttons that they put on the screen (UI.SetButton).
+/// Functions that the sandbox script registered for its buttons (UI.SetButton). Scripts of agents have no table UI.
 class ButtonCallbacks {
  public:
   /// What came of the call in that machine: its error, or nothing.
@@ -22,8 +22,6 @@ class ButtonCallbacks {
   void Remove(world::UiId panel);
   /// Removes those of panels that no longer exist.
   void RemoveGone(const world::Ui& panels);
-  /// Removes those of a machine, which is about to end.
-  void RemoveMachine(const LuaMachine& machine);
   std::size_t size() const { return callbacks_.size(); }
 
   /// Calls callback(sandbox, panel). Nothing happens if the panel has none.

@@ -80,21 +80,6 @@ TEST_F(HostTest, AnAgentRemovesItselfAndItsCallbacksGoWithIt) {
   EXPECT_EQ(Errors(), "");
 }
 
-TEST_F(HostTest, AButtonOfARemovedAgentDoesNothing) {
-  Write("A.lua",
-        "function Agent_Initialize(a)\n"
-        "  UI.SetButton(Sandbox.CreateUIComponent(a:GetSandbox(), 1), 'go', function() print('pressed') end)\n"
-        "end\n");
-  StartWith("function Sandbox_Initialize(s) agent = Sandbox.CreateAgent(s, 'A.lua') end");
-  host_->PressButton("go");
-  EXPECT_EQ(Printed(), "pressed");
-  Run("Sandbox.RemoveAgent(sandbox, agent)");
-  Ticks(2);
-  host_->PressButton("go");
-  EXPECT_EQ(Printed(), "pressed");
-  EXPECT_EQ(Errors(), "");
-}
-
 TEST_F(HostTest, ManyAgentsMayComeAndGoOneAfterTheOther) {
   settings_.max_agents = 4;
   Write("A.lua", "kept = {} for i = 1, 2000 do kept[i] = {i} end");

@@ -218,7 +218,6 @@ void ScriptHost::EndScript(EntityId agent) {
   LuaMachine& machine = *script->machine;
   context_.events.RemoveMachine(machine);
   context_.collisions.RemoveMachine(machine);
-  context_.buttons.RemoveMachine(machine);
   if (machine.observer() != nullptr) machine.observer()->OnGone(machine);
   by_id_[Number(agent)] = nullptr;
   std::erase_if(agents_, [&](const auto& other) { return other.get() == script; });
