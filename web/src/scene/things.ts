@@ -103,9 +103,11 @@ export class Things {
     if (known !== undefined) return known;
     const mesh = this.shapes.mesh(key.shape, this.materials.isSlow ? 1 : 0);
     if (mesh === null) return null;
-    const ownColor = agent !== undefined && isJustSomeTexture(d.material);
+    // A model from a file has colours of its own.
+    const isModel = mesh.material === "Soarbox/Model";
+    const ownColor = agent !== undefined && isJustSomeTexture(d.material) && !isModel;
     // "NobiaxModular" is what the pieces of the kit wear anyway.
-    const fromMesh = d.material === "" || mesh.material === "Soarbox/Model" || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
+    const fromMesh = d.material === "" || isModel || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
     const name = ownColor ? `agent|${agent.kind}|${agent.alive}${agent.failed}` : fromMesh ? mesh.material : d.material;
     const look = ownColor ? agentLook(agent) : lookOf(name);
     // Figures of an agent that fell or failed are grey.
