@@ -346,10 +346,11 @@ Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
   auto& found = contents_->found_identifiers;
   std::uint32_t& at = found[(number + static_cast<unsigned char>(letter) * 7u) % found.size()];
   if (at >= identifiers_.size() || !is_at(at)) {
-    std::uint32_t i = 0;
-    while (i < identifiers_.size() && !is_at(i)) ++i;
-    if (i == identifiers_.size()) return {};
-    at = i;
+    // Names that nobody has asked for yet are mostly new, and new ones are at the end.
+    std::size_t i = identifiers_.size();
+    while (i > 0 && !is_at(i - 1)) --i;
+    if (i == 0) return {};
+    at = static_cast<std::uint32_t>(i - 1);
   }
   return Symbol(Symbol::Tag::kIdentifier, at);
 }
