@@ -13,12 +13,12 @@ class Simulation;
 /// Carries out a command line for an agent in another kernel; returns what it printed.
 using CommandsElsewhere = std::function<Result<std::string>(const std::string& agent, const std::string& line)>;
 
-/// From now on command lines for the agents of a simulation, those of Command and Submit, go elsewhere: its agents
-/// follow those of another kernel. They are no inputs of the simulation; what they came to is reported as their answer.
-/// An empty function ends that, and so does the end of the simulation.
+/// Redirects the command lines for the agents of a simulation (Simulation::Command and Submit) to `elsewhere`, because
+/// its agents mirror those of another kernel. Redirected lines are not inputs of the simulation. Their output is
+/// reported as the answer. An empty function ends the redirection, as does the end of the simulation.
 void SendCommandsElsewhere(const Simulation& simulation, CommandsElsewhere elsewhere);
 
-/// Whether they do: the simulation shows the agents of another kernel as they are now.
+/// Whether command lines are redirected: the simulation mirrors the agents of another kernel.
 bool SendsCommandsElsewhere(const Simulation& simulation);
 
 }  // namespace soarbox::sim

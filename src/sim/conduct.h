@@ -22,7 +22,7 @@ std::span<const Conduct> FollowingConducts();  // command_follow.cpp
 std::span<const Conduct> FightingConducts();   // command_fight.cpp
 std::span<const Conduct> CarryingConducts();   // command_carry.cpp
 std::span<const Conduct> OtherConducts();      // command_other.cpp
-/// Null for a command that is not implemented.
+/// The step of a command of the vocabulary. Null for other words.
 ConductStep FindConduct(std::string_view command);
 /// Whether a command moves at most the legs and the neck.
 bool IsWalk(std::string_view command);
