@@ -198,6 +198,7 @@ void Desk::FillPlots() {
   models_.plots.Prepend(history.agent(), history.what(), history.points());
   histories_.pop_front();
   history_tick_ = 0;
+  is_stale_ = true;
 }
 
 bool Desk::HasMind(const std::string& agent) {

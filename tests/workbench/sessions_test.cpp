@@ -54,7 +54,8 @@ class Watcher {
     ASSERT_TRUE(read) << read.error().message;
     requests_.push_back(*read);
   }
-  void Serve() { desk_.Serve(std::exchange(requests_, {}), contents_); }
+  /// Returns whether the contents are new, so that a page or a window is sent them.
+  bool Serve() { return desk_.Serve(std::exchange(requests_, {}), contents_); }
   Json See(const char* name) { return workbench::ToJson(contents_, name); }
   /// Serves until nothing is being read or simulated again; this begins when seeking has ended.
   void Await() {
@@ -211,6 +212,28 @@ TEST_F(Sessions, ALiveRunIsWatchedAskedStoppedAndSentBack) {
   EXPECT_EQ(user.See("moment")["time"]["branches"], 1);
   EXPECT_EQ(user.See("futures")["futures"]["branch_tick"], 20);
   EXPECT_THAT(user.See("ghosts")["ghosts"].dump(), HasSubstr("before")) << newest;
+}
+
+TEST_F(Sessions, APlotOfAPausedRunIsShownWhenItsPastHasBeenRead) {
+  Begin();
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+  Tick(desk, 300);
+  room.Pause();
+  user.Ask(R"({"request": "select", "agent": "blue-1"})");
+  user.Ask(R"({"request": "look", "panels": ["plots"]})");
+  user.Serve();
+  user.Ask(R"({"request": "plot", "agent": "blue-1", "what": "health", "is_on": true})");
+  user.Ask(R"({"request": "plot", "agent": "blue-1", "what": "speed", "is_on": true})");
+  // A call reads the past for one plot at most. Only new contents are shown.
+  Json shown;
+  for (int i = 0; i < 200; ++i) {
+    if (user.Serve()) shown = user.See("plots");
+  }
+  const Json points = shown["plots"].at(1)["points"];
+  ASSERT_FALSE(points.empty());
+  EXPECT_EQ(points.front()[0], 0);
+  EXPECT_GE(points.back()[0], 299);
 }
 
 TEST_F(Sessions, OnlyFilesOfTheRunAreEditedAndDraftsOutliveTheSession) {
