@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""How much faster than real time a fight goes whose minds live in a kernel in another process.
+"""Measures how much faster than real time a fight runs if its minds run in a kernel in another process.
 
     remote_kernel.py SOARBOX [SCENARIO] [SECONDS]"""
 import re

@@ -3,7 +3,7 @@
 # -DSOARBOX_WASM_SOURCES=FOLDER. The first folder contains em++, the second the sources of libraries (cmake/wasm/get).
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SOARBOX_EMSCRIPTEN)
 if(NOT EXISTS "${SOARBOX_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake")
-  message(FATAL_ERROR "SOARBOX_EMSCRIPTEN is '${SOARBOX_EMSCRIPTEN}', which is no folder of emscripten's; call ./dev wasm")
+  message(FATAL_ERROR "SOARBOX_EMSCRIPTEN is '${SOARBOX_EMSCRIPTEN}', which is not a folder of emscripten's; call ./dev wasm")
 endif()
 include("${SOARBOX_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake")
 

@@ -69,7 +69,7 @@ async function writeServiceWorker(folder) {
 
 async function writeFolder(folder) {
   if (existsSync(folder) && !existsSync(join(folder, "engine", PARTS.wasm))) {
-    console.error(`${folder} is there and is no site that was built before: name another folder, or remove it`);
+    console.error(`${folder} is there and is not a site that was built before: name another folder, or remove it`);
     process.exit(1);
   }
   rmSync(folder, { recursive: true, force: true });

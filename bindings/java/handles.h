@@ -11,8 +11,8 @@
 #include "call.h"
 #include "problems.h"
 
-/// What objects of Java stand for. They hold numbers, not pointers: a number that was released, or never given, is
-/// noticed, whatever other threads do. Numbers are not used again.
+/// The library's objects behind Java objects. Java objects hold numbers, not pointers. A number that was released, or
+/// never issued, is always detected, on any thread. Numbers are not used again.
 namespace soarbox::java {
 
 /// One object of the library.

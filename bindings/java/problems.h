@@ -11,7 +11,7 @@ namespace soarbox::java {
 enum class Problem {
   kNull,      ///< NullPointerException
   kArgument,  ///< IllegalArgumentException
-  kGone,      ///< IllegalStateException: what the object stands for is destroyed, or the object was deleted
+  kGone,      ///< IllegalStateException: the library's object is destroyed, or the Java object was deleted
   kMemory,    ///< OutOfMemoryError
   kOther,     ///< RuntimeException
 };

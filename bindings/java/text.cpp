@@ -20,7 +20,7 @@ std::size_t LengthOf(unsigned char first) {
   return 0;
 }
 
-/// Reads one code point from the beginning of `text` and says how many bytes it took; 0 if they are no UTF-8.
+/// Reads one code point from the beginning of `text` and says how many bytes it took; 0 if they are not UTF-8.
 std::size_t Read(std::string_view text, char32_t& point) {
   static constexpr unsigned char kPayload[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
   static constexpr char32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};

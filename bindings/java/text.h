@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-/// Texts between the library (UTF-8) and Java (UTF-16). Bytes that are no UTF-8 survive the way to Java and back: there
-/// they are surrogates U+DC80 to U+DCFF that stand alone.
+/// Texts between the library (UTF-8) and Java (UTF-16). Bytes that are not UTF-8 survive the way to Java and back:
+/// there they are surrogates U+DC80 to U+DCFF that stand alone.
 namespace soarbox::java {
 
 /// A new text of Java; null with an exception in Java if there is no memory.
@@ -15,7 +15,7 @@ jstring NewText(JNIEnv* env, std::string_view text);
 /// The same; null for null.
 jstring NewText(JNIEnv* env, const char* text);
 
-/// UTF-8; surrogates that stand for nothing become U+FFFD.
+/// UTF-8; surrogates without a meaning become U+FFFD.
 std::string TextOf(JNIEnv* env, jstring text);
 
 /// A text that a wrapper was given.

@@ -54,14 +54,14 @@ _load_libraries()
 
 
 def libraries_of(binary):
-    """The libraries that a program or library needs, by name, those that others need after those that need them."""
+    """The libraries that a program or library needs, by name; each follows the libraries that need it."""
     printed = subprocess.run(["ldd", str(binary)], check=True, capture_output=True, text=True).stdout
     found = re.findall(r"^\s*(\S+) => (/\S+)", printed, re.M)
     return {name: pathlib.Path(path).resolve() for name, path in found if not SYSTEMS_OWN.match(name)}
 
 
 def licence_of(library):
-    """The package of a library and the text of its licence; nothing if the system does not tell."""
+    """The package of a library and the text of its licence; nothing if the system does not know it."""
     for path in (str(library), str(library).removeprefix("/usr")):
         owner = subprocess.run(["dpkg", "-S", path], capture_output=True, text=True, check=False) if shutil.which("dpkg") else None
         if owner and owner.returncode == 0:

@@ -109,5 +109,5 @@ std::shared_ptr<T> Share(T* object, Life life) {
 
 }  // namespace soarbox::bindings
 
-/// What stands for the result of a wrapper that has none: TakeHome(result) finds it where no variable hides it.
+/// Replaces `result` in wrappers without a result: TakeHome(result) refers to it unless a local variable hides it.
 [[maybe_unused]] static int result = 0;

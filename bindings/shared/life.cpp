@@ -29,7 +29,7 @@ std::shared_ptr<KernelEntry> KernelEntry::Of(sml::Kernel* kernel) {
     entry.reset(new KernelEntry(kernel));
     made = entry;
   }
-  // The first handler of all, so that whoever asks during the others already gets an answer.
+  // Registered as the first handler, so that calls from the other handlers already get an answer.
   kernel->RegisterForAgentEvent(sml::smlEVENT_BEFORE_AGENT_DESTROYED, &KernelEntry::OnAgentLeaves, made.get());
   return made;
 }

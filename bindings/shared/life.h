@@ -13,8 +13,9 @@
 
 #include "sml_Client.h"
 
-/// What keeps a language that collects its garbage from touching what the library has destroyed: an object of the
-/// language holds a shared pointer whose deleter knows what is pointed to (Life), and each call looks at that first.
+/// Prevents objects of a garbage-collected language from accessing objects that the library has destroyed. Each object
+/// of the language holds a shared pointer. Its deleter identifies the library's object (Life), and each call checks it
+/// first.
 namespace soarbox::bindings {
 
 /// A kernel that a program in the other language made, and what the program registered with it.
@@ -29,10 +30,10 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   /// Valid between Enter and Leave.
   sml::Kernel* kernel() const { return kernel_; }
 
-  /// Keeps the kernel for a call or a handler; false if it is gone. `anew`: nor if its owner has let it go and others
-  /// are still inside, so that they come to an end.
+  /// Keeps the kernel for a call or a handler. Returns false if it is gone; with `anew`, also if its owner has released
+  /// it while other calls are still running, so that these can end.
   bool Enter(bool anew = false);
-  /// `own_thread`: this is no thread of the program's, so it cannot delete the kernel itself.
+  /// `own_thread`: this is not a thread of the program's, so it cannot delete the kernel itself.
   void Leave(bool own_thread);
   /// The owner lets the kernel go.
   void LetGo();
@@ -66,7 +67,7 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   Callbacks callbacks_;
 };
 
-/// What an object of the other language stands for.
+/// The object of the library that an object of the other language refers to.
 struct Life {
   enum class Kind { kKernel, kAgent, kElement, kSymbol };
 
@@ -98,7 +99,7 @@ struct Owned {
   void operator()(const void*) const { life.entry->LetGo(); }
 };
 
-/// What a shared pointer of an object stands for; null for the null pointer.
+/// The library's object of a shared pointer; null for the null pointer.
 template <typename T>
 const Life* LifeOf(const std::shared_ptr<T>& pointer) {
   if (const auto* borrowed = std::get_deleter<Borrowed>(pointer)) return &borrowed->life;
@@ -111,7 +112,7 @@ const Life* LifeOf(const std::shared_ptr<T>& pointer) {
 /// The event of a number; std::invalid_argument if the number is none of its kind.
 template <typename Event>
 Event CheckedEvent(int event, bool (*is_one)(int), const char* kind) {
-  if (!is_one(event)) throw std::invalid_argument(std::to_string(event) + " is no number of " + kind);
+  if (!is_one(event)) throw std::invalid_argument(std::to_string(event) + " is not a number of " + kind);
   return static_cast<Event>(event);
 }
 inline auto RunEvent(int event) {

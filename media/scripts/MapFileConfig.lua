@@ -192,7 +192,7 @@ end
 
 -- Configurations ------------------------------------------------------------------------------------------------------
 
--- The file of the map that a configuration names; nil if this is no configuration.
+-- The file of the map that a configuration names; nil if this is not a configuration.
 function MapFileConfig.MapOf(text, name, game)
     local found = Parse(text, name);
     local map = Word(found, "general.map");

@@ -90,7 +90,7 @@ local function Parse(text, name)
     local root = ReadElement(reader, 1);
     SkipNotes(reader);
     if (reader.at <= #text) then
-        Fail(reader, "more text behind the end of <" .. root.name .. ">");
+        Fail(reader, "more text after the end of <" .. root.name .. ">");
     end
     return root;
 end

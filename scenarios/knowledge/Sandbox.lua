@@ -36,7 +36,7 @@ function Sandbox_Initialize(sandbox)
     end
 end
 
--- Bushes tell where they are; foragers decide what of it they can see.
+-- Bushes announce their positions; foragers decide which of them they can see.
 function Sandbox_Update(sandbox)
     GUI_UpdateUI(sandbox);
     for _, bush in ipairs(bushes) do

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The courier: runs from stall to stall in an order that it draws anew each round, and waits a moment at each.
+-- The courier: runs from stall to stall in a new random order each round, and waits a moment at each.
 require "AgentUtilities";
 
 local kStalls = { { -24, -18 }, { 26, -12 }, { 17, 24 }, { -20, 20 } };

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A goose: keeps with the courier and off the other geese. Close enough, it stands and does not mill about.
+-- A goose: stays near the courier and away from the other geese. When it is close enough, it stands still.
 require "AgentUtilities";
 
 local kClose, kFar = 3.5, 6;

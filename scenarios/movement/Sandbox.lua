@@ -18,7 +18,7 @@ local function Lap(halfWidth, halfLength)
     return places;
 end
 
--- The counter stands behind the place where customers stand, seen from the middle: nobody has to go round it.
+-- Seen from the middle, the counter is behind the customers' place, so nobody has to walk around it.
 local function BuildStall(sandbox, x, z)
     local counter = Sandbox.CreateBox(sandbox, 2, 1, 2);
     local out = 1 + 3.5 / math.sqrt(x * x + z * z);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The library's soldier, who tells what it does and when it is hit.
+-- The library's soldier, who prints what it does and when it is hit.
 require "IndirectSoldierAgent";
 
 local lastDeed, lastHealth;

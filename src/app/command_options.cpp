@@ -65,10 +65,9 @@ void AddRun(CLI::App& program, RunOptions& options) {
   AddWindow(*run, options);
   run->add_flag("--headless", options.headless,
                 "Run without a window, for as long as the scenario says, else for 60 simulated seconds");
-  run->add_option(
-         "--seconds", options.seconds,
-         "End after this many simulated seconds (default: until the window is closed; headless those of the scenario, "
-         "else 60)")
+  run->add_option("--seconds", options.seconds,
+                  "End after this many simulated seconds (default: until the window is closed; headless: the "
+                  "scenario's, else 60)")
       ->check(NumberIn(0, kLongest_s));
   run->add_option("--seed", options.seed,
                   "Seed of the world, the scripts and the minds (default: the scenario's own, else 1)")
@@ -112,7 +111,7 @@ void AddRun(CLI::App& program, RunOptions& options) {
                   "Read inputs (keys, pointer, commands) with their ticks from this text file (see docs/command.md)");
   run->add_flag(
       "--watch", options.watch,
-      "Edits of rules and scripts reach the running world, and working memory stays (a window always does so)");
+      "Reload edited rules and scripts into the running world; working memory is kept (a window always does this)");
   run->add_option("--port", options.port,
                   "Let Soar debuggers on this machine attach at this TCP port; 0: none (default: 12121 with a window, "
                   "none headless)")
@@ -194,12 +193,12 @@ void AddTest(CLI::App& program, TestOptions& options) {
   test->add_option("--seeds", options.seeds, "1..20 or 1,4,7, instead of the missions' own");
   test->add_option("--rules", options.rules, "As for `soarbox run`");
   AddJobs(*test, options.jobs);
-  test->add_option("--junit", options.junit, "Write the results to this file for continuous integration");
+  test->add_option("--junit", options.junit, "Write the results to this file as JUnit XML, for continuous integration");
   test->add_option("--tap", options.tap, "Write the results to this file in the Test Anything Protocol");
   test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
   test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
   test->add_flag("--empty", options.empty,
-                 "Use minds that have no rules: a mission that passes like this tests nothing");
+                 "Run with minds that have no rules: a mission that then passes tests nothing");
   CLI::Option* keep = test->add_option("--keep", options.keep, "Keep recordings of runs that fail in this folder");
   test->add_flag("--no-keep", options.no_keep, "Keep no recordings")->excludes(keep);
 }
@@ -210,8 +209,8 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("spec", options.spec, "What to run: a file (docs/sweeps.md), or a scenario that comes with a sweep")
       ->required();
   sweep->add_flag("--verify", options.verify,
-                  "Make runs of this folder of a sweep again and compare them with what the folder holds");
-  sweep->add_option("--sample", options.sample, "How many runs --verify makes again, 0 for all")->capture_default_str();
+                  "Repeat runs of this sweep's folder and compare them with the stored results");
+  sweep->add_option("--sample", options.sample, "How many runs --verify repeats, 0 for all")->capture_default_str();
   sweep->add_flag("--json", options.json, "One line of JSON per run, then one about the sweep");
   sweep->add_option("--folder", options.folder,
                     "Where rows, tables and variants go (default: the spec's name with .sweep)");
@@ -233,8 +232,8 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
   sweep->add_option("--account", options.account, "Passed on to sbatch");
   sweep->add_option("--time", options.time, "Passed on to sbatch");
   sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
-  sweep->add_flag("--mix", options.mix, "Continue with rows that another build of the program made");
-  sweep->add_flag("--retry", options.retry, "Make runs again that crashed or hung three times");
+  sweep->add_flag("--mix", options.mix, "Continue even if another build of the program made the existing rows");
+  sweep->add_flag("--retry", options.retry, "Repeat runs that crashed or hung three times");
 }
 
 void AddReport(CLI::App& program, ReportOptions& options) {
@@ -288,7 +287,7 @@ void AddKernel(CLI::App& program, KernelServerOptions& options) {
 }
 
 void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datamap, std::string& folder) {
-  CLI::App* lays_out = program.add_subcommand("format", "Lay files of rules out, in place");
+  CLI::App* lays_out = program.add_subcommand("format", "Format files of rules in place");
   lays_out->add_option("files", format.files, "Files of rules (.soar) and folders")->required();
   lays_out->add_flag("--check", format.check, "Change nothing; name the files that would be changed");
   CLI::App* maps = program.add_subcommand("datamap", "Write a project for VisualSoar, with a datamap of the rules");
@@ -304,10 +303,10 @@ void AddEditors(CLI::App& program, FormatOptions& format, DatamapOptions& datama
 void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   CLI::App* serve = program.add_subcommand("serve", "Serve lessons and worlds to browsers (docs/serve.md)");
   serve->add_option("scenario", options.scenario,
-                    "What everybody who comes sees first (default: a list to choose from)");
+                    "The scenario that every visitor sees first (default: a list to choose from)");
   serve->add_option("--listen", options.listen, "Address and port; beyond this machine only with --token or --open")
       ->capture_default_str();
-  CLI::Option* token = serve->add_option("--token", options.token, "Serve only those who know this secret");
+  CLI::Option* token = serve->add_option("--token", options.token, "Serve only visitors who have this secret");
   serve
       ->add_option("--token-file", options.token_file,
                    "Read the secret from the first line of this file; or set SOARBOX_TOKEN")
@@ -319,20 +318,21 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--lti", options.lti,
                     "Learning platforms (Moodle, Canvas) that may open lessons and get grades (docs/lti.md)");
   serve->add_option("--sessions", options.sessions, "Runs at a time")->capture_default_str()->check(NumberIn(1, 10000));
-  serve->add_option("--each", options.each, "Runs at a time of one address (default: 3/4 of --sessions)")
+  serve->add_option("--each", options.each, "Simultaneous runs per client address (default: 3/4 of --sessions)")
       ->check(NumberIn(1, 10000));
   serve->add_option("--memory", options.memory_mb, "MB that one world may use")
       ->capture_default_str()
       ->check(NumberIn(64, 1'000'000));
-  serve->add_option("--idle", options.idle_min, "Minutes after which a run at which nobody looks ends")
+  serve->add_option("--idle", options.idle_min, "Minutes after which a run without viewers ends")
       ->capture_default_str()
       ->check(NumberIn(1, 100'000));
   serve->add_option("--hang", options.hang_s, "Seconds of silence after which a run is ended")
       ->capture_default_str()
       ->check(NumberIn(2, 100'000));
-  serve->add_flag("--no-wall", options.no_wall,
-                  "Run worlds with all rights of the server's user; the interpreters alone keep them from its files");
-  serve->add_option("--state", options.state, "Keep files, progress and recordings of all who come in this folder");
+  serve->add_flag(
+      "--no-wall", options.no_wall,
+      "Run worlds with all rights of the server's user; only the interpreters keep them away from its files");
+  serve->add_option("--state", options.state, "Keep the files, progress and recordings of all visitors in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
   serve->add_option("--embed", options.embedders,
@@ -360,7 +360,7 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
 
 void AddHelp(CLI::App& program, HelpOptions& options) {
   CLI::App* help = program.add_subcommand("help", "Print the help of a sub-command");
-  help->add_option("command", options.command, "Which one (default: the whole program)");
+  help->add_option("command", options.command, "The sub-command (default: the entire program)");
   help->add_flag("--man", options.man, "Print it as a manual page, for man -l -");
   help->add_option("--pages", options.pages, "Write all manual pages into this folder");
   help->add_flag("--markdown", options.markdown, "Print all sub-commands with their options as one page in Markdown");
@@ -386,9 +386,10 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   AddRange(*replay, options);
   replay->add_flag("--headless", options.headless, "Print what happened, tick by tick");
   replay->add_flag("--json", options.json, "Print it as lines of JSON");
-  replay->add_flag("--info", options.info, "Print what it was made from and with, and end");
+  replay->add_flag("--info", options.info, "Print which files and which program made the recording, then end");
   replay->add_option("--pictures", options.pictures, "Draw pictures into this folder, without a window");
-  replay->add_option("--video", options.video, "Draw an animation: a .gif, or what ffmpeg makes of another ending");
+  replay->add_option("--video", options.video,
+                     "Draw an animation: a .gif, or with ffmpeg another format, by the file's ending");
   replay
       ->add_option("--every", options.every_s,
                    "Simulated seconds from picture to picture (default: 1; 0.1 for an animation)")

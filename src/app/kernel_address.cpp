@@ -16,7 +16,7 @@ Result<void> ReadKernelAddress(const std::string& text, sim::SoarSettings& setti
     const char* end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + colon + 1, end, settings.remote_port);
     if (error != std::errc{} || at != end || settings.remote_port < 1 || settings.remote_port > 65535) {
-      return NewProblem("'" + text + "' is no address of a kernel",
+      return NewProblem("'" + text + "' is not an address of a kernel",
                         "write HOST:PORT, for example --kernel 127.0.0.1:12121");
     }
   }

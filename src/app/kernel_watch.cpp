@@ -202,7 +202,7 @@ class LogWatch final : public KernelWatch {
   }
   void End(const std::string& why) {
     const std::lock_guard lock(mutex_);
-    news_ = why + ": what its agents did remains to be looked at";
+    news_ = why + ": you can still look at what its agents did";
     is_idle_ = true;
     is_over_ = true;
   }

@@ -27,7 +27,7 @@ class KernelWatch {
 
   /// Completes how the run's agents reach their kernel.
   virtual void Prepare(sim::SoarSettings& settings) const { static_cast<void>(settings); }
-  /// What this kernel does not tell; empty: it tells all.
+  /// The data that this kernel does not report; empty: it reports everything.
   [[nodiscard]] virtual std::string Remark() const { return {}; }
 
   /// The world in which the agents execute what the log says. It finds copies of the client's files while this lives.

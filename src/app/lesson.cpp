@@ -120,7 +120,7 @@ std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnost
       if (node.is_string() && fs::is_regular_file(lesson / "lesson.toml", error))
         folders.push_back(lesson);
       else
-        problem(node.source().begin, "'" + node.value_or(std::string()) + "' is no folder of a lesson");
+        problem(node.source().begin, "'" + node.value_or(std::string()) + "' is not a folder of a lesson");
     }
   } catch (const toml::parse_error& error) {
     problem(error.source().begin, std::string(error.description()));
@@ -191,7 +191,7 @@ mission::Cause CauseOf(const mission::Check& mistake) {
 }
 
 /// True if the mistake says that an operator was never selected, but the learner gave the operator another name, and no
-/// check requires this name. Then the name is no mistake.
+/// check requires this name. Then the name is not a mistake.
 bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake, const LearnersRules& written) {
   const auto asks_for = [](const mission::Check& check, const std::string& name) {
     return std::ranges::any_of(check.conditions, [&](const mission::Condition& condition) {
@@ -273,7 +273,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   if (findings.empty())
     findings.push_back(
         {Cause::kSymptom,
-         "This is no mistake that the lesson knows. Look at the first check that failed: which rule should make it "
+         "The lesson has no hint for this mistake. Look at the first check that failed: which rule should make it "
          "come true, and when does this rule fire?"});
   sim::RankByCause(findings);
 }

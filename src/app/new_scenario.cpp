@@ -56,7 +56,8 @@ int NewScenario(const NewOptions& options) {
   const fs::path folder(options.name);
   const std::string name = folder.filename().string();
   if (!IsGoodName(name))
-    return Refuse("'" + name + "' is no name for a scenario", "use letters, digits, - and _, and begin with a letter");
+    return Refuse("'" + name + "' is not a name for a scenario",
+                  "use letters, digits, - and _, and begin with a letter");
   std::error_code error;
   if (fs::exists(folder, error)) return Refuse("this is there already", "choose another name", folder.string());
   fs::create_directories(folder, error);

@@ -183,7 +183,7 @@ std::string FirstOtherLine(const record::KeptFile& a, const record::KeptFile& b)
 void CompareFiles(const record::Header& a, const record::Header& b, std::vector<std::string>& lines) {
   if (a.files.empty() || b.files.empty()) {
     if (a.scenario_digest != b.scenario_digest)
-      lines.emplace_back("their files differ; not both recordings hold theirs");
+      lines.emplace_back("their files differ; at least one recording does not contain its files");
     return;
   }
   const auto in = [](const record::Header& header, const record::KeptFile& file) {
@@ -209,7 +209,7 @@ std::vector<std::string> InputsThatDiffer(const record::Header& a, const record:
   if (a.step_s != b.step_s) lines.push_back(fmt::format("ticks differ: A {} s, B {} s", a.step_s, b.step_s));
   if (a.own_kernel != b.own_kernel)
     lines.push_back(std::string("kernels differ: the minds of ") + (a.own_kernel ? "B" : "A") +
-                    " lived in another kernel");
+                    " ran in another kernel");
   CompareFiles(a, b, lines);
   if (a.replaced_rules != b.replaced_rules) {
     const auto tell = [](const record::Header& header) {
@@ -255,7 +255,7 @@ int Compare(const RecordingOptions& options) {
     if (!comparison->why_b.empty()) std::cout << "  B: " << comparison->why_b << '\n';
     if (comparison->percepts.empty()) {
       std::cout << "  it perceived the same in both: "
-                << (comparison->by_chance ? "chance selected, and came to another result with the other random numbers"
+                << (comparison->by_chance ? "chance selected, and other random numbers gave another result"
                                           : "its rules or its memory differ")
                 << '\n';
     } else {

@@ -12,14 +12,14 @@
 namespace soarbox::app {
 
 /// What bodies and things look like, and the images and sounds that scripts show and play (as "assets:KEY"), as
-/// contents for pages: the window's own shapes, each told once when a scene first shows it (docs/dev/stream.md#shapes).
+/// contents for pages: the window's own shapes, each sent once when a scene first shows it (docs/dev/stream.md#shapes).
 class ShapeContents {
  public:
   struct Told {
     std::string name;  ///< "shapes:KEY" or "assets:KEY"
     nlohmann::ordered_json content;
   };
-  /// Shapes and files that the scene shows or plays and that were not told yet.
+  /// Shapes and files that the scene shows or plays and that were not sent yet.
   std::vector<Told> New(const world::SceneSnapshot& scene);
 
   /// Maximum number of shapes sent to a page, because scripts may change the size of a box in each tick. Further shapes

@@ -30,7 +30,7 @@ class ShippedCatalog final : public serve::Catalog {
   std::vector<Scenario> scenarios_;
 };
 
-/// Whether a name only contains letters, digits and their separators, so that it is no path.
+/// Whether a name only contains letters, digits and their separators, so that it is not a path.
 bool IsPlainName(std::string_view name);
 
 }  // namespace soarbox::app

@@ -178,7 +178,7 @@ int Sweep(const SweepOptions& asked) {
     std::string told_held;
     for (int round = 0; round < kMostRounds && !WasInterrupted(); ++round) {
       if (made() == planned && (round > 0 || !options.retry)) break;
-      if (round > 0) std::cerr << "some runs are missing: given to Slurm again\n";
+      if (round > 0) std::cerr << "some runs are missing: submitted to Slurm again\n";
       const Result<void> done =
           sweep::RunOnSlurm(folder, settings, [&](const std::string& no_answer, const std::string& held) {
             if (held != told_held && !held.empty())

@@ -197,7 +197,7 @@ std::string CauseOf(const TestedMission& tested, const mission::TestSettings& se
   const Result<mission::MissionOutcome> outcome = mission::TestMission(
       tested.loaded, again, [](const RunResult&) {}, [] { return !WasInterrupted(); });
   if (!outcome || outcome->runs.empty() || outcome->runs.front().account.empty()) return {};
-  // If the agent always had something to do, rules that never fire are no error.
+  // If the agent always had something to do, rules that never fire are not errors.
   const std::vector<sim::Finding>& found = outcome->runs.front().account;
   const bool was_idle = std::ranges::any_of(found, [](const sim::Finding& finding) {
     return finding.cause == mission::Cause::kStalled || finding.cause == mission::Cause::kSymptom;

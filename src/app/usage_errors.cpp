@@ -59,7 +59,7 @@ Diagnostic StrayOption(const CLI::App& program, const std::string& option) {
   problem.message = "soarbox has no option " + option;
   for (const CLI::App* command : SubCommands(program)) {
     if (!Holds(OptionNamesOf(*command), option)) continue;
-    problem.hint = "it belongs behind a sub-command: soarbox " + command->get_name() + " " + option;
+    problem.hint = "write it after a sub-command: soarbox " + command->get_name() + " " + option;
     return problem;
   }
   std::string near = NearestOf(option, OptionNamesOf(program));

@@ -56,7 +56,7 @@ constexpr ExampleRow kExamples[] = {
     {"learn", {"soarbox learn check 1", "Grade it"}},
     {"learn", {"soarbox learn eaters", "List the course about the Eaters of Soar's tutorial"}},
     {"list", {"soarbox list", "Each with a line about it"}},
-    {"format", {"soarbox format scout", "Lay all rules below this folder out"}},
+    {"format", {"soarbox format scout", "Format all rules below this folder"}},
     {"format", {"soarbox format --check scout", "Only name the files that would change"}},
     {"datamap", {"soarbox datamap scout/scout.soar -o scout/scout.vsa.json", "A project that VisualSoar opens"}},
     {"mcp", {"soarbox mcp --folder scout", "An assistant may read this folder and nothing else"}},

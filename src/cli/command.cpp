@@ -92,7 +92,7 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
     for (const SubcommandInfo& subcommand : command.subcommands) names.push_back(subcommand.name);
     const std::string_view nearest = Suggest(word, names);
     if (!nearest.empty()) {
-      call.Hint("'" + word + "' is no sub-command of " + std::string(command.name),
+      call.Hint("'" + word + "' is not a sub-command of " + std::string(command.name),
                 "did you mean '" + std::string(nearest) + "'?");
     }
     return call.Fail(invalid);

@@ -282,8 +282,8 @@ constexpr SubcommandInfo kDecideSubcommandList[] = {
      kIndifferentOptions, Indifferent},
     {"predict", "", "what the next decision will be", {}, Predict},
     {"select", "[OPERATOR]", "the operator that the next decision selects, if it is proposed", {}, Select},
-    {"set-random-seed", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
-    {"srand", "[SEED]", "starts the random numbers again", {}, SetRandomSeed},
+    {"set-random-seed", "[SEED]", "restarts the random numbers", {}, SetRandomSeed},
+    {"srand", "[SEED]", "restarts the random numbers", {}, SetRandomSeed},
     {"?", "", "an overview of the settings", {}, DecideHelp},
     {"help", "", "an overview of the settings", {}, DecideHelp},
 };

@@ -365,10 +365,10 @@ constexpr SubcommandInfo kExplainTable[] = {
     {"list-justifications", "", "justifications that were made"},
     {"chunk", "[RULE | NUMBER]", "begin with a learned rule"},
     {"formation", "", "how it came about"},
-    {"instantiation", "NUMBER", "one of the firings behind it"},
+    {"instantiation", "NUMBER", "one of the firings that led to it"},
     {"explanation-trace", "", "show tests"},
     {"wm-trace", "", "show elements"},
-    {"constraints", "", "tests that had to hold"},
+    {"constraints", "", "tests that had to be true"},
     {"identity", "", "which variables are the same"},
     {"stats", "", "figures about it"},
 };

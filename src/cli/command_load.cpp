@@ -375,9 +375,9 @@ constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequir
 constexpr SubcommandInfo kLoadSubcommandList[] = {
     {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},
     {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
-    {"rete-network", "--load FILE", "replaces all rules by those of an image, and initialises the agent", kReteOptions,
-     LoadRete},
-    {"percepts", "[--open FILE | --close]", "replays recorded input in the place of clients'", kPerceptsOptions,
+    {"rete-network", "--load FILE", "replaces all rules with those of an image, and initialises the agent",
+     kReteOptions, LoadRete},
+    {"percepts", "[--open FILE | --close]", "replays recorded input instead of clients' input", kPerceptsOptions,
      LoadPercepts},
     {"?", "", "an overview of the sub-commands", {}, LoadHelp},
     {"help", "", "an overview of the sub-commands", {}, LoadHelp},

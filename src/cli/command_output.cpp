@@ -204,7 +204,8 @@ bool OutputHelp(CommandCall& call) {
   summary.Rule('=').Title("Output Sub-Commands and Options", '-').Rule('=').Rule('-');
   summary.Row("output enabled", OnOff(call.stream().enabled()), "   whether anything is printed at all");
   summary.Row("output console", OnOff(call.stream().console()), "   also print to the standard output");
-  summary.Row("output callbacks", OnOff(call.stream().sink_enabled()), "   give output to whoever listens");
+  summary.Row("output callbacks", OnOff(call.stream().sink_enabled()),
+              "   send output to clients that registered for it");
   summary.Rule('-');
   summary.Row("output agent-logs", "<channel> [on | off]", "   show what (log) prints on a channel");
   summary.Row("output agent-writes", OnOff(output.agent_writes), "   show what (write) prints");
@@ -215,7 +216,7 @@ bool OutputHelp(CommandCall& call) {
   summary.Rule('-');
   summary.Row("output command-to-file", "[-a] <file> <command>", "   write what one command prints to a file");
   summary.Rule('-');
-  summary.Row("output echo-commands", OnOff(output.echo_commands), "   show commands to those who listen");
+  summary.Row("output echo-commands", OnOff(output.echo_commands), "   send commands to clients that listen");
   summary.Row("output print-depth", std::to_string(output.print_depth), "   levels of objects that print shows");
   summary.Row("output warnings", OnOff(output.warnings), "   print warnings");
   summary.Rule('-');
@@ -241,7 +242,7 @@ constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone,
 constexpr SubcommandInfo kOutputSubcommandList[] = {
     {"enabled", "[on | off]", "whether anything is printed at all", {}, Enabled},
     {"console", "[on | off]", "also print to the standard output of the program that runs the agent", {}, Console},
-    {"callbacks", "[on | off]", "give output to whoever listens", {}, Callbacks},
+    {"callbacks", "[on | off]", "send output to clients that registered for it", {}, Callbacks},
     {"agent-logs", "CHANNEL [on | off]", "show what (log) prints on a channel", {}, AgentLogs},
     {"agent-writes", "[on | off]", "show what (write) prints", {}, AgentWrites},
     {"command-to-file", "[-a] FILE COMMAND...", "write what a command prints to a file", {}, CommandToFile},

@@ -470,7 +470,7 @@ constexpr OptionSpec kExciseOptions[] = {
 constexpr OptionSpec kFindOptions[] = {
     {'l', "lhs", kNone, "search conditions"},
     {'r', "rhs", kNone, "search actions"},
-    {'s', "show-bindings", kNone, "show what the pattern's variables stand for"},
+    {'s', "show-bindings", kNone, "show the values of the pattern's variables"},
     {'c', "chunks", kNone, "learned rules only"},
     {'n', "nochunks", kNone, "no learned rules"},
 };

@@ -53,8 +53,7 @@ std::span<const CommandInfo> Commands() {
        {},
        {},
        "Each [list of values] in the text is replaced by each of its values in turn. The rules get the numbers *1, *2, "
-       "... "
-       "behind their name; the first list changes fastest. See also: soar max-gp."},
+       "... after their name; the first list changes fastest. See also: soar max-gp."},
       {"help", "[COMMAND]", "lists the commands, or describes one", CommandHelp},
       {"learn", "[OPTIONS]", "the old form of chunk", CommandLearn, kLearnOptions},
       {"load",
@@ -64,10 +63,9 @@ std::span<const CommandInfo> Commands() {
        {},
        kLoadSubcommands,
        "Loading continues after a command that fails, so that all errors are reported at once. `source FILE` is "
-       "short for `load file FILE`. A replay of input begins the random numbers with the recording's seed; until it "
-       "has "
-       "come to its end, what clients put on the input link is dropped. Replay into an agent with the same rules, from "
-       "the same beginning: the replay says when the two runs part."},
+       "short for `load file FILE`. A replay of input seeds the random numbers with the recording's seed. Until the "
+       "replay ends, input from clients is dropped. Replay into an agent with the same rules, from its initial state: "
+       "the replay reports when the two runs differ."},
       {"ls", "", "lists the current directory", CommandLs},
       {"output", "[SETTING [VALUE]]", "what is printed, and where it goes", CommandOutput, {}, kOutputSubcommands},
       {"popd", "", "goes back to the directory that pushd left", CommandPopd},
@@ -77,8 +75,8 @@ std::span<const CommandInfo> Commands() {
        CommandPreferences,
        kPreferencesOptions,
        {},
-       "Without words it shows the operators of the lowest state. With an object that is no state it shows what the "
-       "links to it rest on."},
+       "Without arguments, it shows the operators of the lowest state. With an object that is not a state, it shows "
+       "the support of the links to it."},
       {"print",
        "[OPTIONS] [OBJECT | TIMETAG | RULE | (PATTERN)]",
        "objects, rules and the goal stack",
@@ -86,7 +84,7 @@ std::span<const CommandInfo> Commands() {
        kPrintOptions,
        {},
        "<s> <ss> <sss> name the lowest states, <o> <so> <sso> their operators, <ts> <to> those at the top. A pattern "
-       "(ID ^ATTRIBUTE VALUE) may hold * for anything; it prints the objects whose elements fit."},
+       "(ID ^ATTRIBUTE VALUE) may contain * for anything; it prints the objects with matching elements."},
       {"production",
        "[SUBCOMMAND]",
        "finds, removes, counts and watches rules",
@@ -164,7 +162,7 @@ std::span<const CommandInfo> Commands() {
        {},
        "Levels: 0 nothing, 1 operators and states, 2 phases and removals of states, 3 firings of rules, 4 changes of "
        "working memory, 5 preferences; each includes those before it. An option switches one thing on, or off if "
-       "`remove` or 0 follows. Without words it shows what is on."},
+       "`remove` or 0 follows. Without arguments, it shows what is on."},
       {"visualize",
        "[SUBCOMMAND]",
        "drawings of memories, for Graphviz",

@@ -30,11 +30,12 @@ namespace soarbox::cli {
 namespace {
 
 constexpr SubcommandInfo kVisualizeSubcommandList[] = {
-    {"wm", "[ID] [DEPTH]", "draws working memory: all states, or an object and what lies below it"},
+    {"wm", "[ID] [DEPTH]", "draws working memory: all states, or an object and everything below it"},
     {"smem", "[LTI] [DEPTH]", "draws semantic memory: all of it, or an object and what it leads to"},
     {"epmem", "[EPISODE]", "draws an episode, the newest if none is named"},
     {"identity_graph", "", "which identities of the explained rule became one"},
-    {"ebc_analysis", "", "the firings behind the explained rule, and who made what they tested"},
+    {"ebc_analysis", "",
+     "the firings that led to the explained rule, and which rules made the elements that they tested"},
     {"rule-format", "[name | full]", "rules with all conditions, or by name"},
     {"memory-format", "[node | record]", "objects as tables of their values, or each value as a node"},
     {"line-style", "[STYLE]", "how lines run: a value of Graphviz's splines"},
@@ -105,7 +106,7 @@ bool Present(CommandCall& call, const std::filesystem::path& file) {
   const std::string type = store.Get("visualize", "image-type");
   const auto usual = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
   if (type.empty() || !std::all_of(type.begin(), type.end(), usual)) {
-    return call.Fail("'" + type + "' is no type of images: set another with 'visualize image-type svg'.");
+    return call.Fail("'" + type + "' is not a type of images: set another with 'visualize image-type svg'.");
   }
   if (!IsInstalled("dot")) {
     call.Fail(

@@ -24,10 +24,10 @@ using kernel::Symbol;
 /// Maximum number of identifiers that `wm add` creates, so that others can follow.
 constexpr std::uint64_t kMostOfName = 1'000'000'000'000;
 
-/// The attribute or value that a word of `wm add` stands for; the none symbol after saying what is wrong. Each `*` is a
-/// new identifier; it takes its letter from Soar's habit for input.
-/// An identifier in `parent`'s place that is not there yet is made; without a parent, it must be there.
-/// Only an attribute has no parent. Unless it is quoted or a number, it has no dots: `wm add` makes one element.
+/// The attribute or value that a word of `wm add` denotes. Reports an error and returns the none symbol if there is
+/// none. Each `*` is a new identifier; it takes its letter from Soar's habit for input. An identifier in `parent`'s
+/// place that is not there yet is made; without a parent, it must be there. Only an attribute has no parent. Unless it
+/// is quoted or a number, it has no dots: `wm add` makes one element.
 Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field, Symbol parent) {
   kernel::Agent& agent = call.agent();
   if (word == "*") return agent.NewIdentifier('I');
@@ -310,9 +310,9 @@ constexpr OptionSpec kActivationOptions[] = {
 };
 constexpr OptionSpec kWatchOptions[] = {
     {'a', "add-filter", OptionArgument::kNone, "trace only elements that fit"},
-    {'r', "remove-filter", OptionArgument::kNone, "take a filter away"},
+    {'r', "remove-filter", OptionArgument::kNone, "remove a filter"},
     {'l', "list-filter", OptionArgument::kNone, "list the filters"},
-    {'R', "reset-filter", OptionArgument::kNone, "take all filters away"},
+    {'R', "reset-filter", OptionArgument::kNone, "remove all filters"},
     {'t', "type", OptionArgument::kRequired, "adds, removes or both"},
 };
 

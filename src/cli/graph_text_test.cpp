@@ -113,7 +113,7 @@ TEST_F(GraphTest, DotIsCalledWithoutAShell) {
   EXPECT_THAT(Do("visualize file-name {a;b $(c)}; visualize wm").text, HasSubstr("Image written to "));
   const std::string stem = (folder_ / "a;b $(c)1").string();
   EXPECT_EQ(Read("a;b $(c)1.svg"), "-Tsvg -o " + stem + ".svg " + stem + ".gv\n");
-  EXPECT_THAT(Do("visualize image-type {x y}; visualize wm").text, HasSubstr("is no type of images"));
+  EXPECT_THAT(Do("visualize image-type {x y}; visualize wm").text, HasSubstr("is not a type of images"));
   std::ofstream(dot) << "#!/bin/sh\nexit 3\n";
   EXPECT_THAT(Do("visualize image-type png; visualize wm").text, HasSubstr("made no image of type png"));
 }

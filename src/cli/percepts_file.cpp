@@ -119,7 +119,7 @@ Result<PerceptFile> ReadPercepts(std::string_view text, const std::string& name)
     LineReader line(content);
     if (number == 1) {
       if (content == kFirstLine) continue;
-      return Problem(name, 1, fmt::format("this is no recording of input: its first line is not '{}'", kFirstLine),
+      return Problem(name, 1, fmt::format("this is not a recording of input: its first line is not '{}'", kFirstLine),
                      "'save percepts --open FILE' records input");
     }
     if (number == 2) {

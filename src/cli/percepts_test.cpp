@@ -164,7 +164,7 @@ TEST_F(PerceptsTest, WrongRecordingsNameTheLine) {
   };
   const std::string head = "soarbox percepts 1\nseed 5\n";
   EXPECT_THAT(answer(""), HasSubstr(":1: the file ends before the recording begins"));
-  EXPECT_THAT(answer("hello\n"), HasSubstr(":1: this is no recording of input"));
+  EXPECT_THAT(answer("hello\n"), HasSubstr(":1: this is not a recording of input"));
   EXPECT_THAT(answer("soarbox percepts 1\nseed x\n"), HasSubstr(":2: expected 'seed'"));
   EXPECT_THAT(answer(head + "one add\n"), HasSubstr(":3: expected the number of a cycle"));
   EXPECT_THAT(answer(head + "0 add 1 I2 |a| int 1\n"), HasSubstr(":3: input enters in cycle 1"));

@@ -67,7 +67,7 @@ class Reader {
     }
     rule_name_ = {};
     part_ = nullptr;
-    if (!failed() && place_ != bytes_.size()) Fail("bytes are left over behind the last rule");
+    if (!failed() && place_ != bytes_.size()) Fail("bytes are left over after the last rule");
     if (failed()) rules.clear();
     return rules;
   }
@@ -150,7 +150,7 @@ class Reader {
         for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(Byte()) << (8 * i);
         const double value = std::bit_cast<double>(bits);
         if (!std::isnan(value)) return table_.Float(value);
-        Fail("a float is no number");
+        Fail("a float is not a number");
         return {};
       }
       default:
@@ -243,7 +243,7 @@ class Reader {
       condition.id = TestOf(false);
       condition.attribute = TestOf(false);
       condition.value = TestOf(false);
-      if (!failed() && !EqualitySymbol(condition.id).IsVariable()) Fail("a condition's object is no variable");
+      if (!failed() && !EqualitySymbol(condition.id).IsVariable()) Fail("a condition's object is not a variable");
     }
   }
 
@@ -456,7 +456,7 @@ std::optional<Diagnostic> CheckHeader(std::string_view bytes, const std::string&
       return ImageProblem(file, "the line ends of this image were changed at byte 13: it was copied as if it were text",
                           "copy it as a binary file");
     }
-    return ImageProblem(file, "this is no image of rules: it does not begin with the mark of one",
+    return ImageProblem(file, "this is not an image of rules: it does not begin with the mark of one",
                         "use 'source' for files with rules and commands");
   }
   if (bytes.size() < kHeaderSize) {

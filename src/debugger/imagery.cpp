@@ -246,7 +246,7 @@ ImageryView LookAtImagery(explain::Inspector& mind) {
   auto* const source = dynamic_cast<explain::SceneSource*>(&mind);
   if (source == nullptr) {
     ImageryView view;
-    view.note = "What it imagined is not recorded. Soarbox can tell once it has simulated this moment again.";
+    view.note = "What it imagined is not recorded. Soarbox can show it once it has simulated this moment again.";
     return view;
   }
   return ReadImagery(source->SceneFacts());

@@ -42,7 +42,7 @@ struct LearningView {
 LearningView LookAtLearning(explain::Inspector& mind, std::string_view text = {}, const LearningLog* log = nullptr,
                             std::uint64_t until = ~std::uint64_t{0});
 
-/// Why a learned rule is as it is, and the ticks in which it has fired since.
+/// The explanation of a learned rule, and the ticks in which it has fired since.
 struct LearnedRuleView {
   std::string name;  ///< Empty if there is no such rule.
   WhyNode why;

@@ -208,7 +208,7 @@ TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
   EXPECT_EQ(log.episodes()[0].reward, 3) << "after each of three turns";
   EXPECT_THAT(ToText(log.episodes()), HasSubstr("episode 1: reward 3, "));
   for (const TimelineMark& mark : models.timeline.Find("hero")->marks) {
-    EXPECT_THAT(mark.text, Not(HasSubstr("value "))) << "numbers are no events";
+    EXPECT_THAT(mark.text, Not(HasSubstr("value "))) << "numbers are not events";
   }
 }
 

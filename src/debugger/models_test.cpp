@@ -105,9 +105,9 @@ TEST(Operators, TheDropsOfADecisionStandWithTheirRules) {
   EXPECT_EQ(view.rows[1].dropped->rules, std::vector<std::string>{"tired*stay"});
 
   decision.has_changed = true;
-  EXPECT_EQ(
-      View(facts).sentence,
-      "O1 is selected, and preferences have changed since then. By the present ones: rule tired*stay rejects O2.");
+  EXPECT_EQ(View(facts).sentence,
+            "O1 is selected, and preferences have changed since then. With the present preferences: rule tired*stay "
+            "rejects O2.");
   decision.has_changed = false;
   facts.selected = "O2";
   decision.selected = 1;

@@ -45,7 +45,7 @@ TEST_F(Recalling, TellsWhatWasAskedWhatCameAndWhy) {
   EXPECT_THAT(recalls[1].reason, HasSubstr("nothing that is known has ^kind mortar"));
   EXPECT_TRUE(recalls[2].is_episode);
   EXPECT_GT(recalls[2].number, 0u);
-  EXPECT_THAT(recalls[2].reason, HasSubstr("the latest episode in which all of it holds"));
+  EXPECT_THAT(recalls[2].reason, HasSubstr("the latest episode that matches the entire cue"));
   // After going back, later recalls are removed.
   RecallLog log = models.recalls["hero"];
   log.CutFrom(recalls[1].tick);

@@ -54,7 +54,7 @@ std::vector<Diagnostic> Edit::Check() const {
 std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
   std::vector<Diagnostic> problems = Check();
   if (sim::IsEmptied(running_, text_))
-    problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to take everything out"));
+    problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to remove everything"));
   if (sim::HasError(problems) || is_scenario()) return problems;
   std::vector<sim::WatchedFile> running;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))

@@ -88,11 +88,11 @@ std::string Explain(const explain::MatchFacts& facts) {
   std::string text = fmt::format("stops at condition {} of {}, {}", place + 1, facts.conditions.size(), condition.text);
   if (condition.negated) {
     if (!facts.seen.empty()) return text + ": " + ListSeen(facts.seen);
-    return text + ": what it excludes is there";
+    return text + ": an element that it excludes exists";
   }
   if (!facts.seen.empty()) return text + ": " + ListSeen(facts.seen);
   if (facts.candidates.empty()) return text + ": nothing like that is in working memory";
-  return text + ": what there is hangs on something else: " + Describe(facts.candidates.front());
+  return text + ": such elements exist, but on another object: " + Describe(facts.candidates.front());
 }
 
 std::optional<PartialMatch> LookAtMatch(explain::Inspector& mind, std::string_view rule) {

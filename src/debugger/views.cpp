@@ -32,7 +32,7 @@ constexpr ViewInfo kViews[] = {
     {"coverage", "", "which rules fired, and where the others stop", true},
     {"why", "[NAME]", "why the agent does what it does; or an operator, command or element: why, or why not", true},
     {"io", "", "input link, output link and commands", true},
-    {"learning", "[TEXT | #RULE]", "numbers that reward has taught, and learned rules; or one rule: why it is so",
+    {"learning", "[TEXT | #RULE]", "values learned from reward, and learned rules; or one rule: how it was learned",
      true},
     {"longterm", "[TEXT | #EPISODE]", "what it knows, its episodes, what it recalled and why; or one episode", true},
     {"imagery", "", "what it imagines, state by state: nodes, what its rules ask, the answers, and why", true},

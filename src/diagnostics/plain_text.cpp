@@ -58,7 +58,7 @@ std::string WhyNoPlainText(std::string_view content) {
   const std::size_t zero = content.find('\0');
   if (zero == std::string_view::npos) return {};
   const auto line = 1 + std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-  return "this is no text: line " + std::to_string(line) + " holds a zero byte";
+  return "this is not a text file: line " + std::to_string(line) + " holds a zero byte";
 }
 
 std::string_view WithoutByteOrderMark(std::string_view content) {

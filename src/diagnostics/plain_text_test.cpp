@@ -42,7 +42,7 @@ TEST(PlainText, ALongLineIsShownAroundItsPlace) {
 TEST(PlainText, OtherEncodingsAndBinaryFilesAreRecognised) {
   EXPECT_EQ(WhyNoPlainText("sp {a}"), "");
   EXPECT_EQ(WhyNoPlainText(std::string("\xFF\xFEs\0p\0", 6)), "this file is UTF-16: save it as UTF-8");
-  EXPECT_EQ(WhyNoPlainText(std::string("a\nb\0", 4)), "this is no text: line 2 holds a zero byte");
+  EXPECT_EQ(WhyNoPlainText(std::string("a\nb\0", 4)), "this is not a text file: line 2 holds a zero byte");
   EXPECT_EQ(WithoutByteOrderMark("\xEF\xBB\xBFsp"), "sp");
 }
 

@@ -92,7 +92,7 @@ Result<Settings> ParseOption(std::string_view option, Settings over) {
   over.address = place.substr(0, colon);
   unsigned port = 0;
   if (!ReadNumber(place.substr(colon + 1), port) || port == 0 || port > 65535)
-    return Wrong(option, "'" + std::string(place.substr(colon + 1)) + "' is no port (1 to 65535)");
+    return Wrong(option, "'" + std::string(place.substr(colon + 1)) + "' is not a port (1 to 65535)");
   over.port = static_cast<std::uint16_t>(port);
   if (comma == std::string_view::npos) return over;
   std::string_view rest = option.substr(comma + 1);
@@ -101,10 +101,10 @@ Result<Settings> ParseOption(std::string_view option, Settings over) {
   constexpr unsigned kMost[3] = {65534, 65534, 255};
   for (std::size_t i = 0;; ++i) {
     const std::size_t next = rest.find(',');
-    if (i == 3) return Wrong(option, "there are more than three numbers behind the address");
+    if (i == 3) return Wrong(option, "there are more than three numbers after the address");
     if (!ReadNumber(rest.substr(0, next), numbers[i]) || numbers[i] == 0 || numbers[i] > kMost[i])
-      return Wrong(option, "'" + std::string(rest.substr(0, next)) + "' is no " + std::string(kNames[i]) + " (1 to " +
-                               std::to_string(kMost[i]) + ")");
+      return Wrong(option, "'" + std::string(rest.substr(0, next)) + "' is not a valid " + std::string(kNames[i]) +
+                               " (1 to " + std::to_string(kMost[i]) + ")");
     if (next == std::string_view::npos) break;
     rest.remove_prefix(next + 1);
   }

@@ -82,7 +82,7 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::Open(const std::string& address, s
   Diagnostic problem;
   const std::optional<std::uint32_t> host = ParseHost(address), over = ParseHost(interface);
   if (!host || !over) {
-    problem.message = "'" + (host ? interface : address) + "' is no IPv4 address";
+    problem.message = "'" + (host ? interface : address) + "' is not an IPv4 address";
     problem.hint = "write it in numbers, such as 127.0.0.1 (this machine) or 239.1.2.3 (a multicast group)";
     return problem;
   }

@@ -19,7 +19,7 @@ constexpr std::size_t kMostHeld = 100'000;
 std::string WordIn(const Json& json, const char* name) {
   const auto found = json.find(name);
   if (found == json.end() || found->is_null()) return {};
-  if (!found->is_string()) throw DapRefusal{std::string(name) + " is no text"};
+  if (!found->is_string()) throw DapRefusal{std::string(name) + " is not a string"};
   return found->get<std::string>();
 }
 
@@ -30,7 +30,7 @@ std::vector<Json> DapServer::Handle(const std::string& text) {
   after_.clear();
   const Json message = Json::parse(text, nullptr, false);
   if (message.is_discarded() || !message.is_object()) {
-    Event("output", {{"category", "stderr"}, {"output", "soarbox: a message is no JSON object\n"}});
+    Event("output", {{"category", "stderr"}, {"output", "soarbox: a message is not a JSON object\n"}});
     return std::move(out_);
   }
   const auto type = message.find("type");
@@ -74,7 +74,7 @@ Debuggee& DapServer::Minds() {
 }
 
 Json DapServer::Request(const std::string& command, const Json& arguments) {
-  if (!arguments.is_object()) throw DapRefusal{"arguments is no object"};
+  if (!arguments.is_object()) throw DapRefusal{"arguments is not an object"};
   if (command == "initialize") {
     after_.push_back({{"type", "event"}, {"event", "initialized"}});
     return {{"supportsConfigurationDoneRequest", true},
@@ -159,7 +159,7 @@ Json DapServer::Launch(const Json& arguments) {
 Json DapServer::Attach(const Json& arguments) {
   constexpr int kPort = 12121, kHighest = 65535;
   const int port = arguments.value("port", kPort);
-  if (port < 1 || port > kHighest) throw DapRefusal{"port is no number from 1 to 65535"};
+  if (port < 1 || port > kHighest) throw DapRefusal{"port is not a number from 1 to 65535"};
   stop_on_entry_ = true;
   Result<std::unique_ptr<Debuggee>> attached = AttachKernel(port);
   if (!attached) throw DapRefusal{WithHint(attached.error())};
@@ -447,7 +447,8 @@ Json DapServer::Tree(const explain::WhyNode& why) {
 
 Json DapServer::Variables(const Json& arguments) {
   const auto number = arguments.at("variablesReference").get<std::size_t>();
-  if (number < 1 || number > held_.size()) throw DapRefusal{"these variables are gone: something has happened since"};
+  if (number < 1 || number > held_.size())
+    throw DapRefusal{"these variables are outdated: the run has continued since then"};
   const Held held = held_[number - 1];
   if (held.kind == Held::Kind::kElements) return {{"variables", ElementsOf(held.agent, held.id)}};
   if (held.kind == Held::Kind::kWhy) return {{"variables", Tree(held.why)}};

@@ -70,7 +70,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   Result<void> GoBack() override {
     // During a tick, its beginning is an earlier moment.
     if (task_.is_paused()) return GoTo(ended_tick_);
-    if (simulation_->tick() == 0) return NoWorld("this is the beginning: nothing lies before it");
+    if (simulation_->tick() == 0) return NoWorld("this is the beginning of the run: there is nothing before it");
     return GoTo(simulation_->tick() - 1);
   }
   Result<void> Restart() override { return GoTo(0); }

@@ -34,7 +34,7 @@ Json LspError(const Json& id, int code, const std::string& message) {
 Position PositionIn(const Json& json) {
   const auto number = [&](const char* name) {
     const Json& value = json.at(name);
-    if (!value.is_number_unsigned()) throw LspRefusal{kLspInvalidParams, std::string(name) + " is no position"};
+    if (!value.is_number_unsigned()) throw LspRefusal{kLspInvalidParams, std::string(name) + " is not a position"};
     return value.get<std::size_t>();
   };
   return {number("line"), number("character")};
@@ -62,9 +62,9 @@ std::vector<Json> LspServer::Handle(const std::string& text) {
   out_.clear();
   const Json message = Json::parse(text, nullptr, false);
   if (message.is_discarded()) {
-    out_.push_back(LspError(nullptr, kLspParseError, "this message is no JSON"));
+    out_.push_back(LspError(nullptr, kLspParseError, "this message is not JSON"));
   } else if (!message.is_object()) {
-    out_.push_back(LspError(nullptr, kLspInvalidRequest, "this message is no object"));
+    out_.push_back(LspError(nullptr, kLspInvalidRequest, "this message is not an object"));
   } else {
     Dispatch(message);
   }

@@ -43,7 +43,7 @@ std::string WordOf(const McpJson& arguments, const char* name, bool required = f
     if (required) throw McpRefusal{kMcpInvalidParams, std::string(name) + " is missing"};
     return {};
   }
-  if (!found->is_string()) throw McpRefusal{kMcpInvalidParams, std::string(name) + " is no text"};
+  if (!found->is_string()) throw McpRefusal{kMcpInvalidParams, std::string(name) + " is not a string"};
   std::string word = found->get<std::string>();
   if (word.find('\0') != std::string::npos)
     throw McpRefusal{kMcpInvalidParams, std::string(name) + " holds a zero byte"};
@@ -63,7 +63,7 @@ void AddNumber(std::vector<std::string>& words, const char* option, const McpJso
   if (found == arguments.end() || found->is_null()) return;
   if (!found->is_number() || found->get<double>() < 0 || found->get<double>() > most)
     throw McpRefusal{kMcpInvalidParams,
-                     std::string(name) + " is no number from 0 to " + std::to_string(static_cast<long>(most))};
+                     std::string(name) + " is not a number from 0 to " + std::to_string(static_cast<long>(most))};
   words.insert(words.end(), {option, found->dump()});
 }
 
@@ -94,8 +94,8 @@ McpJson McpServer::Fault(const std::string& what) {
 
 McpJson McpServer::Handle(const std::string& text) {
   const McpJson message = McpJson::parse(text, nullptr, false);
-  if (message.is_discarded()) return McpError(nullptr, kMcpParseError, "this message is no JSON");
-  if (!message.is_object()) return McpError(nullptr, kMcpInvalidRequest, "this message is no object");
+  if (message.is_discarded()) return McpError(nullptr, kMcpParseError, "this message is not JSON");
+  if (!message.is_object()) return McpError(nullptr, kMcpInvalidRequest, "this message is not an object");
   const auto id_field = message.find("id");
   const bool is_request = id_field != message.end() && (id_field->is_string() || id_field->is_number_integer());
   const McpJson id = is_request ? *id_field : McpJson();
@@ -155,8 +155,8 @@ McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
   };
   const auto handler = kHandlers.find(tool);
   if (handler == kHandlers.end()) throw McpRefusal{kMcpInvalidParams, "there is no tool " + tool};
-  if (!arguments.is_object()) throw McpRefusal{kMcpInvalidParams, "arguments is no object"};
-  if (own_.empty()) return TextAnswer("no folder for what runs leave can be made", true);
+  if (!arguments.is_object()) throw McpRefusal{kMcpInvalidParams, "arguments is not an object"};
+  if (own_.empty()) return TextAnswer("the folder for recordings of runs cannot be created", true);
   return (this->*handler->second)(arguments);
 }
 

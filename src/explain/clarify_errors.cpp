@@ -219,7 +219,7 @@ bool IsVerbOfOtherLanguages(std::string_view word) {
 
 /// The hint for text at the beginning of an action.
 std::string HintForAction(const std::string& found) {
-  if (found == "^") return "write attributes between ( and ), behind the object that has them: (<s> ^attribute value)";
+  if (found == "^") return "write attributes between ( and ), after the object that has them: (<s> ^attribute value)";
   if (found == "-") return "an action that removes an element ends with a minus: (<id> ^attribute value -)";
   if (BeginsComment(found)) return "comments start with #";
   if (found == "-->") return "a rule has one --> only";
@@ -253,7 +253,7 @@ std::string HintForValue(const std::string& found, const std::string& before) {
   // "(state <s> ^operator <o> +)"
   const std::size_t word = before.rfind("(state ");
   if (found == "^" && word != kNowhere && before.find(')', word) == kNowhere)
-    return "the word state stands in conditions only: write (" + Trimmed(before.substr(word + 7)) + " ^...";
+    return "the word state belongs in conditions only: write (" + Trimmed(before.substr(word + 7)) + " ^...";
   // "(<out> ^move-to ^waypoint gate)"
   if (const std::string clause = Trimmed(before.substr(before.rfind('(') == kNowhere ? 0 : before.rfind('(') + 1));
       found == "^" && clause.rfind('^') != kNowhere && clause.find(' ', clause.rfind('^')) == kNowhere)
@@ -304,7 +304,7 @@ std::string HintForJoin(const std::string& found, bool is_within) {
   if (found == "not" || found == "NOT")
     return is_within ? "a negation is written with a minus: -^attribute value"
                      : "a negation is written with a minus: -(<id> ^attribute value)";
-  if (found == "and" || found == "AND" || found == "&&") return "conditions stand one after another, without " + found;
+  if (found == "and" || found == "AND" || found == "&&") return "write conditions one after another, without " + found;
   if (found == "or" || found == "OR") return "write two rules, or a choice between values: << a b >>";
   return {};
 }
@@ -361,7 +361,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     if (before == '[' || found.front() == '[') problem.hint = "write conditions between ( and )";
     if (found == ")") problem.hint = "there is one ) too many before this";
     if (found == "^")
-      problem.hint = "write attributes between ( and ), behind the object that has them: (<w> ^attribute value)";
+      problem.hint = "write attributes between ( and ), after the object that has them: (<w> ^attribute value)";
   }
   if (problem.message.find("expected ^attribute") != kNowhere &&
       std::isalpha(static_cast<unsigned char>(found[0])) != 0)
@@ -412,8 +412,8 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   if (const std::size_t attribute = outer.rfind('^');
       attribute != kNowhere && outer.find(' ', attribute) == kNowhere && outer.rfind('(') != kNowhere) {
     const std::string inner = Trimmed(line.substr(open + 1, column - open - 1));
-    problem.hint = "objects do not stand within each other: write " + outer.substr(outer.rfind('(')) + " " + inner +
-                   ") (" + inner + " ^attribute value)";
+    problem.hint = "objects cannot be nested: write " + outer.substr(outer.rfind('(')) + " " + inner + ") (" + inner +
+                   " ^attribute value)";
     return;
   }
   for (int at = problem.line; at >= 1; --at) {
@@ -437,7 +437,7 @@ bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
   return true;
 }
 
-/// "constant sate stands where only a variable can match": `state` is missing or misspelt.
+/// "constant sate is used where only a variable can match": `state` is missing or misspelt.
 void ClarifyState(Diagnostic& problem) {
   const std::string word = Between(problem.message, "constant ", " stands where");
   if (word.empty()) return;

@@ -98,7 +98,7 @@ OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at) {
   const std::string word(line.substr(begin, std::min(line.find_first_of(kEnds, at), line.size()) - begin));
   const bool is_variable = word.starts_with('<');
   return {
-      length, "in " + word + ", " + character + " is skipped, so that the word is torn apart",
+      length, "in " + word + ", " + character + " is skipped, which splits the word",
       is_variable
           ? "names of variables are made of the letters a to z, digits and - _ *"
           : "write it without " + character +

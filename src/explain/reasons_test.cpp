@@ -116,10 +116,9 @@ TEST_F(Reasons, AnOperatorHasBeenAppliedOnlyIfARuleFiredForIt) {
     EXPECT_THAT(reasons, Not(Contains(HasSubstr("has been applied")))) << rule;
   }
   // A rule that only writes is its author's application all the same.
-  EXPECT_THAT(
-      Idle(std::string(kProposeGo) + "sp {note (state <s> ^operator.name go) --> (write |going|)}"),
-      Contains("operator go stays selected in S1: rule note has fired for it and changes nothing that its proposal "
-               "tests, nor gives a command"));
+  EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {note (state <s> ^operator.name go) --> (write |going|)}"),
+              Contains("operator go stays selected in S1: rule note has fired for it, but neither changes what its "
+                       "proposal tests nor gives a command"));
   // A rule that names no operator applies this one, too.
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {any (state <s> ^operator <o>) --> (<s> ^gone yes)}"),
               Contains(HasSubstr("operator go has been applied (rule any)")));

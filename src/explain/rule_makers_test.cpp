@@ -76,7 +76,7 @@ TEST(RuleMakers, AProposalIsOfAName) {
   const std::string prefers = "(state <s> ^superstate nil) (<o> ^name seek)", top = "(state <s> ^superstate nil)";
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o> +)", top, "(<s> ^operator <q> +) (<q> ^name seek +)"), Makes::kYes);
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o> +)", top, "(<s> ^operator <q> +) (<q> ^name rest +)"), Makes::kNo);
-  // To select it is no rule's to do.
+  // To select it is not the job of a rule.
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o>)", top, "(<s> ^operator <q> +) (<q> ^name seek +)"), Makes::kNo);
 }
 

@@ -213,13 +213,12 @@ void FindJoiningWords(const RuleText& rule, std::vector<Slip>& slips) {
       return &other != &condition && other.id == condition.id && other.attribute == condition.attribute;
     });
     if (!joins) continue;
-    slips.push_back({rule.name, word, false,
-                     "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
-                     word == "or"    ? "a choice is written << a b >>"
-                     : word == "not" ? "not equal is written <>, and that an element is absent -^attribute value"
-                                     : "conditions need no " + word +
-                                           " between them; two tests of one value stand in "
-                                           "braces: { > 10 < 20 }"});
+    slips.push_back(
+        {rule.name, word, false, "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
+         word == "or" ? "a choice is written << a b >>"
+         : word == "not"
+             ? "not equal is written <>, and that an element is absent -^attribute value"
+             : "conditions need no " + word + " between them; write two tests of one value in braces: { > 10 < 20 }"});
   }
 }
 
@@ -229,10 +228,9 @@ void FindJoinedTests(const RuleText& rule, std::vector<Slip>& slips) {
     if (!condition.value.starts_with('{')) continue;
     for (const auto& [relation, word] : TestsIn(condition.value)) {
       if (!relation.empty() || (word != "and" && word != "or" && word != "not" && word != "&&")) continue;
-      slips.push_back({rule.name, word, false,
-                       "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
-                       word == "or" ? "a choice is written << a b >>"
-                                    : "tests between braces stand one after another: { > 10 < 20 }"});
+      slips.push_back(
+          {rule.name, word, false, "rule " + rule.name + " tests that ^" + condition.attribute + " is the word " + word,
+           word == "or" ? "a choice is written << a b >>" : "write tests in braces one after another: { > 10 < 20 }"});
       break;
     }
   }

@@ -128,7 +128,8 @@ class SceneChecker {
     const RuleAttribute* const type = FindAction(rule, id, "type");
     if (type == nullptr) {
       if (IsOpen(rule, id) || OthersAdd(rule)) return;
-      Tell(rule, what, true, "rule " + rule.name + " gives ^" + what + " " + id + " without a ^type: it is no filter",
+      Tell(rule, what, true,
+           "rule " + rule.name + " gives ^" + what + " " + id + " without a ^type: it is not a filter",
            "name a filter, such as (" + id + " ^type all_nodes)");
       return;
     }

@@ -203,7 +203,7 @@ void FindNumbersInBars(const std::vector<RuleText>& rules, std::vector<Slip>& sl
       if (kinds == made.end() || !kinds->second.numbers || kinds->second.others) continue;
       slips.push_back({rule.name, value, false,
                        "rule " + rule.name + " tests that ^" + condition.attribute + " is " + value +
-                           ", which is a word: the rules make numbers of ^" + condition.attribute +
+                           ", which is a word: the rules give numbers to ^" + condition.attribute +
                            ", so that this never matches",
                        "write the number without bars: " + ConstantIn(value)});
     }
@@ -242,14 +242,13 @@ void FindEmptyParameters(const RuleText& rule, const std::vector<RuleText>& rule
     const bool is_told =
         std::ranges::any_of(slips, [&](const Slip& slip) { return slip.rule == rule.name && slip.word == variable; });
     if (has_content || is_told) continue;
-    slips.push_back(
-        {rule.name, variable, false,
-         "no condition of rule " + rule.name + " binds " + variable + ": ^" + action.attribute + " of its " +
-             (is_command ? "command" : "operator") + " becomes a new object with nothing in it",
-         is_command
-             ? "bind it in a condition, as a value of what you know: (<o> ^" + action.attribute + " " + variable + ")"
-             : "bind it in a condition, where its value stands",
-         true});
+    slips.push_back({rule.name, variable, false,
+                     "no condition of rule " + rule.name + " binds " + variable + ": ^" + action.attribute +
+                         " of its " + (is_command ? "command" : "operator") + " becomes a new, empty object",
+                     is_command ? "bind it in a condition, as a value of what you know: (<o> ^" + action.attribute +
+                                      " " + variable + ")"
+                                : "bind it in a condition that has its value",
+                     true});
   }
 }
 
@@ -442,7 +441,7 @@ void FindPathsInActions(const RuleText& rule, std::vector<Slip>& slips) {
         IsVariable(bound) && !IsMadeUpVariable(bound) ? bound : "<" + action.attribute.substr(0, 1) + ">";
     slips.push_back({rule.name, action.attribute, true,
                      "rule " + rule.name + " makes another ^" + action.attribute +
-                         ": a path in an action makes a new object, and does not follow the one that is there",
+                         ": a path in an action makes a new object, and does not follow the existing one",
                      "bind it in a condition, (" + action.id + " ^" + action.attribute + " " + variable +
                          "), and write (" + variable + " ^" + next + ")",
                      true});

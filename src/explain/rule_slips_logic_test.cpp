@@ -29,7 +29,7 @@ TEST(SlipsOfLogic, ARuleThatMakesWhatItTestsAsAbsent) {
               ElementsAre(HasSubstr("makes the ^danger that it tests as absent")));
   EXPECT_THAT(Found(Rule("r", "(state <s> ^superstate nil -^danger no)", "(<s> ^danger no)")),
               ElementsAre(HasSubstr("makes the ^danger that it tests as absent")));
-  // An operator's work stays; another value, another object and a group of conditions are no contradiction.
+  // An operator's work stays; another value, another object and a group of conditions are not contradictions.
   EXPECT_THAT(Found(Rule("r", "(state <s> ^operator <o> -^danger)\n    (<o> ^name look)", "(<s> ^danger no)")),
               IsEmpty());
   EXPECT_THAT(Found(Rule("r", "(state <s> ^superstate nil -^danger yes)", "(<s> ^danger no)")), IsEmpty());

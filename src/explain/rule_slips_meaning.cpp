@@ -398,7 +398,7 @@ class MeaningChecker {
       if (!IsNumber(value)) return;
       Tell(rule, second.attribute, true,
            "rule " + rule.name + " gives ^" + second.attribute + " of " + command + " twice, as " + value +
-               ": a + behind a value is a preference, not a sum",
+               ": a + after a value is a preference, not a sum",
            "a sum is written (+ " + value + " " + value + ")");
       return;
     }

@@ -57,7 +57,7 @@ void FindUnknownWords(const RuleText& rule, std::vector<Slip>& slips) {
     if (std::ranges::find(memory->commands, action.attribute) != memory->commands.end()) continue;
     slips.push_back({rule.name, action.attribute, true,
                      "rule " + rule.name + " asks " + std::string(memory->name) + " by ^" + action.attribute +
-                         ", which is no command of it: the whole command is refused",
+                         ", which is not one of its commands: the entire command is refused",
                      HintOf(action.attribute, memory->commands, "its commands are"), true});
   }
   for (const RuleAttribute& condition : rule.conditions) {
@@ -94,7 +94,7 @@ void FindOddRewards(const RuleText& rule, std::vector<Slip>& slips) {
     if (word.empty() || IsVariable(word) || word.front() == '(') continue;
     if (IsNumber(std::string_view(word).substr(word.starts_with('+') ? 1 : 0))) continue;
     slips.push_back({rule.name, word, false,
-                     "rule " + rule.name + " gives " + word + " as a reward, which is no number: it does not count",
+                     "rule " + rule.name + " gives " + word + " as a reward, which is not a number: it does not count",
                      "a reward is a number, such as ^value 1 or ^value -0.5", true});
   }
 }

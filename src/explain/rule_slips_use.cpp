@@ -148,11 +148,11 @@ void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
     if (links.contains(action.id) && !IsRemoval(action)) commands.insert(FirstWord(action.value));
   for (const RuleAttribute& action : rule.actions) {
     if (!commands.contains(action.id) || action.attribute != "status" || IsRemoval(action)) continue;
-    slips.push_back({rule.name, "status", true,
-                     "rule " + rule.name +
-                         " gives a command that already has a ^status: bodies take it as answered "
-                         "and do not carry it out",
-                     "leave ^status out; the world adds it: complete, error or interrupted", true});
+    slips.push_back(
+        {rule.name, "status", true,
+         "rule " + rule.name +
+             " gives a command that already has a ^status: bodies treat it as answered, and do not carry it out",
+         "leave ^status out; the world adds it: complete, error or interrupted", true});
   }
 }
 
@@ -239,10 +239,10 @@ void FindComparedNames(const RuleText& rule, std::vector<Slip>& slips) {
       const std::size_t at = action.value.find(sign);
       const std::string other = at == std::string::npos ? std::string() : FirstWord(action.value.substr(at + 3));
       if (other.empty() || IsVariable(other) || IsNumber(other) || other.find_first_of("<>=+-!~,(") == 0) continue;
-      slips.push_back({rule.name, other, false,
-                       "rule " + rule.name + " compares its operator with the word " + other + ", which is no operator",
-                       "bind the other operator in a condition: (<s> ^operator <p> +) (<p> ^name " + other + ")",
-                       true});
+      slips.push_back(
+          {rule.name, other, false,
+           "rule " + rule.name + " compares its operator with the word " + other + ", which is not an operator",
+           "bind the other operator in a condition: (<s> ^operator <p> +) (<p> ^name " + other + ")", true});
       return;
     }
   }
@@ -263,7 +263,7 @@ void FindTwoSelected(const RuleText& rule, std::vector<Slip>& slips) {
     slips.push_back({rule.name, other, false,
                      "rule " + rule.name + " tests two operators as selected, " + one + " and " + other +
                          ": only one is selected at a time",
-                     "to compare proposals, add a + behind each: ^operator " + one + " + ^operator " + other + " +"});
+                     "to compare proposals, add a + after each: ^operator " + one + " + ^operator " + other + " +"});
     return;
   }
 }

@@ -152,7 +152,8 @@ std::string WhyNotRenamed(const Name& name) {
   if (name.kind == Name::Kind::kValue) return "only rules, variables, attributes and operators can be renamed";
   if (name.kind != Name::Kind::kAttribute) return {};
   if (explain::IsArchitectureAttribute(name.text)) return "Soar itself gives ^" + name.text + " its name";
-  if (IsCommandWord(name.text, name.path)) return "^" + name.text + " is a word of a command, which bodies know by it";
+  if (IsCommandWord(name.text, name.path))
+    return "^" + name.text + " is part of a command, and bodies know it by this name";
   if (vocabulary::IsPerceptAttribute(name.text) && name.path.find("input-link") != std::string::npos)
     return "^" + name.text + " is a percept: the world gives it its name";
   return {};
@@ -173,7 +174,7 @@ Result<Renaming> Rename(const Program& program, const Document& document, std::s
     renaming.text = to.substr(1);
   }
   if (name->kind != Name::Kind::kVariable && !IsConstant(renaming.text))
-    return Refusal("'" + to + "' is no name", "use letters, digits, - and *, and begin with a letter");
+    return Refusal("'" + to + "' is not a name", "use letters, digits, - and *, and begin with a letter");
   if (renaming.text == name->text) return Refusal("this is its name already");
   Name taken = *name;
   taken.text = renaming.text;

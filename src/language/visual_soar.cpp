@@ -249,7 +249,7 @@ Result<Datamap> ReadDatamapJson(const fs::path& file, const Json& json) {
 Result<VisualSoarProject> ReadJsonProject(const fs::path& file, const std::string& text,
                                           std::vector<Diagnostic>& problems) {
   const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) return Problem(file, 1, "this project is no JSON object");
+  if (json.is_discarded() || !json.is_object()) return Problem(file, 1, "this project is not a JSON object");
   VisualSoarProject project;
   project.file = file;
   if (const auto layout = json.find("layout"); layout != json.end())

@@ -209,7 +209,7 @@ void Evaluator::Note(Slot& slot, const Check& check, const Found& found) {
 
 std::string Evaluator::Miss(const Slot& slot, const Check& check) const {
   if (slot.subjects.empty() && (!check.agents.empty() || !check.team.empty() || !check.item.empty()))
-    return "there is nobody of that name";
+    return "there is no agent of that name";
   if (slot.nearest < 1e29 && !slot.missing.empty()) {
     const Key key = check.conditions.front().row->key;
     if (check.conditions.size() == 1 && (key == Key::kAt || key == Key::kInside))

@@ -241,7 +241,7 @@ TEST(ReadMission, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(ProblemOf("[[check]]\nname = \"x\"\nagent = \"a\"\nat = \"g\"\nafter = \"y\"\n[[check]]\nname = "
                       "\"y\"\nagent = \"a\"\nat = \"g\"\nafter = \"x\"\n"),
             "6: these checks wait for each other: 'after' goes in a circle");
-  EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nnear = \"g\"\n"), "2: 'near' wants a range");
+  EXPECT_EQ(ProblemOf("[[check]]\nagent = \"a\"\nnear = \"g\"\n"), "2: 'near' needs a range");
 }
 
 TEST(ReadMission, NamesThatNothingKnowsAreRefusedWithWhatWasMeant) {

@@ -248,7 +248,7 @@ class MissionReader : public sim::TableReader {
     for (const auto* clauses : {&pattern.tests, &pattern.makes, &pattern.without})
       for (const std::string& clause : *clauses)
         if (const std::string problem = ProblemOfClause(clause); !problem.empty())
-          Problem(*node, "'" + clause + "' is no clause", problem);
+          Problem(*node, "'" + clause + "' is not a clause", problem);
     if (pattern.empty()) Problem(*node, "'" + word + "' names nothing that a rule has");
   }
 
@@ -288,10 +288,10 @@ class MissionReader : public sim::TableReader {
       condition.words = Words(table, row.name);
     }
     if (row.key == Key::kCarried && check.item.empty())
-      Problem(value, "'carried' is asked of an item", "write item = NAME");
+      Problem(value, "'carried' is about an item", "write item = NAME");
     if (!check.item.empty() && row.key != Key::kCarried && row.key != Key::kAt && row.key != Key::kInside &&
         row.key != Key::kNear)
-      Problem(value, "'" + std::string(row.name) + "' is asked of an agent, not of an item");
+      Problem(value, "'" + std::string(row.name) + "' is about an agent, not about an item");
     const auto is_event = [](const Condition& other) { return other.row->kind == Kind::kEvent; };
     if (row.kind == Kind::kEvent && std::any_of(check.conditions.begin(), check.conditions.end(), is_event))
       Problem(value, "two events are two checks", "give each a name and join them: after = NAME, within = SECONDS");
@@ -315,7 +315,7 @@ class MissionReader : public sim::TableReader {
     if (Condition* condition = needs("range", {Key::kNear}, "'near'"))
       condition->bounds = ReadBounds(*table.get("range"), "range", false);
     if (Condition* condition = Find(check, {Key::kNear}); condition != nullptr && !table.contains("range"))
-      Problem(table, "'near' wants a range", "write range = { max = 2 }, in metres between the centres");
+      Problem(table, "'near' needs a range", "write range = { max = 2 }, in metres between the centres");
     if (Condition* condition = needs("with", {Key::kCommand, Key::kMessage, Key::kOperator, Key::kImpasse},
                                      "a command, a message, an operator or an impasse")) {
       const toml::node& node = *table.get("with");
@@ -384,7 +384,8 @@ class MissionReader : public sim::TableReader {
     if (table.contains("times")) check.mode = Mode::kTimes;
     if (never && table.contains("by"))
       Problem(*table.get("by"), "'never' has no 'by'", "write to = SECONDS for how long it must not");
-    if (check.for_s && check.mode != Mode::kComesTrue) Problem(*table.get("for"), "'for' is for what comes true");
+    if (check.for_s && check.mode != Mode::kComesTrue)
+      Problem(*table.get("for"), "'for' belongs to checks that come true once");
     if (whenever && !check.within_s) Problem(table, "'whenever' requires 'within'", "write within = SECONDS");
     if (check.within_s && !whenever && !table.contains("after"))
       Problem(*table.get("within"), "'within' counts from 'after': write which check it follows");

@@ -222,7 +222,7 @@ void TellWhy(const RunSpec& spec, RunResult& result) {
     ask();
   }
   if (simulation.StateHash() != result.state_hash)
-    result.error = "the same run came to another state when it was made again: that is a fault of Soarbox";
+    result.error = "the same run reached another state when it was repeated: this is a bug in Soarbox";
   if (keeper && keeper->Finish()) result.recording = spec.recording.string();
   if (spec.account.IsAsked()) result.account = account.Finish(FirstFailure(*spec.mission, result));
 }

@@ -43,7 +43,7 @@ std::string ToJsonLine(const RunResult& result) {
 
 Result<RunResult> FromJsonLine(const std::string& line) {
   Diagnostic problem;
-  problem.message = "the result of a run is not as it was written";
+  problem.message = "the result of a run is damaged";
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) return problem;
   try {

@@ -122,7 +122,7 @@ class ModelReader {
     const auto found = owner.find(member);
     if (found == owner.end() || !found->is_array()) return;
     for (const Json& child : *found) {
-      if (!child.is_number_unsigned()) file_.Fail(std::string("\"") + member + "\" has something that is no number");
+      if (!child.is_number_unsigned()) file_.Fail(std::string("\"") + member + "\" has something that is not a number");
       if (!file_.ok()) return;
       AddNode(child.get<std::uint64_t>(), frame, depth);
     }

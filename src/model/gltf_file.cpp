@@ -127,7 +127,7 @@ void GltfFile::CheckVersion() {
   const bool has_version =
       asset != json_.end() && asset->is_object() && asset->contains("version") && (*asset)["version"].is_string();
   if (!has_version || !(*asset)["version"].get<std::string>().starts_with("2"))
-    return Fail("it is no model of glTF version 2");
+    return Fail("it is not a model of glTF version 2");
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end() || required->empty()) return;
   const Json& extension = required->is_array() ? required->front() : *required;
@@ -141,7 +141,7 @@ void GltfFile::Fail(std::string problem) {
 
 void GltfFile::ReadBinary(std::string_view file) {
   if (file.size() < kBinaryHead) return Fail("the file is cut off");
-  if (LittleAt(file, 4) != 2) return Fail("it is no model of glTF version 2");
+  if (LittleAt(file, 4) != 2) return Fail("it is not a model of glTF version 2");
   const std::size_t size = LittleAt(file, 8);
   if (size > file.size()) return Fail("the file is cut off");
   file = file.substr(0, size);
@@ -169,7 +169,7 @@ void GltfFile::ReadJson(std::string_view text) {
   json_ = Json::parse(text, nullptr, false);
   if (json_.is_object()) return;
   json_ = Json::object();
-  Fail("it is no glTF: neither .glb nor JSON");
+  Fail("it is not a glTF file: neither .glb nor JSON");
 }
 
 const Json& GltfFile::At(const char* list, std::uint64_t index) {
@@ -187,7 +187,7 @@ std::optional<std::uint64_t> GltfFile::Number(const Json& object, const char* me
   constexpr std::uint64_t kMost = std::uint64_t{1} << 31;
   if (found->is_number_integer() && found->get<std::int64_t>() >= 0 && found->get<std::uint64_t>() < kMost)
     return found->get<std::uint64_t>();
-  Fail("\"" + std::string(member) + "\" is no whole number from 0");
+  Fail("\"" + std::string(member) + "\" is not a whole number from 0");
   return std::nullopt;
 }
 
@@ -201,7 +201,7 @@ std::vector<float> GltfFile::Floats(const Json& object, const char* member, std:
   }
   for (const Json& one : *found) {
     const float number = one.is_number() ? static_cast<float>(one.get<double>()) : NAN;
-    if (!std::isfinite(number)) Fail("\"" + std::string(member) + "\" has something that is no finite number");
+    if (!std::isfinite(number)) Fail("\"" + std::string(member) + "\" has something that is not a finite number");
     numbers.push_back(number);
   }
   if (!ok()) numbers.clear();
@@ -221,7 +221,7 @@ std::string GltfFile::Resource(const Json& object, const std::string& what) {
     std::string bytes;
     if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64") ||
         !FromBase64(std::string_view(uri).substr(comma + 1), bytes)) {
-      Fail(what + " has a data URI that is no base 64");
+      Fail(what + " has a data URI that is not base 64");
       return {};
     }
     return bytes;
@@ -283,7 +283,7 @@ bool GltfFile::Find(std::uint64_t accessor, Slice& slice) {
   if (ok() && (slice.count == 0 || slice.count > kMostIndices))
     Fail(what + " has " + std::to_string(slice.count) + " elements; 1 to " + std::to_string(kMostIndices) +
          " are read");
-  // Many nodes may show the same mesh, which is read anew for each.
+  // Several nodes may show the same mesh, which is read again for each.
   read_ += slice.count * slice.width;
   if (read_ > kMostRead) Fail("it is too large");
   if (!ok()) return false;
@@ -311,7 +311,7 @@ GltfFile::Values GltfFile::FloatsOf(std::uint64_t accessor) {
       const float number = NumberIn(slice.bytes, i * slice.stride + part * BytesOf(slice.component), slice.component,
                                     slice.is_normalised);
       if (!std::isfinite(number)) {
-        Fail("accessors[" + std::to_string(accessor) + "] has something that is no finite number");
+        Fail("accessors[" + std::to_string(accessor) + "] has something that is not a finite number");
         return {};
       }
       values.numbers.push_back(number);
@@ -325,7 +325,7 @@ std::vector<std::uint32_t> GltfFile::IndicesOf(std::uint64_t accessor) {
   if (!Find(accessor, slice)) return {};
   const bool is_unsigned = slice.component == 5121 || slice.component == 5123 || slice.component == 5125;
   if (slice.width != 1 || !is_unsigned) {
-    Fail("accessors[" + std::to_string(accessor) + "] is used for indices, but is no list of whole numbers");
+    Fail("accessors[" + std::to_string(accessor) + "] is used for indices, but is not a list of whole numbers");
     return {};
   }
   std::vector<std::uint32_t> indices;

@@ -111,9 +111,9 @@ TEST(Gltf, ABufferMayBeAFileBesideTheModel) {
 }
 
 TEST(Gltf, WhatIsWrongIsNamed) {
-  EXPECT_EQ(ProblemOf(""), "it is no glTF: neither .glb nor JSON");
+  EXPECT_EQ(ProblemOf(""), "it is not a glTF file: neither .glb nor JSON");
   EXPECT_EQ(ProblemOf("glTF"), "the file is cut off");
-  EXPECT_EQ(ProblemOf("{}"), "it is no model of glTF version 2");
+  EXPECT_EQ(ProblemOf("{}"), "it is not a model of glTF version 2");
   EXPECT_EQ(ProblemOf(R"({"asset": {"version": "2.0"}})"), "it has no triangles");
   const std::string whole = Glb(TriangleJson(), kTriangle);
   EXPECT_EQ(ProblemOf(whole.substr(0, whole.size() - 1)), "the file is cut off");
@@ -132,7 +132,7 @@ TEST(Gltf, WhatIsWrongIsNamed) {
   EXPECT_EQ(ProblemOf(remote), "buffers[0] is not beside the model: https://example.org/a");
   std::string nan = kTriangle;
   nan[3] = nan[2] = '\xff';
-  EXPECT_EQ(ProblemOf(Glb(TriangleJson(), nan)), "accessors[0] has something that is no finite number");
+  EXPECT_EQ(ProblemOf(Glb(TriangleJson(), nan)), "accessors[0] has something that is not a finite number");
 }
 
 TEST(Gltf, NoBytesOfAFileThatIsCutOffOrChangedAreReadBeyondItsEnd) {

@@ -246,7 +246,7 @@ TEST(Png, WhatIsWrittenReadsAsTheSamePixels) {
 
 TEST(Png, SaysWhyAFileIsNotRead) {
   std::string file = PngOf(Image(2, 2));
-  EXPECT_EQ(picture::ReadPng(std::string_view()).problem, "this is no PNG file");
+  EXPECT_EQ(picture::ReadPng(std::string_view()).problem, "this is not a PNG file");
   const auto with = [&](std::size_t at, char value) {
     std::string changed = file;
     changed[at] = value;

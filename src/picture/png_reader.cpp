@@ -86,7 +86,7 @@ void ReadHead(std::string_view content, Parts& parts) {
 Parts ReadParts(std::string_view file) {
   Parts parts;
   if (!file.starts_with(kSignature)) {
-    parts.problem = "this is no PNG file";
+    parts.problem = "this is not a PNG file";
     return parts;
   }
   bool has_head = false;
@@ -103,7 +103,7 @@ Parts ReadParts(std::string_view file) {
     const std::string_view kind = file.substr(at + 4, 4), content = file.substr(at + 8, length);
     at += kFrame + length;
     if (!has_head && kind != "IHDR") {
-      parts.problem = "its first chunk is no header";
+      parts.problem = "its first chunk is not a header";
     } else if (kind == "IHDR") {
       ReadHead(content, parts);
       has_head = true;

@@ -114,7 +114,7 @@ bool IsClientLog(const fs::path& file) {
 
 Result<void> RecordClientLog(const fs::path& log, const fs::path& recording) {
   const std::optional<std::string> text = ReadText(log);
-  if (!text || !text->starts_with(kFirstWord)) return ProblemIn(log, "this is no log of a client of Soar agents");
+  if (!text || !text->starts_with(kFirstWord)) return ProblemIn(log, "this is not a log of a client of Soar agents");
   Files files;
   ClientTicks ticks([&files](const std::string& path, const std::string& content) { files[path] = content; });
   // A line without an end was being written when the program was killed.

@@ -15,7 +15,7 @@ Result<void> ExportRecording(Reader& recording, TickRange range, const std::file
   if (first > last) return NotThere(recording, range.first);
   std::error_code error;
   if (std::filesystem::equivalent(recording.file(), file, error)) {
-    return ProblemIn(file.string(), "a part of a recording cannot take the place of the whole", "name another file");
+    return ProblemIn(file.string(), "a part of a recording cannot replace the entire recording", "name another file");
   }
   Result<std::vector<TickInputs>> earlier = recording.Inputs();
   if (!earlier) return earlier.error();

@@ -136,7 +136,8 @@ std::string_view NameOf(Level level) {
 Result<Level> LevelNamed(std::string_view name) {
   const auto at = std::find(kLevels.begin(), kLevels.end(), name);
   if (at != kLevels.end()) return static_cast<Level>(at - kLevels.begin());
-  return NewProblem("'" + std::string(name) + "' is no level of recording", "there are world, decisions and all");
+  return NewProblem("'" + std::string(name) + "' is not a level of recording",
+                    "the levels are world, decisions and all");
 }
 
 }  // namespace soarbox::record

@@ -7,7 +7,7 @@
 
 namespace soarbox::record {
 
-/// Stores the images, sounds and models among the files of a recording where whoever draws its scenes finds them
+/// Stores the images, sounds and models of a recording's files where renderers of its scenes find them
 /// (world/asset_store.h, model/model.h). Files that cannot be used are skipped: the recording may come from anywhere.
 void StoreAssets(const std::vector<KeptFile>& files);
 

@@ -37,7 +37,7 @@ Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
   problem.file = file.string();
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
-    problem.message = error || !fs::exists(file, error) ? "there is no such file" : "this is no file";
+    problem.message = error || !fs::exists(file, error) ? "there is no such file" : "this is not a plain file";
     problem.hint = "name a recording, as `soarbox run --record FILE` makes them";
     return problem;
   }
@@ -62,7 +62,7 @@ Result<std::unique_ptr<Reader>> Reader::Open(const fs::path& file) {
   std::string magic(kMagic.size(), '\0');
   reader->in_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
   if (!reader->in_ || magic != kMagic) {
-    problem.message = "this is no recording of Soarbox";
+    problem.message = "this is not a recording of Soarbox";
     problem.hint = "`soarbox run --record FILE` makes one";
     return problem;
   }
@@ -80,7 +80,7 @@ Result<void> Reader::ReadFrames() {
     in_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     Block block;
     if (!in_ || !DecodeFrame(bytes, block.frame)) {
-      ending_ = "after " + std::to_string(at) + " bytes something follows that is no complete block";
+      ending_ = "after " + std::to_string(at) + " bytes something follows that is not a complete block";
       break;
     }
     if (block.frame.version != kVersion) {

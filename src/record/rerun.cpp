@@ -40,7 +40,7 @@ Result<sim::Scenario> FoundOnDisk(const TickSource& recording, const sim::DataFo
   const Result<RestoredFolders> restored = RestoreExtraFolders(header);
   if (!restored) {
     warnings.push_back(Warning(recording, "the folders given with --path are left out: " + restored.error().message,
-                               "the run may take another course than the recording does"));
+                               "the run may differ from the recording"));
     return sim::FindScenario(name, data);
   }
   std::vector<fs::path> extra;
@@ -58,8 +58,8 @@ Result<sim::Scenario> FromDisk(const TickSource& recording, const sim::DataFolde
   Result<sim::Scenario> scenario = FoundOnDisk(recording, data, warnings);
   if (!scenario) return scenario;
   for (const std::string& agent : ReplaceRulesAsRecorded(*scenario, recording.header()))
-    warnings.push_back(Warning(recording, "the rules that --rules gave to " + agent + " are not there any more",
-                               "it runs with those of the scenario, and takes another course than the recording does"));
+    warnings.push_back(Warning(recording, "the rules that --rules named for " + agent + " are not there any more",
+                               "it runs with those of the scenario, and will differ from the recording"));
   return scenario;
 }
 
@@ -100,7 +100,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::DataFolders& data, const
     problem.message = "the scenario of this recording cannot be run again: " + problem.message;
     if (header.files.empty()) return problem;
     if (rerun.files == FilesFrom::kDisk) {
-      problem.hint = "--as-recorded takes the files that the recording keeps";
+      problem.hint = "--as-recorded uses the files in the recording";
       return problem;
     }
     scenario = ScenarioFromKeptFiles(header, data);
@@ -128,10 +128,10 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   Rerun rerun;
   if (header.build != BuildId()) {
     rerun.warnings.push_back(Warning(recording, "another build of Soarbox made this recording (" + header.build + ")",
-                                     "it may take another course than the recording does"));
+                                     "it may differ from the recording"));
   }
   if (HaveChanged(scenario, header.scenario_digest, header.files)) {
-    std::string hint = "the run may take another course than the recording does";
+    std::string hint = "the run may differ from the recording";
     if (how.files == FilesFrom::kRecording && !header.files.empty()) {
       Result<sim::Scenario> kept = WithKeptFiles(scenario, header.files);
       if (!kept) return kept.error();

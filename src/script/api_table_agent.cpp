@@ -95,7 +95,8 @@ print(agent:HasPath())  --> false)"},
      "Removes the agent's body for good. Nothing collides with it any more, and only SetPosition moves it.",
      R"(agent:RemovePhysics())"},
     {"Agent.Self", "", "Agent",
-     "The agent whose script calls; nil in the sandbox's own scripts. For modules that are not handed the agent.",
+     "The agent whose script calls; nil in the sandbox's own scripts. For modules that do not get the agent as an "
+     "argument.",
      R"(print(Agent.Self())  --> nil)", true},
     {"Agent.SetForward", "agent: Agent, direction: Vector", "",
      "Turns the agent. A direction without a horizontal part changes nothing.",
@@ -125,7 +126,7 @@ print(agent:GetPosition().x)  --> 4)"},
     {"Agent.SetRadius", "agent: Agent, radius: number 0..100000 [m]", "",
      "Gives the agent a body of another radius. The agent stops.", R"(agent:SetRadius(0.4))"},
     {"Agent.SetScore", "agent: Agent, score: number -1e9..1e9", "",
-     "Sets the agent's score in a game. It stands beside the agent's name, and missions and sweeps can ask for it.",
+     "Sets the agent's score in a game. It is shown next to the agent's name, and missions and sweeps can use it.",
      R"(agent:SetScore(5))", true},
     {"Agent.SetSpeed", "agent: Agent, speed: number -100000..100000 [m/s]", "",
      "Sets the speed of an agent without a body; with one it has no effect.", R"(agent:RemovePhysics()
@@ -146,9 +147,8 @@ print(agent:GetTeam())  --> team2)"},
      "Shows a part of the agent's state to people: in the panel Mind, in recordings, and as what the agent does. The "
      "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks "
      "what "
-     "is chosen or under way, `name` and `value` say what stands in its own line, the list comes in its order and "
-     "other "
-     "fields by name. nil removes it. The first thing that is shown, or one called \"doing\", is what the agent does.",
+     "is chosen or under way, `name` and `value` give the text of its own line; list items come in order, other fields "
+     "by name. nil removes it. The first thing that is shown, or one called \"doing\", is what the agent does.",
      R"(agent:Show("state", "patrol")
 agent:Show("scores", { attack = 0.2, flee = { value = 0.9, active = true } })
 agent:Show("tree", { { name = "fight", active = true, { name = "reload", active = true }, { name = "shoot" } } }))",

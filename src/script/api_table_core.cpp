@@ -9,7 +9,7 @@ constexpr ApiFunction kCoreFunctions[] = {
      "object: Object, point: Vector -1e6..1e6 [m], axis: Vector, other: value = none, settings: table = none", "",
      "Lets an object turn about an axis through the point only, like a door. The axis stays where it is, or moves with "
      "another object. Settings: low and high, the limits of the angle in degrees from the present orientation, and "
-     "friction, the maximum torque in N m that brakes it. The hinge goes with the object, and with the other one.",
+     "friction, the maximum torque in N m that brakes it. The hinge is removed together with either object.",
      R"(Core.AddHinge(object, Vector.new(4, 1, 5), Vector.new(0, 1, 0), nil, {low = -90, high = 90, friction = 2}))",
      true},
     {"Core.ApplyAngularImpulse", "object: Object, impulse: Vector -1e12..1e12 [N m s]", "",

@@ -15,8 +15,9 @@ constexpr ApiFunction kPlacesFunctions[] = {
      "of the mesh's bounding box).",
      R"(Sandbox.CreateInfluenceMap(sandbox, "default", {CellWidth = 2, CellHeight = 1}))"},
     {"Sandbox.CreateNavigationMesh", "sandbox: Sandbox, name: string, settings: table = none", "",
-     "Finds where agents can walk on the fixed objects (mass 0) of now, planes left out; a mesh of the same name is "
-     "replaced. The work goes on while the script does; the first use waits for it. Settings: WalkableHeight (m; 1.6), "
+     "Finds where agents can walk on the present fixed objects (mass 0), except planes, and replaces a mesh of the "
+     "same name. The work continues while the script runs; the first use waits for it. Settings: WalkableHeight (m; "
+     "1.6), "
      "WalkableRadius (m; 0.375), WalkableClimbHeight (m; 0.15), WalkableSlopeAngle (degrees; 45), MinimumRegionArea "
      "and MergeRegionArea (sides of squares in cells; 50 and 100), CellSize (m; 0.1), KeepsPoints (true makes "
      "FindClosestPoint answer with its argument, as the first sandbox does). Nothing further than 100 m from the "

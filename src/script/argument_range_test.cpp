@@ -219,7 +219,7 @@ TEST_F(ArgumentRangeTest, CallsThatChangeNothingSaySo) {
   EXPECT_EQ(Told("agent:SetSpeed(3)"), "the agent has a body, which SetVelocity and forces move: the call is ignored|");
   EXPECT_EQ(Told("agent:SetMass(-1)"), "the mass is below 0 kg: the body counts as fixed, as with 0 kg|");
   EXPECT_EQ(Told("agent:SetPath({Vector.new(), 'x', Vector.new(0 / 0)})"),
-            "point 2 is string: what is no place is left out|");
+            "point 2 is string: what is not a place is left out|");
   EXPECT_EQ(Told("Core.SetAxis(object, Vector.new(1), Vector.new(0, 1, 0), Vector.new(0, 0, 1))"),
             "the axes are not perpendicular, of length 1 and right-handed: a turn near them is taken|");
   EXPECT_EQ(Told("Core.CreateDirectionalLight(sandbox, Vector.new())"),
@@ -232,7 +232,7 @@ TEST_F(ArgumentRangeTest, CallsThatChangeNothingSaySo) {
             std::string("the event's field 'f' is function, which no event carries|"
                         "the event's field 'n' is scene node, which no event carries|")
                 .size());
-  EXPECT_EQ(Told("Sandbox.AddEvent(sandbox, 'Noise', 7)"), "the event is no table: it goes without fields|");
+  EXPECT_EQ(Told("Sandbox.AddEvent(sandbox, 'Noise', 7)"), "the event is not a table: it goes without fields|");
   EXPECT_EQ(Told("Sandbox.DrawInfluenceMap(sandbox, 0, {1, 0, 0}, {0, 0, 0, 1}, {0, 0, 0, 1})"),
             "a colour is a table of four numbers, red, green, blue and alpha: 0 is taken for the others|");
 }

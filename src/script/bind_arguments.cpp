@@ -125,7 +125,7 @@ std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
       vectors.push_back(*vector);
     } else {
       const char* what = vector ? "a Vector that is not finite" : NameOfValue(state, -1);
-      WarnAtCallerOnce(state, "point " + std::to_string(i) + " is " + what + ": what is no place is left out",
+      WarnAtCallerOnce(state, "point " + std::to_string(i) + " is " + what + ": what is not a place is left out",
                        "points");
     }
     lua_pop(state, 1);

@@ -152,8 +152,8 @@ void WarnOfOperands(lua_State* state, const char* operation) {
   WarnAtCaller(state, text + " gives nil: put a vector or a number on the right");
 }
 
-/// v op w and v op s, component by component; nil if the left side is no vector or the right side is neither a vector
-/// nor a number.
+/// v op w and v op s, component by component; nil if the left side is not a vector or the right side is neither a
+/// vector nor a number.
 template <class Operation>
 int Componentwise(lua_State* state, const char* name, Operation operation) {
   const Vec3* left = ToVector(state, 1);

@@ -49,7 +49,7 @@ struct PushValue {
 ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index) {
   ScriptEvent event{std::string(type), {}};
   if (!lua_istable(state, index)) {
-    if (!lua_isnil(state, index)) WarnAtCaller(state, "the event is no table: it goes without fields");
+    if (!lua_isnil(state, index)) WarnAtCaller(state, "the event is not a table: it goes without fields");
     return event;
   }
   lua_pushnil(state);

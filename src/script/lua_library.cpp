@@ -144,7 +144,8 @@ int Require(lua_State* state) {
 int DebugTraceback(lua_State* state) {
   const NestedCall nested(state);
   const bool has_message = !lua_isnoneornil(state, 1);
-  if (has_message && !lua_isstring(state, 1)) {  // As in Lua, an error object that is no string is returned unchanged.
+  if (has_message &&
+      !lua_isstring(state, 1)) {  // As in Lua, an error object that is not a string is returned unchanged.
     lua_settop(state, 1);
     return 1;
   }

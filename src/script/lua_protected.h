@@ -21,7 +21,7 @@ std::optional<std::string> Guarded(lua_State* state, Body body) {
   std::optional<std::string> failed;
   if (lua_cpcall(state, run, &body) != 0) {
     const char* message = lua_tostring(state, -1);
-    failed = message == nullptr ? "an error that is no text" : message;
+    failed = message == nullptr ? "an error that is not a string" : message;
   }
   lua_settop(state, top);
   return failed;

@@ -84,7 +84,7 @@ TEST_F(PanelPartsTest, FilesStayInsideTheWorldsFolders) {
   EXPECT_NE(Run("UI.SetImage(ui, '/etc/passwd')").find("named relative to the scenario's folder"), std::string::npos);
   EXPECT_NE(Run("UI.SetImage(ui, 'a/../../b.png')").find("named relative to the scenario's folder"), std::string::npos);
   EXPECT_NE(Run("UI.SetImage(ui, 'bagde.png')").find("did you mean \"badge.png\"?"), std::string::npos);
-  EXPECT_NE(Run("UI.SetImage(ui, 'Sandbox.lua')").find("Sandbox.lua: this is no PNG file"), std::string::npos);
+  EXPECT_NE(Run("UI.SetImage(ui, 'Sandbox.lua')").find("Sandbox.lua: this is not a PNG file"), std::string::npos);
 }
 
 TEST_F(HostTest, TheRoverCollectsCrystalsByItselfAndByGamepad) {

@@ -178,7 +178,7 @@ void ScriptDebugger::OnLine(LuaMachine& machine, lua_State* state, lua_Debug& fr
 void ScriptDebugger::OnError(LuaMachine& machine, lua_State* state) {
   if (!enabled_ || !stop_at_errors_ || view_.is_paused()) return;
   const char* message = lua_tostring(state, -1);
-  PauseHere(machine, state, 1, "error", message == nullptr ? "an error that is no text" : message);
+  PauseHere(machine, state, 1, "error", message == nullptr ? "an error that is not a string" : message);
   EndStep();
   // The call has ended: a step leads to the next one.
   if (next_step_ == ScriptStep::kGo) return;

@@ -294,7 +294,7 @@ class Reader {
   void RefuseScripts(int count, const std::string& name) {
     const int function = lua_gettop(state_) - count;
     if (!lua_isfunction(state_, function))
-      Fail(name + " is no function but a " + luaL_typename(state_, function) + " value");
+      Fail(name + " is not a function but a " + luaL_typename(state_, function) + " value");
     if (IsScriptFunction(function)) {
       Fail(name + " is a function of a script: while a script is paused, only built-in functions can be called");
     }

@@ -532,7 +532,7 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   def.script = request.script;
   const EntityId id = world_.CreateAgent(def);
   if (id == world::kNoEntity) {
-    refusal.message = "the world cannot take another agent";
+    refusal.message = "the world cannot hold another agent";
     return refusal;
   }
   if (!has_script) {

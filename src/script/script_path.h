@@ -32,7 +32,7 @@ class ScriptPath {
   /// there is one), if it cannot be read, or if the name leads out of the folders. The pointer stays valid.
   Result<const ScriptSource*> Load(std::string_view name);
 
-  /// Reads a file that is no script, with the same bounds: an image, a model, a sound. `kind` names it in messages.
+  /// Reads a file that is not a script, with the same bounds: an image, a model, a sound. `kind` names it in messages.
   /// Nothing is kept.
   Result<std::string> ReadBytes(std::string_view name, const std::string& kind, std::uintmax_t largest) const;
 

@@ -163,7 +163,7 @@ void Arena::HandIn(const std::string& game, const Place& place, const std::strin
                    std::function<void(const Result<void>&)> done) {
   if (FindGame(game) == nullptr) return done(NewProblem("there is no game '" + game + "' to hand in rules for"));
   if (!file.ends_with(".soar"))
-    return done(NewProblem("this is no file of rules", "hand in a file whose name ends with .soar"));
+    return done(NewProblem("this is not a file of rules", "hand in a file whose name ends with .soar"));
   const auto result = std::make_shared<Result<void>>(NewProblem("the server could not copy your rules", "try again"));
   // In the same queue as writing arena.json and starting matches, so that no one reads a partly written entry.
   work_.Do(

@@ -142,7 +142,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
       if (!self->socket_.got_text()) {
         self->Refuse(NewProblem("this server reads text only", "a request is a JSON object"));
       } else if (!self->allowance_.Take()) {
-        self->Refuse(NewProblem("you ask faster than this server allows", "wait a moment"));
+        self->Refuse(NewProblem("you send requests faster than this server allows", "wait a moment"));
       } else if (!self->site_.MayBegin(self->session_->place().id(), self->address_)) {
         self->Refuse(NewProblem("you send more than this server allows", "wait a moment"));
         return self->ReadLater();

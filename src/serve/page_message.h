@@ -16,7 +16,7 @@ struct PageMessage {
   std::optional<std::vector<std::string>> panels;  ///< For "look"; nothing if it is not a list of words.
 };
 
-/// Reads a message in one pass, without building its values. Returns nothing if it is no JSON object with a text
+/// Reads a message in one pass, without building its values. Returns nothing if it is not a JSON object with a text
 /// `request`, or if it exceeds a limit: 64 levels, 256 fields in one object, 20,000 values in all. Its cost is linear
 /// in the number of bytes, and it stops at the first limit that is exceeded.
 std::optional<PageMessage> ReadPageMessage(std::string_view text);

@@ -105,7 +105,7 @@ Place::Place(std::string id, fs::path root, PlaceLimits limits)
 
 Result<fs::path> Place::Find(std::string_view path) const {
   const auto refuse = [&](const char* why) {
-    return NewProblem(std::string("this is no name for a file here: ") + why,
+    return NewProblem(std::string("this is not a name for a file here: ") + why,
                       "names have no dot at the beginning; / stands between folders");
   };
   if (path.empty() || path.size() > kMostPathBytes) return refuse("it is empty or too long");
@@ -264,7 +264,7 @@ Result<Place> Places::New() {
   fs::create_directories(folder_ / id / "home", error);
   if (!error) fs::create_directories(folder_ / id / "state", error);
   if (error)
-    return NewProblem("the server cannot make a place for you: " + error.message(), "tell whoever runs this server");
+    return NewProblem("the server cannot make a place for you: " + error.message(), "ask the server's administrator");
   fs::permissions(folder_ / id, fs::perms::owner_all, error);
   return Place(id, folder_ / id, limits_);
 }
@@ -273,7 +273,7 @@ Result<Place> Places::Find(std::string_view id) const {
   std::error_code error;
   // The id itself is the secret; the timing of a lookup in the file system reveals nothing useful.
   if (!IsId(id) || !fs::is_directory(folder_ / id / "home", error))
-    return NewProblem("there is no such place: it was never made, or nobody came for too long",
+    return NewProblem("there is no such place: it was never made, or was not visited for too long",
                       "open this server's first page to get a new one");
   fs::last_write_time(folder_ / id, fs::file_time_type::clock::now(), error);
   return Place(std::string(id), folder_ / id, limits_);

@@ -16,13 +16,13 @@ Result<PlaceLock> PlaceLock::Take(const std::filesystem::path& root) {
   const int file = open((root / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (file < 0)
     return NewProblem(std::string("this place cannot be locked: ") + std::strerror(errno),
-                      "tell whoever runs this server");
+                      "ask the server's administrator");
   PlaceLock lock(file);
   if (flock(file, LOCK_EX | LOCK_NB) == 0) return lock;
   if (errno == EWOULDBLOCK)
     return NewProblem("another server runs a world of this place now",
-                      "close its page there and wait until that run has ended; whoever runs the servers can let each "
-                      "place go to one of them (docs/serve.md)");
+                      "close its page there and wait until that run has ended; the servers' administrator can send "
+                      "each place to one of them (docs/serve.md)");
   // The file system has no locks.
   return lock;
 }

@@ -120,7 +120,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const std::size_t bytes = parser_->chunked() ? most : length ? static_cast<std::size_t>(*length) : 0;
     if (bytes > most) return TellBroken(http::error::body_limit);
     if (bytes > 0 && !counts_->HasRoomFor(address_, bytes))
-      return Refuse(503, "as much is being sent and received as this server allows; try again in a minute");
+      return Refuse(503, "the server already transfers as much data as it allows; try again in a minute");
     Hold(bytes);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return self->TellBroken(error);
@@ -135,13 +135,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void TellBroken(beast::error_code error) {
-    if (error == http::error::body_limit) return Refuse(413, "this is larger than the server takes");
+    if (error == http::error::body_limit) return Refuse(413, "this is larger than the server accepts");
     if (error == http::error::header_limit) return Refuse(431, "this request has too many headers");
     // A client that has closed or is silent gets no reply; any other error is a malformed request.
     if (error == http::error::end_of_stream || error == beast::error::timeout ||
         error.category() == asio::error::get_system_category() || error == http::error::partial_message)
       return;
-    Refuse(400, "this is no request that the server can read");
+    Refuse(400, "this is not a request that the server can read");
   }
 
   WebRequest Read(const Request& request) const {
@@ -306,8 +306,9 @@ class Server {
     const std::string address = from.address().to_string();
     const bool is_full = counts_->IsFull(address);
     const auto connection = std::make_shared<HttpConnection>(std::move(socket), site_, counts_, address);
-    is_full ? connection->Refuse(503, "this server has as many connections as it may; try again in a minute")
-            : connection->Read();
+    is_full
+        ? connection->Refuse(503, "this server already has the maximum number of connections; try again in a minute")
+        : connection->Read();
   }
 
   void AcceptLater() {
@@ -339,7 +340,8 @@ Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
   asio::io_context io(1);
   beast::error_code error;
   const asio::ip::address address = asio::ip::make_address(settings.address, error);
-  if (error) return CannotListen(settings, "this is no address; 127.0.0.1 is this machine, 0.0.0.0 all its networks");
+  if (error)
+    return CannotListen(settings, "this is not an address; 127.0.0.1 is this machine, 0.0.0.0 all its networks");
   Tcp::acceptor acceptor(io);
   const Tcp::endpoint endpoint(address, settings.port);
   acceptor.open(endpoint.protocol(), error);

@@ -248,7 +248,7 @@ void Session::Take(Viewer& viewer, std::string text) {
     viewer.SendText(Shared(ErrorMessage(problem, message ? message->id : "")), {});
   };
   if (!message)
-    return refuse(NewProblem("this is no request",
+    return refuse(NewProblem("this is not a request",
                              "a request is a JSON object with the field `request`, at most 256 fields in an object and "
                              "20,000 values in all (docs/serve.md)"));
   const std::string& request = message->request;

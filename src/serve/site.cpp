@@ -116,8 +116,8 @@ bool Site::IsOurHost(std::string_view host) const {
 
 bool Site::IsWelcome(const WebRequest& request, WebResponse& refusal) {
   if (!IsOurHost(request.host)) {
-    refusal = Refusal(421, "this server does not go by the name that your browser used",
-                      "whoever runs it can add the name with --host");
+    refusal = Refusal(421, "this server does not have the name that your browser used",
+                      "the server's administrator can add the name with --host");
     return false;
   }
   if (!request.origin.empty()) {
@@ -205,8 +205,8 @@ void Site::AnswerPlatform(const WebRequest& request, const std::vector<std::stri
   constexpr double kPoints = 2;
   if (lti_ == nullptr)
     return done(Refusal(404, "no learning platform may open lessons here",
-                        "whoever runs the server can name platforms with --lti FILE"));
-  if (!IsOurHost(request.host)) return done(Refusal(421, "this server does not go by the name that your browser used"));
+                        "the server's administrator can name platforms with --lti FILE"));
+  if (!IsOurHost(request.host)) return done(Refusal(421, "this server does not have the name that your browser used"));
   if (!address_costs_.MayBegin(request.address))
     return done(Refusal(429, "you ask for more than this server allows", "wait a moment"));
   address_costs_.Charge(request.address, kPoints);
@@ -227,7 +227,7 @@ const ClassList* Site::ClassOf(std::string_view key) const {
 WebResponse Site::Embedded(const WebRequest& request, const std::string& what) const {
   if (settings_.embedders.empty())
     return Refusal(404, "this server lets no other site show its worlds",
-                   "whoever runs it can name sites: --embed https://your.site.example");
+                   "the server's administrator can name sites: --embed https://your.site.example");
   WebResponse response = Page(request, what == "embed" ? "index.html" : "assets/embed.js");
   if (what == "embed.js") {
     response.headers.emplace_back("Cross-Origin-Resource-Policy", "cross-origin");
@@ -323,11 +323,12 @@ Result<void> Site::MayStart(const Session& session) const {
     if (each->address() == session.address() && !is_of_class(*each)) ++of_address;
   }
   if (all >= settings_.limits.sessions)
-    return NewProblem("this server runs as many worlds as it may (" + std::to_string(settings_.limits.sessions) + ")",
-                      "try again in some minutes");
+    return NewProblem(
+        "this server already runs the maximum number of worlds (" + std::to_string(settings_.limits.sessions) + ")",
+        "try again in some minutes");
   // All learners of a class may have the same address.
   if (of_address >= settings_.limits.sessions_per_address && !is_of_class(session))
-    return NewProblem("as many worlds run for your address as this server allows (" +
+    return NewProblem("your address already runs the maximum number of worlds (" +
                           std::to_string(settings_.limits.sessions_per_address) + ")",
                       "close one of them, or try again in some minutes");
   return {};
@@ -394,7 +395,7 @@ void Site::CleanUp() {
   std::vector<std::string> kept;
   for (auto& [id, session] : sessions_) {
     session->EndIfIdle();
-    // Since when somebody has had a mistake is known only if somebody looks.
+    // The age of a mistake is known only if it is checked regularly.
     if (!LearnerOf(id).empty()) session->Standing();
   }
   std::erase_if(sessions_, [](const auto& each) { return !each.second->is_running() && each.second->viewers() == 0; });

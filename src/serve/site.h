@@ -88,7 +88,7 @@ class Site {
   WebResponse Embedded(const WebRequest& request, const std::string& what) const;
   /// A request on the way from a learning platform.
   void AnswerPlatform(const WebRequest& request, const std::vector<std::string>& parts, Done done);
-  /// The name of the learner of a class or course whose place this is; empty: it is nobody's.
+  /// The name of the learner of a class or course who owns this place; empty: it has no owner.
   std::string LearnerOf(std::string_view place) const;
   /// The class or course whose teachers have this key; null: there is none.
   const ClassList* ClassOf(std::string_view key) const;

@@ -55,7 +55,7 @@ std::optional<std::string> Inflate(std::string_view bytes, std::uintmax_t most) 
 }
 
 Diagnostic Damaged(const std::string& why) {
-  return NewProblem("this is no zip archive that can be read: " + why);
+  return NewProblem("this is not a zip archive that can be read: " + why);
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ Result<std::vector<ZipEntry>> ReadZip(std::string_view zip, std::size_t most_fil
     std::optional<std::string> whole = method == kStored ? std::optional<std::string>(bytes) : Inflate(bytes, room);
     if (whole && whole->size() > room) whole.reset();
     if (!whole)
-      return NewProblem(entry.path + " in this archive is damaged, or all together unfolds to more than " +
+      return NewProblem(entry.path + " in this archive is damaged, or its files together need more than " +
                         std::to_string(most_bytes >> 20) + " MB");
     if (Sum(*whole) != crc) return Damaged(entry.path + " is damaged");
     sum += whole->size();

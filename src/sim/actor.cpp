@@ -268,7 +268,7 @@ void Actor::Die() {
   way_ = Way{};
   bearing_.End(world_);
   body_->SetLastCommand("dead");
-  // Dead bodies are no obstacle, and shots pass through them.
+  // Dead bodies are not obstacles, and shots pass through them.
   body_->RemovePhysics();
   body_->SetSpeed(0);
 }

@@ -41,7 +41,7 @@ struct Applier {
       names.push_back(agent->name());
     }
     const std::string_view near = Suggest(name, names);
-    Warn("there is no agent '" + name + "' for what came in from outside",
+    Warn("there is no agent '" + name + "' for this input from outside",
          near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
     return nullptr;
   }

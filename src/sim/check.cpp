@@ -127,7 +127,7 @@ class Checker {
     std::error_code error;
     if (fs::is_directory(file, error)) return CheckFolder(file);
     if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
-      problems.push_back(ProblemIn(file, "this is no plain file", "pipes and devices are not read"));
+      problems.push_back(ProblemIn(file, "this is not a plain file", "pipes and devices are not read"));
     } else if (!fs::is_regular_file(file, error)) {
       problems.push_back(ProblemIn(file, "there is no such file",
                                    "name files of rules (.soar), scripts (.lua), scenarios (.toml) or folders"));
@@ -141,7 +141,7 @@ class Checker {
       CheckScenario(file);
     } else {
       problems.push_back(
-          ProblemIn(file, "this is no file of rules, script or scenario", "they end in .soar, .lua and .toml"));
+          ProblemIn(file, "this is not a file of rules, script or scenario", "they end in .soar, .lua and .toml"));
     }
   }
 

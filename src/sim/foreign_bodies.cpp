@@ -73,7 +73,7 @@ void ForeignBodies::Apply(const ForeignBodyInput& input, std::span<const BodyKin
     }
     Body made;
     made.agent = Make(input, kinds);
-    if (made.agent == world::kNoEntity) return Warn("the world cannot take another foreign body");
+    if (made.agent == world::kNoEntity) return Warn("the world cannot hold another foreign body");
     ids_[made.agent] = input.id;
     at = bodies_.emplace(input.id, std::move(made)).first;
   }
@@ -93,7 +93,7 @@ void ForeignBodies::Apply(const ForeignGoneInput& input) {
   const auto at = bodies_.find(input.id);
   if (at == bodies_.end()) return;
   world::Agent& agent = *world_.FindAgent(at->second.agent);
-  arena_.Tell(agent.id(), "leaves", "its simulation speaks of it no more");
+  arena_.Tell(agent.id(), "leaves", "its simulation no longer reports it");
   agent.SetHealth(0);
   world_.scene().SetVisible(agent.node(), false);
   agent.SetPosition(agent.Position() - world::Vec3{0, kBelow_m, 0});

@@ -338,7 +338,7 @@ std::vector<Diagnostic> LiveEdits::Poll() {
     }
     if (is_emptied) {
       told.push_back(EditNews(Severity::kWarning, changed.file, "this file is empty: nothing was changed",
-                              std::string(kKeepsRunning) + "; leave a comment in it to take everything out"));
+                              std::string(kKeepsRunning) + "; leave a comment in it to remove everything"));
       continue;
     }
     told.insert(told.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));

@@ -27,7 +27,7 @@ constexpr std::size_t kMuch = 8;
 /// A mind that has learned this many rules is reported, because each of them must be matched.
 constexpr std::size_t kManyLearned = 500;
 constexpr const char* kGrowingRules =
-    "look for rules that add elements in each decision and never take them back; --memory gives the world more";
+    "look for rules that add elements in each decision and never remove them; --memory gives the world more";
 
 /// An event about a mind, with the rules that it runs.
 RunEvent AboutMind(EventKind kind, const std::string& name, const std::filesystem::path& rules) {

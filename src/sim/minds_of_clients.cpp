@@ -169,7 +169,7 @@ void Minds::MakeClientMind(const std::string& name) {
     RunEvent event;
     event.kind = EventKind::kDiagnostic;
     event.diagnostic = loaded.error();
-    if (id == world::kNoEntity) event.diagnostic.message = "the world cannot take another agent";
+    if (id == world::kNoEntity) event.diagnostic.message = "the world cannot hold another agent";
     return report_(std::move(event));
   }
   AddClientMind(name, *world_.FindAgent(id), *loaded->agent, loaded->thread);

@@ -234,7 +234,7 @@ Result<Scenario> FindScenario(std::string_view argument, const DataFolders& data
 
   const fs::path kind = main.extension();
   if (kind != ".toml" && kind != ".soar" && kind != ".lua") {
-    return ProblemIn(main.string(), "this is no file of rules, script or scenario",
+    return ProblemIn(main.string(), "this is not a file of rules, script or scenario",
                      "they end in .soar, .lua and .toml");
   }
 

@@ -74,7 +74,7 @@ Result<void> BuildAgent(const ScenarioFile::Agent& agent, int number, std::set<s
   problem.file = build.scenario.definition.string();
   problem.line = agent.line;
   if (id == world::kNoEntity) {
-    problem.message = "the world cannot take another agent";
+    problem.message = "the world cannot hold another agent";
     return problem;
   }
   if (const Result<void> made = build.minds.MakeMind(id, request); !made) {

@@ -53,7 +53,7 @@ std::string HintOfLine(std::string_view line, std::string_view complaint) {
   const std::size_t begin = line.find_first_not_of(" \t", sign == std::string_view::npos ? sign : sign + 1);
   if (begin == std::string_view::npos) return {};
   const std::string_view value = line.substr(begin);
-  if (value.starts_with('(')) return "a list stands between square brackets: [1, 2]";
+  if (value.starts_with('(')) return "write a list in square brackets: [1, 2]";
   for (const std::string_view word : {"yes", "no", "on", "off", "True", "False", "TRUE", "FALSE"})
     if (value.starts_with(word) && (value.size() == word.size() || value.find_first_of(" \t\r#") == word.size()))
       return "write true or false";
@@ -230,7 +230,7 @@ void ReadThings(Reader& reader, const toml::table& root, ScenarioFile& read) {
         made.size = reader.Point(*table, "size", true).value_or(world::Vec3{0.4f, 0.4f, 0.4f});
         const auto [least, most] = std::minmax({made.size.x, made.size.y, made.size.z});
         if (least < kLeastItem_m || most > kMostItem_m)
-          reader.Problem(*table->get("size"), "the sides of an item are 0.1 to 1.6 m: nobody carries more");
+          reader.Problem(*table->get("size"), "the sides of an item are 0.1 to 1.6 m: agents carry nothing larger");
         made.gives = reader.Text(*table, "gives");
         if (!made.gives.empty() && made.gives != "ammunition" && made.gives != "health")
           reader.Problem(*table->get("gives"), "an item gives \"ammunition\" or \"health\"");

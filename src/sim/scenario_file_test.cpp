@@ -33,7 +33,7 @@ TEST(ScenarioFile, AnItemHasASizeThatSomebodyCanCarry) {
   EXPECT_THAT(ProblemsOf("name = 'crate'", "[[item]]"), ElementsAre());
   for (const char* size : {"[3, 1, 1]", "[1, 0, 1]", "[1, 1, -1]"}) {
     EXPECT_THAT(ProblemsOf(std::string("name = 'crate'\nsize = ") + size, "[[item]]"),
-                ElementsAre("3: the sides of an item are 0.1 to 1.6 m: nobody carries more"));
+                ElementsAre("3: the sides of an item are 0.1 to 1.6 m: agents carry nothing larger"));
   }
   EXPECT_THAT(ProblemsOf("name = 'crate'\nsize = [nan, 1, 1]", "[[item]]"),
               ElementsAre("3: 'size' takes [width, height, length] in metres"));

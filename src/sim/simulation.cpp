@@ -50,7 +50,7 @@ Diagnostic WithCallers(const script::ScriptError& error) {
   return diagnostic;
 }
 
-/// Simulations whose commands go elsewhere: next to none.
+/// Simulations that send their commands elsewhere. There are rarely any.
 struct Redirections {
   std::mutex mutex;
   std::map<const Simulation*, CommandsElsewhere> by_simulation;

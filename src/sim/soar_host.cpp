@@ -194,7 +194,7 @@ Result<SoarHost::Loaded> SoarHost::CreateAgent(const std::string& name, const st
   if (rules.empty()) return Attach(*kernel_, name);
   const std::string file = rules.string();
   if (std::error_code error; fs::exists(rules, error) && !fs::is_regular_file(rules, error)) {
-    Diagnostic problem = NewProblem("the rules of " + name + " are no plain file", "name a file of rules");
+    Diagnostic problem = NewProblem("the rules of " + name + " are not a plain file", "name a file of rules");
     problem.file = file;
     return problem;
   }

@@ -134,7 +134,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
     if (to.empty())
       return refuse("the scenario has no rules '" + who + "'", "name an agent, or a file of rules in its folder");
     const fs::path beside = spec.file.has_parent_path() ? spec.file.parent_path() : fs::path(".");
-    if (!IsPlainFileBelow(file, {&beside, 1})) return refuse("'" + file + "' is no file beside the sweep", {});
+    if (!IsPlainFileBelow(file, {&beside, 1})) return refuse("'" + file + "' is not a file beside the sweep", {});
     fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
     if (error) return refuse("'" + file + "' cannot be copied: " + error.message(), {});
     if (is_rules) continue;

@@ -187,11 +187,12 @@ class SpecReader : public sim::TableReader {
     if (base.name.empty()) base.name = "variant-" + std::to_string(spec_.variants.size() + 1);
     const auto is_odd = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
     if (std::ranges::any_of(base.name, is_odd) || base.name.starts_with('.') || base.name.size() > 100)
-      Problem(table, "'" + base.name + "' is no name for a variant", "it names a folder: use letters, digits, - and _");
+      Problem(table, "'" + base.name + "' is not a name for a variant",
+              "it names a folder: use letters, digits, - and _");
     base.scenario = Text(table, "scenario");
     base.kernel = Text(table, "kernel");
     if (!base.kernel.empty() && !IsOfThisMachine(base.kernel))
-      Problem(*table.get("kernel"), "'" + base.kernel + "' is no kernel of this machine",
+      Problem(*table.get("kernel"), "'" + base.kernel + "' is not a kernel of this machine",
               "write \"127.0.0.1:12121\"; a sweep, which may be somebody else's, reaches no other machines");
     if (const toml::node* rules = table.get("rules")) {
       const toml::table* named = rules->as_table();

@@ -291,12 +291,12 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
     }
     const std::string &name = plan.variants[v].variant.name, &base = plan.variants.front().variant.name;
     if (both > 0 && equal == both && only_first == 0 && only_second == 0) {
-      alike_lines << "  " << name << " never differs from " << base << ": does what it changes reach the agents?\n";
+      alike_lines << "  " << name << " never differs from " << base << ": does its change reach the agents?\n";
       continue;
     }
     if (both > 0 && alike == both && only_first == 0 && only_second == 0) {
       alike_lines << "  " << name << " and " << base
-                  << " have the same numbers on each seed; does what it changes matter in these runs?\n";
+                  << " have the same numbers on each seed; does its change matter in these runs?\n";
       continue;
     }
     const auto add = [&](std::optional<Compared> compared) {

@@ -48,7 +48,7 @@ Result<Verification> VerifySweep(const fs::path& folder, const sim::DataFolders&
   std::error_code error;
   if (!fs::exists(KeptSpec(folder), error))
     return ProblemIn(folder.string(),
-                     "this is no folder of a sweep: it holds no " + KeptSpec(folder).filename().string(),
+                     "this is not a folder of a sweep: it holds no " + KeptSpec(folder).filename().string(),
                      "soarbox sweep SPEC makes one: SPEC.sweep");
   const Spec spec = ReadSpec(KeptSpec(folder), problems, true);
   if (!problems.empty()) return problems.front();

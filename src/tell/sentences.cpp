@@ -57,7 +57,7 @@ constexpr std::array kSentences = {
     Sentence{kGoesNext, "a selected operator that would not be selected again",
              "{op} is selected, but now {why}, so the next decision will drop it."},
     Sentence{kHasChanged, "preferences changed since the decision",
-             "{op} is selected, and preferences have changed since then. By the present ones: {why}."},
+             "{op} is selected, and preferences have changed since then. With the present preferences: {why}."},
     Sentence{kOneOfNext, "no operator is selected yet, several could be",
              "one of {count} indifferent operators would be selected at the next decision."},
     Sentence{kNext, "no operator is selected yet, one would be", "{op} would be selected at the next decision: {why}."},
@@ -88,17 +88,18 @@ constexpr std::array kSentences = {
     Sentence{
         kApplied, "applied, stays selected",
         "operator {op} has been applied (rule {rule}) and stays selected: its proposal still lasts, and an operator "
-        "is applied once; let the proposal test that something is left to do, and this rule change what it tests"},
+        "is applied once; let the proposal test that something is left to do, and let this rule change what the "
+        "proposal tests"},
     Sentence{
         kAppliedSilently, "applied without a command, stays selected",
         "operator {op} has been applied (rule {rule}), which gave no command, and stays selected: its proposal still "
-        "lasts, and an operator is applied once; let the proposal test that something is left to do, and this rule "
-        "change what it tests"},
+        "lasts, and an operator is applied once; let the proposal test that something is left to do, and let this rule "
+        "change what the proposal tests"},
     Sentence{kNotFiredYet, "a rule that applies it matches and has not fired",
              "operator {op} is selected in {state}, and rule {rule}, which applies it, matches but has not fired"},
     Sentence{kAnsweredOnly, "operator no-change, the rule that answers to it changes nothing",
-             "operator {op} stays selected in {state}: rule {rule} has fired for it and changes nothing that its "
-             "proposal tests, nor gives a command"},
+             "operator {op} stays selected in {state}: rule {rule} has fired for it, but neither changes what its "
+             "proposal tests nor gives a command"},
     Sentence{kNoApplierMatches, "operator no-change, rules that apply it do not match",
              "operator {op} is selected in {state} and no rule that applies it matches"},
     Sentence{kNothingBelow, "operator no-change, worked on in a substate",
@@ -111,7 +112,7 @@ constexpr std::array kSentences = {
              "rule {rule} requires {condition}"},
     Sentence{kRuleExcluded, "a rule stops at a negated condition", "rule {rule} requires no {condition}, but {found}"},
     Sentence{kNoneNow, "what a rule tests is not there", "there is none now"},
-    Sentence{kNoneNowMadeBy, "what a rule tests is another rule's to make",
+    Sentence{kNoneNowMadeBy, "another rule makes what a rule tests",
              "there is none now; rule {maker} makes it{applying}"},
     Sentence{kNoneNowMaybeBy, "another rule makes it with a value that is not known beforehand",
              "there is none now; rule {maker} may make it{applying}"},
@@ -160,7 +161,7 @@ constexpr std::array kSentences = {
     Sentence{kMadeApplying, "which rule made an element when it applied an operator, noted when it fired",
              "made by rule {rule}{when}, which applied operator {op}"},
     Sentence{kSelectedThen, "an operator was selected when a rule applied it", "operator {op} was selected{when}"},
-    Sentence{kSelectedThenBecause, "an operator was selected when a rule applied it, with the reason of then",
+    Sentence{kSelectedThenBecause, "an operator was selected when a rule applied it, with the reason at that time",
              "operator {op} was selected{when}: {why}"},
     Sentence{kSelectedWhenGiven, "an operator was selected when a command was given, in a recording",
              "when it was given, operator {op} was selected"},
@@ -180,7 +181,7 @@ constexpr std::array kSentences = {
     Sentence{kNeverGiven, "a command that a mind has not given in the run", "command {command} was never given"},
     Sentence{kOriginNotNoted, "nobody asked the kernel to note origins when the command was given",
              "which rule gave it, and for which operator, was not noted"},
-    Sentence{kDead, "an agent is dead, and nothing told how it died", "is dead"},
+    Sentence{kDead, "an agent is dead, and nothing reported how it died", "is dead"},
     Sentence{kDied, "an agent is dead", "died at {time} s: {how}"},
     Sentence{kHaltedBy, "the program halted itself", "rule {rule} calls (halt)"},
     Sentence{kHaltedByOneOf, "the program halted itself, several rules have called it",
@@ -247,10 +248,10 @@ std::string Listed(std::span<const std::string> parts) {
 std::string AnswersPage() {
   std::string page =
       "# Answers\n\n"
-      "What Soarbox says about a mind: for each situation a sentence, or a part of one. `soarbox why`, `soarbox "
-      "inspect`,\n"
-      "the panels, reports of agents that do nothing, and recordings all take their words from this table\n"
-      "(`src/tell/sentences.cpp`). A word between { and } is replaced by a fact. A test compares this page with the\n"
+      "This page lists the sentences, and parts of sentences, with which Soarbox describes a mind. `soarbox why`, "
+      "`soarbox\n"
+      "inspect`, the panels, reports about idle agents, and recordings take their text from this table\n"
+      "(`src/tell/sentences.cpp`). Values replace the words between { and }. A test compares this page with the "
       "table.\n\n"
       "| situation | sentence |\n"
       "| --- | --- |\n";

@@ -41,7 +41,7 @@ MeshData ModelMesh(const model::Model& model) {
 
 bool WearsItsOwn(const DrawableSnapshot& drawable, const std::string& own_material) {
   const std::string& wanted = drawable.material.value();
-  // "NobiaxModular" is what the pieces of the kit wear anyway.
+  // "NobiaxModular" is the default material of the kit's pieces.
   return wanted.empty() || own_material == kModelMaterial ||
          (drawable.shape == ShapeKind::kMesh && wanted == "NobiaxModular");
 }

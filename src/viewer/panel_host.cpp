@@ -81,7 +81,7 @@ void PanelHost::EndFrame() {
   ImGui::EndFrame();
   for (const std::string& name : CutOverfullWindows())
     if (told_cut_.insert(name).second)
-      std::cerr << "soarbox: warning: " << name << " holds too much to be drawn whole\n";
+      std::cerr << "soarbox: warning: " << name << " contains too much to be drawn completely\n";
 }
 
 }  // namespace soarbox::viewer

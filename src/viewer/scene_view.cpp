@@ -120,7 +120,7 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
   if (thing.clothes == clothes) return;
   Undress(thing);
   const MeshLibrary::Found& mesh = meshes_.For(drawable, agent_body);
-  if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares stands in for it");
+  if (mesh.is_stand_in) WarnOnce("mesh", drawable.mesh, "a box with magenta squares is shown instead");
   const bool from_mesh = WearsItsOwn(drawable, mesh.material);
   const std::string& name = own_color ? agent->kind : from_mesh ? mesh.material : drawable.material.value();
   const auto material = [&](Placing placing) -> const Materials::Found& {
@@ -128,7 +128,7 @@ void SceneView::Dress(Thing& thing, const DrawableSnapshot& drawable, const worl
                      : materials_.Named(name, placing);
   };
   const Materials::Found& found = material(Placing::kMany);
-  if (found.is_stand_in) WarnOnce("material", name, "magenta squares stand in for it");
+  if (found.is_stand_in) WarnOnce("material", name, "magenta squares are shown instead");
   const Ogre::MeshPtr& finest = mesh.levels.front();
   thing.radius_m = finest->getBoundingSphereRadius();
   thing.height_m = finest->getBounds().getSize().y;
@@ -225,7 +225,7 @@ InstanceBatch& SceneView::BodiesOf(const Thing& thing, BodyDetail detail) {
   batch = std::make_unique<InstanceBatch>(scene_, bodies_.For(thing.look, detail), 1);
   const Materials::Found& found =
       thing.material.empty() ? materials_.Soldier() : materials_.Named(thing.material, Placing::kBones);
-  if (found.is_stand_in) WarnOnce("material", thing.material, "magenta squares stand in for it");
+  if (found.is_stand_in) WarnOnce("material", thing.material, "magenta squares are shown instead");
   batch->setMaterial(found.material);
   batch->setCastShadows(found.is_opaque);
   batch->setRenderQueueGroup(found.is_opaque ? kSolidQueue : kClearQueue);

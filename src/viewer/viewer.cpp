@@ -135,7 +135,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   shows_news |= newest.tick != scene.tick || newest.camera_moves != camera_moves;
   if (lights->Update(newest)) materials->UseFurtherLights();
   lights->SetSkyRotation(newest.sky_rotation_deg);
-  if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water stand in for it");
+  if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water are shown instead");
 
   if (!options.hidden) sounds.Take(newest, camera.pose(), !status.paused);
   // Pictures are taken of a camera that had the time that it has in a window.
@@ -200,7 +200,7 @@ void Viewer::Impl::Apply(const FrameInput& in, float seconds) {
   camera.Update(steer, seconds, camera.agent() != 0 ? Find(camera.agent()) : nullptr,
                 static_cast<float>(engine->height()));
   if (options.hidden) camera.Arrive();
-  if (kept_before && !camera.keeps()) Notice("The camera is yours; Home gives it back");
+  if (kept_before && !camera.keeps()) Notice("You control the camera; Home makes it automatic again");
   hovered = cursor ? AgentUnder(*cursor) : 0;
   notice_s = std::max(0.0f, notice_s - seconds);
 }

@@ -72,7 +72,7 @@ void Viewer::Impl::SetCamera(CameraMode mode) {
     const auto living = std::find_if(scene.agents.begin(), scene.agents.end(), [](const auto& a) { return a.alive; });
     if (living != scene.agents.end()) selection = {living->id};
   }
-  if (!camera.SetMode(mode, Selected())) Notice("There is no agent to go along with");
+  if (!camera.SetMode(mode, Selected())) Notice("There is no agent to follow");
 }
 
 /// Whether all agents are in the picture and large enough, so that the script's view is good.

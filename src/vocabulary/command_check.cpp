@@ -89,7 +89,7 @@ CommandFault CheckCommand(const SaidCommand& command) {
     if (const Percept* other = OtherValue(command.parameters, given); other != nullptr) {
       return {"bad-value", given.attribute,
               "^" + given.attribute + " of " + command.name + " has two values, " + DescribeValue(given) + " and " +
-                  DescribeValue(*other) + ": it takes one; a sum is (+ 1 2), and ^name <n> - takes the old value away"};
+                  DescribeValue(*other) + ": it takes one; a sum is (+ 1 2), and ^name <n> - removes the old value"};
     }
     if (!IsGood(*parameter, given)) {
       const std::string range = DescribeRange(parameter->unit, parameter->min, parameter->max, parameter->words);

@@ -29,8 +29,8 @@ const std::vector<CommandRow>& Table() {
        TakesPlace::kRequired,
        "Walk to a place, around what is in the way, and stop there",
        {Metres("within", 0.1, 100,
-               "How near is near enough (default 0.75). From the middle of the agent to the place; to a thing or "
-               "an agent, from skin to skin: its `^range` is larger by the radius of both"),
+               "The distance that counts as arrived (default 0.75). To a place, it is measured from the middle of the "
+               "agent; to a thing or an agent, between the two surfaces: its `^range` is larger by both radii"),
         Agent("away-from", false, "An agent to keep away from on the way"),
         Metres("gap", 1, 100, "How far away from it (default 6)")},
        "the agent is near enough and has stopped",

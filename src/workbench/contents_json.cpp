@@ -239,9 +239,9 @@ constexpr ContentField kFields[] = {
      "`can_resume` (else "
      "`resume_refusal`), `branch_tick` (null: none) and `branches`",
      [](const Contents& c) { return MomentJson(c.moment); }},
-    {"moment", "not_available", "", "why nothing of the mind's inside is shown; empty: something is",
+    {"moment", "not_available", "", "why the mind's contents are not shown; empty: they are shown",
      [](const Contents& c) -> Json { return c.not_available; }},
-    {"moment", "past_note", "", "how far a recorded moment is from being simulated again, or why it cannot be",
+    {"moment", "past_note", "", "the progress of simulating a recorded moment again, or why this is impossible",
      [](const Contents& c) -> Json { return c.past_note; }},
     {"moment", "not_recorded", "", "not empty: contents come from a recording, which does not hold the mind's memory",
      [](const Contents& c) -> Json { return c.not_recorded; }},
@@ -261,18 +261,18 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) { return debugger::ToJson(c.stack); }},
     {"memory", "objects", "", "objects that are unfolded, by identifier, each as `inspect --view \"memory ID\"` has it",
      ObjectsJson},
-    {"memory", "element", "", "the element that is looked at, as `inspect --view \"memory TIMETAG\"` has it; or null",
+    {"memory", "element", "", "the selected element, as `inspect --view \"memory TIMETAG\"` has it; or null",
      [](const Contents& c) { return OrNull(c.story); }},
     {"memory", "found", "", "elements with the text that is searched",
      [](const Contents& c) { return ListOf(c.found); }},
 
     {"rules", "rules", "rules", "all rules, with firings and matches",
      [](const Contents& c) { return debugger::ToJson(c.rules); }},
-    {"rules", "rule", "rule", "the rule that is looked at: its source, and how far it matches; or null",
+    {"rules", "rule", "rule", "the selected rule: its source, and how far it matches; or null",
      [](const Contents& c) { return OrNull(c.rule); }},
-    {"rules", "rule_text", "", "that rule as its author wrote it; empty if no file tells",
+    {"rules", "rule_text", "", "that rule as its author wrote it; empty if no file contains it",
      [](const Contents& c) -> Json { return c.rule_text; }},
-    {"rules", "rule_file", "", "the file that it stands in", [](const Contents& c) -> Json { return c.rule_file; }},
+    {"rules", "rule_file", "", "the file that contains it", [](const Contents& c) -> Json { return c.rule_file; }},
     {"rules", "rule_line", "", "and the line", [](const Contents& c) -> Json { return c.rule_line; }},
     {"rules", "coverage", "coverage", "which rules fired, and where the others stop; after `coverage` was asked for",
      [](const Contents& c) { return debugger::ToJson(c.coverage); }},
@@ -301,7 +301,8 @@ constexpr ContentField kFields[] = {
     {"console", "lines", "console", "the newest lines of the selected agent's console", ConsoleJson},
     {"console", "completed_line", "", "the line that `complete` asked for last",
      [](const Contents& c) -> Json { return c.completed_line; }},
-    {"console", "completion", "", "how it may go on: `begin` of its last word, `words`, and their `common` beginning",
+    {"console", "completion", "",
+     "possible completions: `begin` of its last word, `words`, and their `common` beginning",
      [](const Contents& c) -> Json {
        return {{"begin", c.completion.begin}, {"words", c.completion.words}, {"common", c.completion.common}};
      }},
@@ -324,20 +325,20 @@ constexpr ContentField kFields[] = {
        });
      }},
     {"edit", "edit", "",
-     "the one that is looked at: `file` (empty: none), `text`, `version` (grows when the text comes from elsewhere), "
+     "the file that is shown: `file` (empty: none), `text`, `version` (grows when the text comes from elsewhere), "
      "`problems`, `notice`, `is_changed`, `is_unsaved`, `go_to_line`, `go_to_count`",
      [](const Contents& c) { return EditJson(c.edit); }},
 
     {"breakpoints", "breakpoints", "", "`number`, `kind`, `agent`, `what`, `enabled`, `hits`",
      [](const Contents& c) { return debugger::ToJson(c.breakpoints); }},
-    {"breakpoints", "hits", "", "why the world stands still: `number`, `agent`, `tick`, `why`",
+    {"breakpoints", "hits", "", "why the world is paused: `number`, `agent`, `tick`, `why`",
      [](const Contents& c) {
        return ListOf(c.hits, [](const debugger::BreakHit& hit) -> Json {
          return {{"number", hit.number}, {"agent", hit.agent}, {"tick", hit.tick}, {"why", hit.why}};
        });
      }},
 
-    {"futures", "futures", "", "the old future beside the new one; null: the run never went back",
+    {"futures", "futures", "", "the old future next to the new one; null: the run never went back",
      [](const Contents& c) { return c.futures ? FuturesJson(*c.futures) : Json(); }},
 
     {"problems", "problems", "",
@@ -345,7 +346,7 @@ constexpr ContentField kFields[] = {
      "`endless`, `refused`, `furthest`, `awaits`, `stalled`, `waiting`, `symptom`)",
      [](const Contents& c) { return ListOf(c.problems, ProblemJson); }},
 
-    {"watch", "agents", "", "whose minds are looked at side by side",
+    {"watch", "agents", "", "the agents with minds shown side by side",
      [](const Contents& c) -> Json { return c.beside; }},
     {"watch", "rows", "", "`what` is watched, and a cell for each agent: `text`, `is_new`, `is_error`, `tick`",
      [](const Contents& c) { return ListOf(c.watches, WatchJson); }},
@@ -369,7 +370,7 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) { return debugger::ToJson(c.long_term); }},
     {"longterm", "known_search", "", "the text that all objects in it have",
      [](const Contents& c) -> Json { return c.known_search; }},
-    {"longterm", "episode", "", "the episode that is looked at, as `inspect --view \"longterm #EPISODE\"` has it",
+    {"longterm", "episode", "", "the selected episode, as `inspect --view \"longterm #EPISODE\"` has it",
      [](const Contents& c) { return debugger::ToJson(c.episode); }},
     {"longterm", "recalls", "", "what was recalled last, and why", RecallsJson},
 
@@ -379,9 +380,9 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) {
        return c.learning_log == nullptr ? Json::array() : debugger::ToJson(c.learning_log->episodes());
      }},
-    {"learning", "rule", "", "the learned rule that is looked at, as `inspect --view \"learning #RULE\"` has it",
+    {"learning", "rule", "", "the selected learned rule, as `inspect --view \"learning #RULE\"` has it",
      [](const Contents& c) { return debugger::ToJson(c.learned_rule); }},
-    {"learning", "curves", "", "rules whose learned values are drawn",
+    {"learning", "curves", "", "rules with learned values that are drawn",
      [](const Contents& c) { return Json(c.learning_curves); }},
 
     {"exercise", "exercise", "",
@@ -392,7 +393,8 @@ constexpr ContentField kFields[] = {
 
     {"imagery", "imagery", "imagery", "the scene of each state, what its rules ask, and the answers",
      [](const Contents& c) { return debugger::ToJson(c.imagery); }},
-    {"imagery", "state", "", "whose scene is drawn over the world; empty: what the agent made up in any",
+    {"imagery", "state", "",
+     "the state with the scene that is drawn over the world; empty: what the agent made up in any state",
      [](const Contents& c) -> Json { return c.imagined_state; }},
     {"imagery", "record", "", "the answer that is drawn; empty: none",
      [](const Contents& c) -> Json { return c.imagined_record; }},
@@ -409,18 +411,19 @@ constexpr ContentField kFields[] = {
      [](const Contents& c) -> Json { return c.all_files; }},
     {"offers", "searched", "", "the text that is searched everywhere",
      [](const Contents& c) -> Json { return c.searched; }},
-    {"offers", "places", "", "where it stands: `kind`, `title`, `detail`, `agent`, `file`, `line`, `tick`, `id`",
+    {"offers", "places", "",
+     "where the text was found: `kind`, `title`, `detail`, `agent`, `file`, `line`, `tick`, `id`",
      [](const Contents& c) { return ListOf(c.places, PlaceJson); }},
 
     {"ghosts", "ghosts", "",
-     "figures that are not there: `name`, `agent_id`, `kind`, `team`, `position`, `forward`, `radius_m`, `height_m`",
+     "figures without a body: `name`, `agent_id`, `kind`, `team`, `position`, `forward`, `radius_m`, `height_m`",
      [](const Contents& c) { return ListOf(c.ghosts, GhostJson); }},
     {"ghosts", "shapes", "",
      "what the selected agent imagines: `name`, `state`, `kind` (`made-up`, `sensed`, `remembered`), `points` (x, y, z "
      "of each, in metres of the world), `edges` and `faces` (two and three numbers of points each)",
      [](const Contents& c) { return ListOf(c.shapes); }},
     {"ghosts", "answer", "",
-     "what shows why the answer that is looked at is so: `text`, `lines` (`from`, `to`, `is_crossed`)",
+     "what shows the reason of the selected answer: `text`, `lines` (`from`, `to`, `is_crossed`)",
      [](const Contents& c) -> Json {
        return {{"text", c.answer_lines.text}, {"lines", ListOf(c.answer_lines.lines)}};
      }},
@@ -442,7 +445,7 @@ std::vector<std::string_view> ContentNames() {
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents) {
   std::vector<std::string_view> names = ContentNames();
   std::erase_if(names, [&](std::string_view name) {
-    // A page that has ghosts must be told when they are gone.
+    // A page that has ghosts must be notified when they are gone.
     if (name == "moment" || name == "ghosts") return false;
     if (name == "offers") return contents.scenarios.empty() && contents.places.empty();
     return !panels.Has(*FindPanel(name));

@@ -123,7 +123,7 @@ struct Desk::Visitor {
   void operator()(const SearchRequest& request) const { desk.searched_ = request.text; }
   void operator()(const OfferRequest& request) const { desk.offers_ = request.is_on; }
   void operator()(const BreakRequest& request) const {
-    if (desk.run_ == nullptr) return surroundings.Tell("Nothing stops a recording: breakpoints are for a run");
+    if (desk.run_ == nullptr) return surroundings.Tell("Breakpoints stop a run, not a recording");
     if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
       desk.NoteProblem(set.error(), request.agent);
   }

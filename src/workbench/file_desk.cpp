@@ -34,7 +34,7 @@ void FileDesk::Edit(const EditRequest& request, const std::string& agent) {
     Diagnostic problem;
     problem.file = name;
     problem.message = "the run was not made from this file";
-    problem.hint = "only files of the run, and files of your own beside them, can be edited here";
+    problem.hint = "only files of the run, and your own files next to them, can be edited here";
     return common_.note_problem(std::move(problem), agent);
   }
   if (!files_.contains(name)) {
@@ -141,8 +141,8 @@ void FileDesk::Save(Open& file) {
   const Result<void> saved =
       common_.surroundings.MayWrite(shown.file)
           ? file.edit.Save()
-          : Result<void>(ProblemIn(shown.file, "this file is not yours to write",
-                                   "Apply lets the running world have your change; it is kept as your draft"));
+          : Result<void>(ProblemIn(shown.file, "you may not write this file",
+                                   "Apply uses your change in the running world; it is kept as your draft"));
   file.failure = saved ? std::string{} : saved.error().message + ": " + saved.error().hint;
   file.has_draft = true;
   if (!saved) {

@@ -54,7 +54,8 @@ TEST(Requests, SayWhatIsWrongWithThem) {
   EXPECT_THAT(ErrorOf("{}").message, HasSubstr("'request'"));
   EXPECT_THAT(ErrorOf(R"({"request": 3})").message, HasSubstr("'request'"));
   EXPECT_THAT(ErrorOf(R"({"request": "seak"})").hint, HasSubstr("'seek'"));
-  EXPECT_THAT(ErrorOf(R"({"request": "seek", "tik": 3, "tick": 1})").message, HasSubstr("tik is no field"));
+  EXPECT_THAT(ErrorOf(R"({"request": "seek", "tik": 3, "tick": 1})").message,
+              HasSubstr("tik is not one of its fields"));
   EXPECT_THAT(ErrorOf(R"({"request": "seek", "tick": -3})").message, HasSubstr("0 or more"));
   EXPECT_THAT(ErrorOf(R"({"request": "seek", "tick": 1e300})").message, HasSubstr("whole number"));
   EXPECT_THAT(ErrorOf(R"({"request": "edit", "file": "x", "line": 99999999999})").message, HasSubstr("line"));

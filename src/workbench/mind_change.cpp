@@ -38,7 +38,7 @@ std::string MindChange::Await(sim::Simulation* live, const std::string& agent, s
   AwaitNothing();
   if (agent.empty()) return "Select the Soar agent whose mind is to change";
   before_ = Now(live, agent, tick);
-  return before_.agent.empty() ? agent + " has no Soar mind that can be looked into" : std::string();
+  return before_.agent.empty() ? agent + " has no Soar mind that can be inspected" : std::string();
 }
 
 void MindChange::Look(sim::Simulation& live, const record::TickRecord& tick) {

@@ -45,10 +45,10 @@ struct PanelInfo {
 
 /// One line for each panel, in the order of PanelId.
 inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
-    {PanelId::kAgents, "agents", "Agents", "Everybody in the world: team, state, operator, command. Click to select.",
+    {PanelId::kAgents, "agents", "Agents", "All agents of the world: team, state, operator, command. Click to select.",
      'A'},
     {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won.", 'M'},
-    {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; what changed is marked.", 'E'},
+    {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; changes are marked.", 'E'},
     {PanelId::kRules, "rules", "Rules", "The rules with how often they fired, what they match now, or where they fail.",
      'R'},
     {PanelId::kWhy, "why", "Why", "Why the agent does what it does, and why it does not do something else.", 'W'},
@@ -64,7 +64,7 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kBreakpoints, "breakpoints", "Breakpoints", "Stop the world when a rule fires, an impasse occurs, ...",
      'B'},
     {PanelId::kFutures, "futures", "Futures",
-     "After going back: the old future beside the new one, and where they differ.", 'U'},
+     "After going back: the old future next to the new one, and where they differ.", 'U'},
     {PanelId::kProblems, "problems", "Problems", "Errors and warnings in full, with file and line.", 'O'},
     {PanelId::kWatch, "watch", "Watch",
      "Values and Soar commands that you want to see at each decision, for several agents side by side.", 'H'},
@@ -76,7 +76,8 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kLearning, "learning", "Learning",
      "Rules that the agent learned, with their reasons; values learned from reward, as numbers and curves.", 'N'},
     {PanelId::kExercise, "exercise", "Exercise",
-     "The exercise of other simulations that the run takes part in (DIS): who is there, what passes, what is dropped.",
+     "The exercise (DIS) that the run shares with other simulations: their entities, sent and received PDUs, dropped "
+     "PDUs.",
      'X'},
     {PanelId::kImagery, "imagery", "Imagery",
      "What the agent imagines: the scene of each state, what its rules ask of it, the answers, and why they are so.",

@@ -19,9 +19,9 @@ std::string Cell(std::string_view text) {
 }
 
 std::string AboutContent(std::string_view name) {
-  if (name == "moment") return "Where the run stands, and who is selected.";
+  if (name == "moment") return "The current moment of the run, and the selected agent.";
   if (name == "offers") return "What can be opened and found, while `offer` is on.";
-  if (name == "ghosts") return "What is drawn beside the bodies that are there.";
+  if (name == "ghosts") return "What is drawn in addition to the bodies of the world.";
   const std::optional<PanelId> panel = FindPanel(name);
   return panel ? std::string(InfoOf(*panel).about) : std::string();
 }
@@ -33,7 +33,7 @@ std::string PanelTable() {
   std::string text =
       "// SPDX-License-Identifier: BSD-2-Clause\n"
       "// Written by reference_pages from src/workbench/panel_id.h.\n\n"
-      "/** What is said about a panel wherever it is offered. */\n"
+      "/** Word, title and description of a panel. */\n"
       "export interface PanelInfo {\n  readonly word: string;\n  readonly title: string;\n  readonly about: string;\n"
       "  readonly hasDocument: boolean;\n}\n\nexport const PANELS: readonly PanelInfo[] = [\n";
   for (const PanelInfo& info : kPanelInfos) {
@@ -42,8 +42,7 @@ std::string PanelTable() {
             ",\n    hasDocument: " + (document::HasDocument(info.id) ? "true" : "false") + ",\n  },\n";
   }
   text +=
-      "];\n\n/** Which panels stand where to begin with; what agents print is the page's own panel. "
-      "*/\n"
+      "];\n\n/** The initial positions of panels. The page adds its own panel for the output of agents. */\n"
       "export const ARRANGEMENTS = {\n";
   for (const Arrangement& arranged : {kWorldArrangement, kLessonArrangement, kReportArrangement}) {
     text += "  " + std::string(arranged.word) + ": {\n";
@@ -91,8 +90,8 @@ const char* const kDocuments =
     "groups, `chosen`), `press`, `caption`, `filter`, `groups`, `none`, `sorts`, `headless`. A cell is spans, or has "
     "`s`, `n` (what it is "
     "sorted by) and `bar` |\n"
-    "| `tree` | `key`, `label`, `rows` (`k`, `s`, `a`, `open`, `below`), `press`, `unfold` (the run keeps what is "
-    "unfolded), `filter` |\n"
+    "| `tree` | `key`, `label`, `rows` (`k`, `s`, `a`, `open`, `below`), `press`, `unfold` (the run stores which rows "
+    "are unfolded), `filter` |\n"
     "| `plot` | `key`, `title`, `value`, `range`, `curves` (`name`, `points`: tick and value), `stepped`, `button` |\n"
     "| `strip` | `key`, `label`, `count`: numbers from 1 of which one is `chosen` (0: none), `marks`, `mark`: what the "
     "marked ones are, `press` |\n"
@@ -101,17 +100,16 @@ const char* const kDocuments =
     "| `columns` | `parts`: sections side by side |\n"
     "| `facts` | `rows`: pairs of a name and spans |\n\n"
     "**Spans** are a text, or a list of texts and of `[text, role, action, hint]`; a number instead of the text is a "
-    "tick: its time "
-    "leads there.\nAn **action** is `[request, panel]`: the panel comes to the front. `press` and `unfold` are `{do, "
+    "tick: it is shown as a time, and a click goes there.\nAn **action** is `[request, panel]`: the panel comes to the "
+    "front. `press` and `unfold` are `{do, "
     "field, argument}`: the "
     "request's field becomes\nthe row's key, or its n-th argument. **Keys** stay the same from one document to the "
-    "next, so that "
-    "selection, filters and what is unfolded stay.\n";
+    "next, so that selection, filters and unfolded rows are kept.\n";
 
 std::string WorkbenchReference() {
   std::string text =
       "# Contents and requests\n\n"
-      "`src/workbench` holds what everybody who watches a run works with. **Contents** are the values that panels "
+      "`src/workbench` is the common model of all programs that show a run. **Contents** are the values that panels "
       "show. **Requests** say what\nthe user wants. A **desk** (`workbench/desk.h`) turns requests into contents, tick "
       "by tick, for a live run and for a recording. Windows\nand pages only draw contents and send requests. This page "
       "is made from the tables in `contents_json.cpp` and `requests_json.cpp`\n(`reference_pages docs`); "
@@ -133,9 +131,9 @@ std::string WorkbenchReference() {
   }
   text +=
       "\n## Contents\n\n"
-      "The contents of a panel are an object, named by the panel's word. They are filled in while the panel is looked "
-      "at (request `look`).\nWhat grows with the run is cut: the newest 500 lines. Where a view is named, "
-      "`soarbox inspect --json --view VIEW` prints the same form.\n";
+      "The contents of a panel are an object, named by the panel's word. They are filled in while the panel is visible "
+      "(request `look`).\nLists that grow with the run contain only the newest 500 lines. If a view is named, `soarbox "
+      "inspect --json --view VIEW` prints the same form.\n";
   for (const std::string_view name : ContentNames()) {
     text += "\n### " + std::string(name) + "\n\n" + AboutContent(name) +
             "\n\n| field | what it is | view |\n| --- | --- | --- |\n";

@@ -39,7 +39,7 @@ void Fields(auto& visit, SelectRequest& r) {
   visit("agent", r.agent, "its name; empty: nobody", kNeeded);
 }
 void Fields(auto& visit, LookRequest& r) {
-  visit("panels", r.panels, "which contents are looked at: words of panels", kNeeded);
+  visit("panels", r.panels, "the visible panels, by their words", kNeeded);
 }
 void Fields(auto& visit, OpenFileRequest& r) {
   visit("file", r.file, "the file", kNeeded);
@@ -88,14 +88,14 @@ void Fields(auto& visit, ElementRequest& r) {
   visit("timetag", r.timetag, "its time tag; 0: no element any more", kNeeded);
 }
 void Fields(auto& visit, SearchMemoryRequest& r) {
-  visit("text", r.text, "what elements are to have in them; empty: nothing is searched", kNeeded);
+  visit("text", r.text, "the text that elements must contain; empty: nothing is searched", kNeeded);
 }
 void Fields(auto& visit, RuleRequest& r) {
   visit("rule", r.rule, "its name; empty: no rule any more", kNeeded);
 }
 void Fields(auto&, CoverageRequest&) {}
 void Fields(auto& visit, SearchKnownRequest& r) {
-  visit("text", r.text, "what objects are to have in them; empty: all", kNeeded);
+  visit("text", r.text, "the text that objects must contain; empty: all", kNeeded);
 }
 void Fields(auto& visit, EpisodeRequest& r) {
   visit("number", r.number, "counted from 1; 0: no episode any more", kNeeded);
@@ -112,11 +112,11 @@ void Fields(auto& visit, WhyRequest& r) {
   visit("what", r.what, "a name, or the time tag of an element; not needed for `agent`", kOptional);
 }
 void Fields(auto& visit, ImagineRequest& r) {
-  visit("state", r.state, "the scene of this state, \"S1\"; empty: what the agent made up in any", kOptional);
+  visit("state", r.state, "the scene of this state, \"S1\"; empty: what the agent made up in any state", kOptional);
   visit("record", r.record, "with lines that show why the answer of this record is so; empty: none", kOptional);
 }
 void Fields(auto& visit, PlotRequest& r) {
-  visit("agent", r.agent, "whose number it is", kNeeded);
+  visit("agent", r.agent, "the agent that has the number", kNeeded);
   visit("what", r.what, "one of `plottable`, or a percept's path", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
@@ -127,7 +127,7 @@ void Fields(auto& visit, EditRequest& r) {
 }
 void Fields(auto& visit, EditTextRequest& r) {
   visit("what", r.what, kEditText, "what to do", kNeeded);
-  visit("text", r.text, "the whole text as it is typed now", kNeeded);
+  visit("text", r.text, "the complete text as it is typed now", kNeeded);
 }
 void Fields(auto&, SaveAllRequest&) {}
 void Fields(auto& visit, OpenRunRequest& r) {
@@ -149,7 +149,7 @@ void Fields(auto& visit, OfferRequest& r) {
 }
 void Fields(auto& visit, BreakRequest& r) {
   visit("kind", r.kind, kBreakNames, "what it waits for", kNeeded);
-  visit("agent", r.agent, "whose mind; empty: any", kOptional);
+  visit("agent", r.agent, "the agent that it is about; empty: any", kOptional);
   visit("what", r.what,
         "a rule, `ID ^attribute value`, `^attribute < number`, an operator, an impasse, a command, a check or a "
         "second; * "
@@ -268,7 +268,7 @@ struct Reader {
     const bool is_whole = found->is_number_integer() &&
                           (found->is_number_unsigned() || found->get<std::int64_t>() >= 0) &&
                           std::in_range<Whole>(found->get<std::uint64_t>());
-    if (!is_whole) return Refuse(name, "is to be a whole number, 0 or more");
+    if (!is_whole) return Refuse(name, "must be a whole number, 0 or more");
     value = static_cast<Whole>(found->get<std::uint64_t>());
   }
   /// For int and unsigned types of every size: std::size_t and std::uint64_t are two types on some platforms.
@@ -342,45 +342,45 @@ constexpr Row RowOf(std::string_view name, std::string_view about) {
 
 /// All requests.
 constexpr Row kRows[] = {
-    RowOf<SelectRequest>("select", "Look at an agent of the world: most contents are about it."),
-    RowOf<LookRequest>("look", "Which panels are looked at; the others get no contents."),
+    RowOf<SelectRequest>("select", "Select an agent of the world; most contents are about it."),
+    RowOf<LookRequest>("look", "Set the visible panels; the others get no contents."),
     RowOf<OpenFileRequest>("open-file", "Open a file in the user's own editor; in a window only."),
     RowOf<ConsoleRequest>("console", "Carry out a line of the Soar command language for an agent."),
-    RowOf<CompleteRequest>("complete", "How the word that a line ends with may go on."),
-    RowOf<KeepLineRequest>("keep-line", "Keep a line that is typed and not sent."),
+    RowOf<CompleteRequest>("complete", "Complete the last word of a line."),
+    RowOf<KeepLineRequest>("keep-line", "Store a line that was typed but not sent."),
     RowOf<ClearConsoleRequest>("clear-console", "Forget what the selected agent's console has printed."),
     RowOf<ClearProblemsRequest>("clear-problems", "Forget the problems so far."),
     RowOf<SeekRequest>("seek", "Show a past tick; a run pauses."),
     RowOf<LiveRequest>("live", "Show the newest tick, and follow it."),
     RowOf<ResumeRequest>("resume", "Go on from the tick that is shown; what came after it becomes the old future."),
-    RowOf<SpeedRequest>("set-speed", "How fast the world goes."),
+    RowOf<SpeedRequest>("set-speed", "Set the speed of the world."),
     RowOf<SavePictureRequest>("save-picture", "Write the window as a picture; in a window only."),
-    RowOf<TellRequest>("tell", "Tell the user that something was done."),
-    RowOf<TraceRequest>("trace", "Which lines of the trace are shown."),
+    RowOf<TellRequest>("tell", "Show a notice to the user."),
+    RowOf<TraceRequest>("trace", "Select the lines of the trace that are shown."),
     RowOf<StateRequest>("state", "Show the operators of this state."),
     RowOf<ObjectRequest>("object", "Unfold an object of working memory, or fold it."),
-    RowOf<ElementRequest>("element", "Tell all about an element."),
+    RowOf<ElementRequest>("element", "Show everything about an element."),
     RowOf<SearchMemoryRequest>("search-memory", "Find elements of working memory."),
-    RowOf<RuleRequest>("rule", "Tell all about a rule."),
-    RowOf<CoverageRequest>("coverage", "Tell which rules took part so far, and how far the others match now."),
+    RowOf<RuleRequest>("rule", "Show everything about a rule."),
+    RowOf<CoverageRequest>("coverage", "Report which rules took part so far, and how far the others match now."),
     RowOf<SearchKnownRequest>("search-known", "Find objects of long-term memory."),
     RowOf<EpisodeRequest>("episode", "Look at an episode of the selected agent."),
     RowOf<LearnedRuleRequest>("learned-rule", "Show how a rule was learned, and where it fired."),
     RowOf<CurveRequest>("curve", "Draw the learned value of a rule as a curve."),
-    RowOf<WhyRequest>("ask", "Why something is, or is not."),
+    RowOf<WhyRequest>("ask", "Explain why something is so, or is not so."),
     RowOf<ImagineRequest>("imagine", "Draw what the selected agent imagines over the world."),
     RowOf<PlotRequest>("plot", "Draw a number of an agent over time."),
     RowOf<EditRequest>("edit", "Edit a file that the run was made from."),
-    RowOf<EditTextRequest>("edit-text", "What to do with the edited text."),
+    RowOf<EditTextRequest>("edit-text", "Check, apply, save or revert the edited text."),
     RowOf<SaveAllRequest>("save-all", "Write all files that have changes."),
     RowOf<OpenRunRequest>("open-run", "Show another world or recording; in a window only."),
-    RowOf<WatchRequest>("watch", "Print this of minds again and again."),
-    RowOf<BesideRequest>("beside", "Look at an agent's mind beside those of others."),
+    RowOf<WatchRequest>("watch", "Show a value, or the output of a command, after each decision."),
+    RowOf<BesideRequest>("beside", "Show an agent's mind next to those of others."),
     RowOf<SearchRequest>("search", "Find a text in rules, scripts, memory and the trace."),
-    RowOf<OfferRequest>("offer", "Tell what can be opened and searched."),
+    RowOf<OfferRequest>("offer", "List what can be opened and searched."),
     RowOf<BreakRequest>("break", "Stop the world when something happens in a mind."),
     RowOf<ChangeBreakRequest>("change-break", "Remove a breakpoint, or switch it on or off."),
-    RowOf<LessonRequest>("lesson", "Help with a lesson, its grade, or another lesson."),
+    RowOf<LessonRequest>("lesson", "Get a hint or the grade of a lesson, or open another lesson."),
 };
 static_assert(std::size(kRows) == std::variant_size_v<Request>);
 
@@ -406,7 +406,7 @@ Result<Request> ReadRequest(const Json& json) {
     for (const auto& [key, value] : json.items()) {
       const std::string_view near = Suggest(key, reader.known);
       if (std::find(reader.known.begin(), reader.known.end(), key) == reader.known.end())
-        reader.Refuse(key, "is no field of it", near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
+        reader.Refuse(key, "is not one of its fields", near.empty() ? "" : "did you mean '" + std::string(near) + "'?");
     }
     if (!reader.mistake.empty()) return NewProblem("request " + name + ": " + reader.mistake, reader.hint);
     return request;

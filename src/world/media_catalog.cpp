@@ -92,13 +92,13 @@ bool MediaCatalog::HasMaterial(std::string_view name) const {
 MeshBounds MediaCatalog::LookUpMesh(std::string_view name) {
   const auto found = meshes_.find(name);
   if (found != meshes_.end()) return found->second;
-  Warn(Quoted("mesh", name), Hint(name, Views(meshes_), "a box of 1 m stands in for it"));
+  Warn(Quoted("mesh", name), Hint(name, Views(meshes_), "a box of 1 m is shown instead"));
   return {};
 }
 
 std::string MediaCatalog::LookUpMaterial(std::string_view name) {
   if (HasMaterial(name)) return std::string(name);
-  Warn(Quoted("material", name), Hint(name, Views(materials_), "\"White\" stands in for it"));
+  Warn(Quoted("material", name), Hint(name, Views(materials_), "\"White\" is used instead"));
   return "White";
 }
 

@@ -69,7 +69,7 @@ Result<bool> Navigation::Create(std::string_view name, NavigationGeometry geomet
   if (Result<void> checked = NavigationMesh::Check(geometry, config); !checked.ok()) return checked.error();
   if (entries_.size() >= kMaxMeshes && !entries_.contains(name)) {
     return NewProblem("there are " + std::to_string(kMaxMeshes) + " navigation meshes already",
-                      "use a name again: the new mesh takes the place of the old one");
+                      "use a name again: the new mesh replaces the old one");
   }
   // Only one build runs at a time, because several would slow each other down.
   for (auto& [other, entry] : entries_) Finish(entry);

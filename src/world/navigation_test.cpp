@@ -190,7 +190,7 @@ TEST_F(NavigationTest, TheSameWorldGivesTheSameMeshAndPoints) {
     EXPECT_TRUE(world.CreateNavigationMesh("default", {}).ok());
     const std::uint64_t before = world.Hash();
     const NavigationMesh& mesh = **world.navigation().Find("default");
-    EXPECT_EQ(world.Hash(), before) << "whether a mesh is ready is no state of the world";
+    EXPECT_EQ(world.Hash(), before) << "whether a mesh is ready is not a state of the world";
     for (int i = 0; i < 20; ++i) points.push_back(mesh.RandomPoint(world.random()));
     for (const Vec3 point : mesh.FindPath({-10, 0, -10}, {10, 0, 12})) points.push_back(point);
     return world.Hash();

@@ -28,7 +28,7 @@ std::string WhyNotPlayed(std::string_view format) {
 }  // namespace
 
 std::string WhyNoWav(std::string_view file) {
-  if (file.size() < 12 || !file.starts_with("RIFF") || file.substr(8, 4) != "WAVE") return "this is no WAV file";
+  if (file.size() < 12 || !file.starts_with("RIFF") || file.substr(8, 4) != "WAVE") return "this is not a WAV file";
   bool has_format = false;
   for (std::size_t at = 12; file.size() - at >= 8;) {
     const std::string_view kind = file.substr(at, 4);

@@ -9,7 +9,7 @@ COMMAND = os.environ["SOARBOX"]
 
 
 class Channel:
-    """A process that is talked to in framed JSON."""
+    """A process that exchanges framed JSON messages."""
 
     def __init__(self, *arguments, cwd=None):
         self.process = subprocess.Popen([COMMAND, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,

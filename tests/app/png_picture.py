@@ -8,7 +8,7 @@ class Picture:
     def __init__(self, path):
         data = path.read_bytes()
         if data[:8] != b"\x89PNG\r\n\x1a\n":
-            raise ValueError(f"{path} is no PNG")
+            raise ValueError(f"{path} is not a PNG file")
         offset, packed = 8, b""
         while offset < len(data):
             length, kind = struct.unpack(">I4s", data[offset:offset + 8])

@@ -74,7 +74,7 @@ def end_with(case, process):
 
 
 def wait_until(holds, what="the fact", limit_s=120):
-    """What `holds` gives once it is no longer false, however long the machine takes."""
+    """Waits until `holds` returns a true value, without a time limit of its own, and returns it."""
     end = time.monotonic() + limit_s
     while not (found := holds()):
         if time.monotonic() > end:

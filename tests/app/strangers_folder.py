@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What tests of strangers' files share: a folder of theirs, one that lies outside of it, one of one's own, and what must
+"""Shared by tests of strangers' files: a stranger's folder, a folder outside of it, a folder of the user, and what must
 hold whatever the program is asked to do."""
 import os
 import shutil
@@ -47,7 +47,7 @@ class StrangersFolder(unittest.TestCase):
         self.outside, self.folder, self.mine = self.top / "outside", self.top / "folder", self.top / "mine"
         for folder in (self.outside, self.mine):
             folder.mkdir()
-        write(self.outside, {"secret.soar": f"{SECRET} in a line that is no rule\nsp {{{SECRET} (state <s>\n",
+        write(self.outside, {"secret.soar": f"{SECRET} in a line that is not a rule\nsp {{{SECRET} (state <s>\n",
                              "secret.lua": f'print("{SECRET}") error("{SECRET}")', "secret.toml": f'"{SECRET}'})
 
     def lay(self, request):
@@ -59,7 +59,7 @@ class StrangersFolder(unittest.TestCase):
             write(self.folder, request)
 
     def state(self):
-        """All that lies outside of the folder for one's own, by name, size and time."""
+        """All files outside of the user's folder, by name, size and time."""
         return sorted((str(path), path.lstat().st_size, path.lstat().st_mtime_ns) for root in (self.outside, self.folder)
                       for path in root.rglob("*"))
 

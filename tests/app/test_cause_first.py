@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The cause first: what `soarbox run` says at its end and what the panel Problems lists, ranked alike.
+"""The cause first: `soarbox run` at its end and the panel Problems rank problems in the same way.
 
 The files in cause_first are what both say of one world each; SOARBOX_UPDATE=1 writes them anew.
 """
@@ -106,7 +106,7 @@ class CauseFirst(ScenarioCase):
         return folder
 
     def end_of_run(self, folder):
-        """What the run says at its end, as text; as JSON it is the same."""
+        """The findings at the end of a run, as text; the JSON must contain the same."""
         lines = Run("run", folder, "--headless", "--seconds", 4, code=None).out.splitlines()
         begin = next(i for i, line in enumerate(lines) if line.startswith("soarbox: what went wrong"))
         events = [json.loads(line) for line in Run("run", folder, "--headless", "--seconds", 4, "--json", code=None).out.splitlines()]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Files, names and values that are given by accident: each is reported with a helpful message, and nothing else is affected."""
+"""Files, names and values that were passed by mistake: each is reported with a helpful message, and nothing else is affected."""
 import os
 import subprocess
 
@@ -18,7 +18,7 @@ RULES = "sp {hero*go (state <s> ^superstate nil ^io.output-link <o>) --> (<o> ^w
 # What is there instead of a file -> the message.
 OTHER_FILES = {
     "UTF-16": (lambda path: path.write_bytes(RULES.encode("utf-16")), "this file is UTF-16: save it as UTF-8"),
-    "binary": (lambda path: path.write_bytes(bytes(range(256))), "this is no text: line 1 holds a zero byte"),
+    "binary": (lambda path: path.write_bytes(bytes(range(256))), "this is not a text file: line 1 holds a zero byte"),
     "folder": (lambda path: path.mkdir(), "a folder"),
     "pipe": (os.mkfifo, "no plain file"),
     "dangling link": (lambda path: path.symlink_to("nowhere"), "a link that leads"),
@@ -90,7 +90,7 @@ class Files(ScenarioCase):
     def test_other_files_are_no_scenarios(self):
         (self.folder / "x.png").write_bytes(b"\x89PNG")
         run = Run("run", self.folder / "x.png", "--headless", code=3)
-        self.assertIn("this is no file of rules, script or scenario", run.err)
+        self.assertIn("this is not a file of rules, script or scenario", run.err)
 
 
 class Scenarios(ScenarioCase):
@@ -110,7 +110,7 @@ class Scenarios(ScenarioCase):
         self.write("hero.soar", RULES)
         for text, place, said, hint in (
                 (AGENT + 'position = "1, 2"\n', "4:12", "'position' takes two numbers", ""),
-                (AGENT + "position = (1, 2)\n", "4:", "", "between square brackets: [1, 2]"),
+                (AGENT + "position = (1, 2)\n", "4:", "", "in square brackets: [1, 2]"),
                 (AGENT + "armed = yes\n", "4:", "", "write true or false"),
                 (AGENT.replace("name =", "name:"), "2:5", "expected '='", "write = between a key and its value"),
                 (AGENT.replace("hero.soar", "rules\\hero.soar"), "3:", "escape", "write / between folders"),

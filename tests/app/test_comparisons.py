@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What sweeps, tournaments and `compare` say about differences is true, and says how sure it is."""
+"""The statements of sweeps, tournaments and `compare` about differences are true, and include their uncertainty."""
 import csv
 import math
 import re
@@ -168,7 +168,7 @@ class Compare(MissionCase):
             if "first other decision" in out:
                 break
         self.assertRegex(out, r"  A: .*chance.*\n  B: .*chance")
-        self.assertIn("chance selected, and came to another result", out)
+        self.assertIn("chance selected, and other random numbers gave another result", out)
         self.assertNotIn("its rules or its memory differ", out)
         # Two operators with the same name are distinguished by their elements.
         contents = re.findall(r"^  ([AB]): O\d+ \^to (gate|mill) \^name step$", out, re.MULTILINE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What bash and zsh offer behind soarbox, in real shells."""
+"""The completions of bash and zsh after soarbox, in real shells."""
 import os
 import pathlib
 import shutil

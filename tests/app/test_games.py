@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The games on boards: the percepts of each turn against kept ones, agents of our own to the end, and other rules."""
+"""The games on boards: the percepts of each turn equal stored ones, our agents play to the end, and --rules works."""
 import json
 import os
 import pathlib

@@ -78,7 +78,7 @@ HOSTILE_LINES = {
     "endless coroutine": "coroutine.wrap(function() while true do coroutine.yield() end end)() while true do end",
     "changed metatables": "getmetatable('').__index = nil setmetatable(_G, { __index = function() error('no') end })",
     "no globals": "for k in pairs(_G) do _G[k] = nil end",
-    "errors that are no text": "error(setmetatable({}, { __tostring = function() error('x') end }))",
+    "errors that are not strings": "error(setmetatable({}, { __tostring = function() error('x') end }))",
     "nil error": "error(nil)",
     "no number": "local a = Sandbox.CreateBox(sandbox, 0/0, 1/0, -1/0) Core.SetPosition(a, Vector.new(0/0, 1/0, 1e308)) Core.ApplyImpulse(a, Vector.new(1/0, 0, 0))",
     "foreign handles": "Core.SetMass(sandbox, 1) Agent.SetMass({}, 1) Core.SetPosition(print, Vector.new())",
@@ -140,7 +140,7 @@ class OneLiners(ScenarioCase):
 
 
 class Worlds(ScenarioCase):
-    """What many scripts together, or time after time, may use."""
+    """Limits for many scripts together, and over time."""
 
     def run_(self, setup="", update="", agent=None, seconds=1.0, limit_s=100, **more):
         self.write("Walker.lua", WALKER)

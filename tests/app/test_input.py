@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""All that reaches a run from outside comes in by one door, from a file too."""
+"""All inputs reach a run in the same way, also from a file."""
 
 from soarbox_command import WALKER, ScenarioCase, run_json
 

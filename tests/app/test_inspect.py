@@ -213,7 +213,7 @@ class Inspect(ScenarioCase):
     def test_what_changed_after_a_decision_is_no_reason_for_it(self):
         self.write("hero.soar", LATER)
         self.assertRegex(self.text("operators"),
-                         r"go \([A-Z]\d\) is selected, and preferences have changed since then\. By the present ones: "
+                         r"go \([A-Z]\d\) is selected, and preferences have changed since then\. With the present preferences: "
                          r"rule hero\*later rejects stay (\([A-Z]\d\)) \(without that stay \1 would still lose\)\.")
 
     def test_what_is_not_there_is_told(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The later lessons of the first course, through the real command. They take as long as all that test_learn.py tests."""
+"""The later lessons of the first course, through the real command. They take as long as all of test_learn.py."""
 import re
 import shutil
 
@@ -40,7 +40,7 @@ class Guide(MissionCase):
     def test_a_course_that_lists_what_is_no_lesson_is_refused(self):
         course = self.folder / "lessons" / "mine"
         course.mkdir(parents=True)
-        for text, told in (('lessons = ["1-nothing"]\n', r"course\.toml:1.*'1-nothing' is no folder of a lesson"), ("lesson = []\n", "a course has no 'lesson'"),
+        for text, told in (('lessons = ["1-nothing"]\n', r"course\.toml:1.*'1-nothing' is not a folder of a lesson"), ("lesson = []\n", "a course has no 'lesson'"),
                            ("lessons = [\n", r"course\.toml:\d+")):
             (course / "course.toml").write_text(text, encoding="utf-8")
             self.assertRegex(Run("learn", "--from", course, code=3).err, told)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Wrong answers to lessons that nobody foresaw, and the first thing that `soarbox learn check` says of them: it has to be true.
+"""Wrong answers to lessons without a known mistake, and the headline of `soarbox learn check`: it must be true.
 
 Each was made by deleting, swapping, misspelling or misplacing something in the solution, before anybody saw what it is told."""
 import pathlib
@@ -30,7 +30,7 @@ ANSWERS = [
     (6, "^agent <name> ^until 14", "^name <name> ^until 14", r"sheep\.soar:25: .* flee has no parameter \^name"),
     (6, "^until 14", "^until 4", r"The wolf had the sheep at .*: .*Did \^danger come .* \^until 14\?"),
     (7, "(<above> ^holds soup)\n}", "(<s> ^holds soup)\n}",
-     r"operator fetch has been applied .* and this rule change what it tests"),
+     r"operator fetch has been applied .* and let this rule change what the proposal tests"),
     (8, "^to <cart>", "^to cart", r"say failed at 0\.0 s: say: no-such-agent"),
     (8, "^about go ^place <place>", "^about go ^barn <place>", r"The messages about go have no \^place"),
     (8, "-^told yes", "-^told no", r"operator tell has been applied .* and stays selected"),

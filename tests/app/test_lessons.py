@@ -18,7 +18,7 @@ def written(run, agent):
 
 
 def distances(run, one, other):
-    """How far two agents are apart in each report."""
+    """The distance between two agents in each report."""
     gaps = []
     for state in run.of("state"):
         places = {agent["name"]: agent["position"] for agent in state["agents"]}

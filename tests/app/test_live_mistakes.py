@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Mistakes that somebody makes in a file of rules while the world runs: each is told with its place and what to do, and
+"""Mistakes in a file of rules that is edited while the world runs: each is reported with its place and a hint, and
 what ran before goes on."""
 import os
 import time

@@ -139,7 +139,7 @@ class Interrupted(MissionCase):
     CHECK = '[[check]]\nname = "there"\nagent = "scout"\nat = "gate"\nby = 10\n'
 
     def interrupt(self, checks, *words):
-        """Ends `soarbox test` when a few runs are there, and gives its code, output and report."""
+        """Interrupts `soarbox test` after a few runs, and returns its code, output and report."""
         self.mission('[mission]\nseeds = "1..100000"\n' + checks)
         told = self.folder / "told"
         with open(told, "w", encoding="utf-8") as out:

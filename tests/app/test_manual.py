@@ -92,7 +92,7 @@ class Manual(ScenarioCase):
         self.assertGreater(tried, 25)
 
     def serves(self, line, environment):
-        """Starts a server, waits until it says where it is, and ends it."""
+        """Starts a server, waits until it prints its address, and ends it."""
         line = re.sub(r"--port \d+", "--port 0", re.sub(r"0\.0\.0\.0:\d+", "127.0.0.1:0", line))
         if line == "soarbox serve":
             line += " --listen 127.0.0.1:0"

@@ -46,7 +46,7 @@ class Assistant(unittest.TestCase):
         return self.answer(method, **params)["result"]
 
     def call(self, tool, **arguments):
-        """What a tool says, and the recording that it names."""
+        """The answer of a tool, and the recording that it names."""
         result = self.ask("tools/call", name=tool, arguments=arguments)
         texts = [part["text"] for part in result["content"]]
         self.assertFalse(result["isError"], texts)

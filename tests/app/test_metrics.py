@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Metrics of sweeps: each one alone is the number that a recording of the same run gives."""
+"""Metrics of sweeps: each metric alone equals the number computed from a recording of the same run."""
 import csv
 import json
 import math
@@ -128,7 +128,7 @@ class Recording:
 
 class Metrics(MissionCase):
     def alone(self, scenario, seconds, metrics):
-        """The row of one run of a sweep that asks for nothing but these metrics."""
+        """The row of one run of a sweep with only these metrics."""
         text = f'scenario = "{scenario}"\nseeds = "{SEED}"\nseconds = {seconds}\n'
         for name, how, key, agent in metrics:
             text += f'[[metric]]\nname = "{name}"\n{how} = "{key}"\nagent = "{agent}"\n'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The mistakes of beginners, each with what they are told: mistakes/NAME.soar is the mistake, mistakes/NAME.txt what
+"""The mistakes of beginners, each with its messages: mistakes/NAME.soar is the mistake, mistakes/NAME.txt what
 `soarbox check` prints, what a run prints on the console, and what the panel Problems shows.
 
     WRITE_EXPECTED=1 python3 -m unittest test_mistakes      writes the .txt files; read each line before you keep it

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What an agent of one's own needs: carrying, giving, goals, things remembered, keeping away from somebody."""
+"""What users' own agents need: carrying, giving, goals, remembering things, avoiding an agent."""
 import json
 import math
 

@@ -20,7 +20,7 @@ def printed_lines():
 
 
 def is_form(words):
-    """Whether there is something to fill in."""
+    """Whether it contains a placeholder."""
     return FORM.search(words) is not None
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A user of the window, with real events of mouse and keyboard: looks into an agent, stops it, changes it, goes back."""
+"""A user of the window, with real mouse and keyboard events: inspects an agent, stops it, changes it, goes back."""
 import subprocess
 import unittest
 
@@ -156,7 +156,7 @@ class Panels(WindowUser):
             expect "Percepts (input link)"
             expect "free-ahead"
             click "Breakpoints"
-            expect "Nothing stops a recording."
+            expect "Breakpoints stop a run, not a recording."
             click "Trace"
             expect "walker"
             audit "a replay"

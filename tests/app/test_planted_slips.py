@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Letters that are lost in complete programs: of how many does `soarbox check` say something?
+"""Removes single letters in complete programs, and counts how many of these slips `soarbox check` reports.
 
 The programs are the solutions of the lessons and the rules of scenarios in which `check` finds nothing. Each loses one
 letter of one variable, or of one attribute, at places that a fixed seed draws.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Where a table comes from: its manifest, and its runs made again."""
+"""The provenance of a table: its manifest, and repetition of its runs."""
 import csv
 import hashlib
 import json
@@ -101,7 +101,7 @@ class Provenance(MissionCase):
         rules.write_text(rules.read_text(encoding="utf-8").replace("gate", "mill"), encoding="utf-8")
         run = Run("sweep", "--verify", folder, code=1)
         self.assertIn("6 rows belong to no variant that the folder holds", run.out)
-        self.assertIn("this is no folder of a sweep", Run("sweep", "--verify", self.folder, code=3).err)
+        self.assertIn("this is not a folder of a sweep", Run("sweep", "--verify", self.folder, code=3).err)
 
     def test_a_row_that_says_something_else_is_found(self):
         self.sweep()

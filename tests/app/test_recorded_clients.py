@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A kernel that records what its clients do: its agents think again without them, explain themselves and take another course."""
+"""A kernel that records its clients: its agents can be run again without them, explained, and continued differently."""
 import pathlib
 import signal
 import subprocess

@@ -193,7 +193,7 @@ sp {{scout*apply*walk
 
 
 class Usual(unittest.TestCase):
-    """Runs in a window are recorded without being asked for."""
+    """Runs in a window are recorded automatically."""
 
     def test_the_last_five_are_kept(self):
         if not os.environ.get("DISPLAY"):

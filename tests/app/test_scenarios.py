@@ -10,7 +10,7 @@ from soarbox_command import run_json
 
 
 def run_clean(case, scenario, *arguments):
-    """A run in which no script fails and nothing is warned of."""
+    """A run without script errors and warnings."""
     run = run_json(scenario, *arguments, code=0)
     case.assertEqual(run.err, "")
     case.assertEqual(run.diagnostics(), [])

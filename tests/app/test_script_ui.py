@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What scripts show and play from files, and what users press: buttons, bars, images, models, gamepads, sounds."""
+"""Scripts' user interface and media: buttons, bars, images, models, gamepads, sounds."""
 import json
 import pathlib
 import shutil
@@ -72,10 +72,10 @@ class ScriptUi(ScenarioCase):
 
     def test_a_file_that_cannot_be_used_is_named_with_the_reason(self):
         cases = {
-            'UI.SetImage(Sandbox.CreateUIComponent(sandbox, 1), "click.wav")': "Sandbox.lua:2: error: click.wav: this is no PNG file",
+            'UI.SetImage(Sandbox.CreateUIComponent(sandbox, 1), "click.wav")': "Sandbox.lua:2: error: click.wav: this is not a PNG file",
             'UI.SetImage(Sandbox.CreateUIComponent(sandbox, 1), "bagde.png")': 'no such image file: "bagde.png": did you mean "badge.png"?',
             'UI.SetImage(Sandbox.CreateUIComponent(sandbox, 1), "../badge.png")': "an image is named relative",
-            'Sandbox.PlaySound(sandbox, "badge.png")': "Sandbox.lua:2: error: badge.png: this is no WAV file",
+            'Sandbox.PlaySound(sandbox, "badge.png")': "Sandbox.lua:2: error: badge.png: this is not a WAV file",
             'Core.CreateMesh(sandbox, "cut.glb")': "Sandbox.lua:2: error: cut.glb: the file is cut off",
             'Sandbox.CreateObject(sandbox, "cut.glb")': "Sandbox.lua:2: error: cut.glb: the file is cut off",
         }

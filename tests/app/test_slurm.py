@@ -256,7 +256,7 @@ class OnTwoNodes(SlurmCase):
     nodes = ("one", "two")
 
     def processes_of(self, node):
-        """What runs for this node besides its daemon: steps and tasks."""
+        """The processes of this node besides its daemon: steps and tasks."""
         found = []
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:
@@ -268,7 +268,7 @@ class OnTwoNodes(SlurmCase):
         return found
 
     def lose(self, node):
-        """The node goes as in a power failure: its daemon and all that it runs, at once."""
+        """Simulates a power failure of a node: kills its daemon and all its processes at once."""
         self.daemons[-1 if node == self.nodes[-1] else -2].kill()
         for process in self.processes_of(node):
             try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The Soar shell as a script: piped input, files, JSON, and nothing typed can bring it down."""
+"""The Soar shell as a script: piped input, files, JSON, and robustness against any input."""
 import json
 import pathlib
 import socket

@@ -155,7 +155,7 @@ SLIPS = {
     "a reward in a path from the state": ("(<out> ^wander <c>)\n}", "(<out> ^wander <c>)\n}\nsp {hero*reward\n   (state <s> ^superstate nil ^io.input-link.time > 3)\n-->\n   (<s> ^reward-link.reward.value 1)\n}", 17,
         "makes a second ^reward-link on its state", "(<r> ^reward.value 1)"),
     "a reward that is a word": ("(<out> ^wander <c>)\n}", "(<out> ^wander <c>)\n}\nsp {hero*reward\n   (state <s> ^superstate nil ^reward-link <r>)\n-->\n   (<r> ^reward.value ten)\n}", 17,
-        "gives ten as a reward, which is no number", "^value 1"),
+        "gives ten as a reward, which is not a number", "^value 1"),
     "a number for reward beside other actions": (
         "(<s> ^operator <o> +)\n   (<o> ^name go)\n}", "(<s> ^operator <o> + = 0.5)\n   (<o> ^name go)\n}\n"
         "sp {hero*reward (state <s> ^superstate nil ^reward-link <r>) --> (<r> ^reward.value 1)}", 5,
@@ -201,12 +201,12 @@ SLIPS = {
     "a backslash in a path": (None, "source rules\\helper.soar", 1, "Failed to open file", "write / between folders"),
     "an equals sign to remove an element": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*forget\n   (state <s> ^operator <o> ^io.output-link <out>)\n'
                                             '   (<out> ^wander <c>)\n   (<c> ^status)\n-->\n   (<out> ^wander <c> =)\n}', 19,
-                                            "the preference = means nothing here", "write - behind its value"),
+                                            "the preference = means nothing here", "write - after its value"),
     "a word compared with a number": ("^health > 10", "^weapon > 2", 3, "compares ^weapon, a word, with the number 2", "not equal: ^weapon <>"),
     "an operator compared with a name": ("^operator <o> +)", "^operator <o> + > rest)", 5, "compares its operator with the word rest",
                                          "(<p> ^name rest)"),
     "two selected operators": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*prefer\n   (state <s> ^operator <a> ^operator <b>)\n   (<a> ^name go)\n'
-                               '   (<b> ^name go)\n-->\n   (<s> ^operator <a> > <b>)\n}', 15, "tests two operators as selected", "add a + behind each"),
+                               '   (<b> ^name go)\n-->\n   (<s> ^operator <a> > <b>)\n}', 15, "tests two operators as selected", "add a + after each"),
     "the top state at an impasse": ("^superstate nil", "^superstate nil ^impasse tie", 2, "never matches: it tests ^superstate nil, which is the top state, and ^impasse",
                                     "leave ^superstate nil out"),
     "the links of a substate": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*go*propose*run\n   (state <s> ^superstate.operator.name go)\n-->\n'
@@ -214,15 +214,15 @@ SLIPS = {
                                 '   (<out> ^wander <c>)\n}', 21, "tests ^io of the state where run is selected", "^superstate.io"),
     "a value that piles up": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*remember\n   (state <s> ^operator.name go ^io.input-link.time <t>)\n-->\n'
                               '   (<s> ^seen <t>)\n}', 17, "adds another ^seen at each change of ^time", "(<s> ^seen <old> -)"),
-    "an action without brackets around it": ("   (<o> ^name go)\n}", "   ^name go\n}", 6, "found '^'", "behind the object that has them"),
-    "a condition without brackets around it": ("   (<me> ^health > 10)", "   ^health > 10", 3, "found '^'", "behind the object that has them"),
+    "an action without brackets around it": ("   (<o> ^name go)\n}", "   ^name go\n}", 6, "found '^'", "after the object that has them"),
+    "a condition without brackets around it": ("   (<me> ^health > 10)", "   ^health > 10", 3, "found '^'", "after the object that has them"),
     "a double quote without its partner": ("(<out> ^wander <c>)", '(<out> ^wander <c>)\n   (write "go)', 13, "has no partner", "between bars"),
     "a command in a proposal": (GOOD[GOOD.index("^io.input"):], "^io <io>)\n   (<io> ^input-link.self <me> ^output-link <out>)\n-->\n   (<s> ^operator <o> +)\n"
                                 "   (<o> ^name go)\n   (<out> ^wander <c>)\n}\n", 6, "operator go, which no rule applies", "it gives its command itself"),
     "a relation without a blank": ("> 10", "<10", 3, "<10 in rule hero*propose*go is read as a word", "a blank between them: < 10"),
     "a parameter beside its command": ("(<out> ^wander <c>)", "(<out> ^move-to ^waypoint gate)", 12, "found '^'", "write a value after ^move-to"),
     "a parameter within its command": ("(<out> ^wander <c>)", "(<out> ^move-to (<c> ^waypoint gate))", 12, "found '^'",
-                                       "objects do not stand within each other: write (<out> ^move-to <c>)"),
+                                       "objects cannot be nested: write (<out> ^move-to <c>)"),
     "a number before its attribute": ("^health > 10", "^weapon none 10 < ^health", 3, "found '^'", "the attribute comes first"),
     "a unit behind a blank": ("> 10", "> 10 m", 3, "compares ^health, a number, with the word m", "without its unit"),
     "a path in a comparison": ("> 10", "< <s>.limit", 3, "found '.'", "bind it in a condition of its own"),

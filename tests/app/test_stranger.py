@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A stranger's folder: every door of the program times everything that a file can ask for. A cell passes if nothing is
+"""A stranger's folder: each command of the program combined with each kind of request in a file. A cell passes if nothing is
 written, nothing outside is shown, nothing hangs, and the program ends in one of its own ways."""
 import os
 import shutil
@@ -23,7 +23,7 @@ def script(text):
 
 
 def requests(outside):
-    """What a folder asks for, by name: its files, or a function that makes them."""
+    """The requests of folders, by name: the files, or a function that makes them."""
     leak, secret = outside / "leak", outside / "secret.soar"
 
     def links(folder):
@@ -185,7 +185,7 @@ class Doors(strangers_folder.StrangersFolder):
                 self.check(door, [COMMAND, door, recording, *arguments])
 
     def test_rule_files_cannot_hold_up_the_world(self):
-        """What ends a decision, or a wait for output, is not theirs to put off; nor does anything go by the clock."""
+        """Files cannot postpone the end of a decision or of a wait for output, and nothing depends on the clock."""
         endless = ("sp {begin (state <s> ^superstate nil) --> (<s> ^n 0)}\n"
                    "sp {count (state <s> ^n <n>) --> (<s> ^n (+ <n> 1))}\n")
         silent = ("sp {propose (state <s> ^superstate nil) --> (<s> ^operator <o> + =) (<o> ^name again ^at (rand-float))}\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A lesson's folder that came from a stranger, times everything that a file can ask for: grading it, asking for a hint,
+"""A stranger's lesson folder, with each kind of request in a file: grading it, asking for a hint,
 beginning it again and running it do no more than a run does."""
 import os
 
@@ -27,7 +27,7 @@ class StrangersLesson(strangers_folder.StrangersFolder):
         return self.folder / LESSON
 
     def put(self, lesson, request):
-        """Lays a request in the lesson's folder: what the hero would source is what the learner's rules source."""
+        """Puts a request into the lesson's folder: the learner's rules source the file that the hero would source."""
         (lesson / RULES).unlink()
         if callable(request):
             request(lesson)

@@ -80,7 +80,7 @@ class Recordings(strangers_folder.StrangersFolder):
 
 
 class OtherKernels(strangers_folder.StrangersFolder):
-    """The fence of a run holds in the kernel that `--kernel` names, too."""
+    """The restrictions of a run also apply in the kernel that `--kernel` names."""
 
     @contextlib.contextmanager
     def kernel(self):

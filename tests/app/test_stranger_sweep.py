@@ -34,7 +34,7 @@ class Sweeps(strangers_folder.StrangersFolder):
         (self.outside / ".keys" / "key").write_text("precious\n")
 
     def state(self):
-        """With what the files hold."""
+        """The same, with the contents of the files."""
         return [(path, hashlib.md5(path.read_bytes()).hexdigest() if path.is_file() and not path.is_symlink() else "", path.is_symlink())
                 for root in (self.outside, self.folder) for path in sorted(root.rglob("*"))]
 
@@ -146,7 +146,7 @@ class Sweeps(strangers_folder.StrangersFolder):
             with self.subTest(name):
                 done = self.sweep(TOP + f'[[variant]]\nname = "{name}"\n')
                 self.assertEqual(done.code, 3)
-                self.assertIn("no name for a variant", done.out)
+                self.assertIn("not a name for a variant", done.out)
 
     def test_kernels_of_other_machines_are_not_reached(self):
         self.lay(rules(""))
@@ -154,7 +154,7 @@ class Sweeps(strangers_folder.StrangersFolder):
             with self.subTest(kernel):
                 done = self.sweep(TOP + f'[[variant]]\nname = "a"\nkernel = "{kernel}"\n')
                 self.assertEqual(done.code, 3)
-                self.assertIn("is no kernel of this machine", done.out)
+                self.assertIn("is not a kernel of this machine", done.out)
 
     def test_a_server_that_never_answers_ends_the_sweep_or_its_runs(self):
         self.lay(rules(""))

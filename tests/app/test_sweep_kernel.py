@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Sweeps in which a variant's minds live in a kernel in another process."""
+"""Sweeps in which a variant's minds run in a kernel in another process."""
 import csv
 import json
 import os

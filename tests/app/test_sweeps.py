@@ -81,7 +81,7 @@ class Sweeps(MissionCase):
             self.assertEqual({row["outcome"] for row in rows}, {"ok"})
         shutil.copytree(REPOSITORY / "scenarios" / "soar_skirmish", self.folder / "mine")
         self.assertIn("tables: mine/sweep.sweep/results.csv", Run("sweep", "mine", cwd=self.folder, code=0).out)
-        self.assertEqual(Run("check", self.folder / "mine").out, "0 errors, 0 warnings\n", "the copy of the sweep is no sweep to check")
+        self.assertEqual(Run("check", self.folder / "mine").out, "0 errors, 0 warnings\n", "the copy of the sweep is not a sweep to check")
         self.assertIn("there is no such file", Run("sweep", "soar_skirmish/no.toml", cwd=self.folder, code=3).err)
 
     def test_what_was_killed_goes_on_and_comes_to_the_same_table(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Ten slips that `soarbox check` finds without running the rules, each with a similar rule that is right."""
+"""Ten slips that `soarbox check` finds without running the rules, each with a similar correct rule."""
 from soarbox_command import Run, ScenarioCase
 
 PROPOSE = """

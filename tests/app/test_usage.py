@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What the command says to command lines that are wrong."""
+"""The messages for wrong command lines."""
 import os
 import pathlib
 import shutil

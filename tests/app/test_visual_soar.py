@@ -120,7 +120,7 @@ class Projects(unittest.TestCase):
             self.assertIn("door.vsa:4: error: expected a node of the layout", run.out + run.err)
         self.text.write_bytes(b"\x00\xff" * 50)
         run = Run("check", self.text)
-        self.assertEqual("%s: error: this is no text: line 1 holds a zero byte\n1 error, 0 warnings\n" % self.text, run.out)
+        self.assertEqual("%s: error: this is not a text file: line 1 holds a zero byte\n1 error, 0 warnings\n" % self.text, run.out)
         self.assertEqual(1, run.code)
 
     def test_a_project_that_lies_above_by_chance_is_none_of_ours(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What the extension for VS Code says of itself is so: its files are there, its patterns fit what the command prints."""
+"""The manifest of the extension for VS Code is correct: its files exist, and its patterns match the command's output."""
 import json
 import pathlib
 import re

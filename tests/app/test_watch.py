@@ -123,7 +123,7 @@ class Watch(Case):
         refused = Run("watch", f"127.0.0.1:{self.port}", "--headless")
         self.assertNotEqual(refused.code, 0)
         self.assertIn(f"no Soar kernel answers at 127.0.0.1:{self.port}", refused.err)
-        self.assertIn("is no address", Run("watch", "127.0.0.1:99999999", "--headless").err)
+        self.assertIn("is not an address", Run("watch", "127.0.0.1:99999999", "--headless").err)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What Soarbox answers to *why*, situation by situation: tests/why holds an agent for each, with what must be said.
+"""The answers to *why*, situation by situation: tests/why contains an agent for each, with the expected sentences.
 
 Each situation is looked at in four ways: in the run itself, in a recording that is simulated again, in what that recording
 holds, and with a mind in a kernel elsewhere. The comments of an agent say what is expected:
 
     # at 2                       the moment, in seconds (1 unless it says so)
     # operators: TEXT            TEXT is in this view of `soarbox inspect`, however it is looked at
-    # why go: TEXT               likewise; the view may have a name behind it
+    # why go: TEXT               likewise; the view may be followed by a name
     # why go: not TEXT           TEXT is not
     # recorded operators: TEXT   only in that way: live, again, recorded, elsewhere
     # asked why: TEXT            only where there is a mind that can be asked: live, again, elsewhere
@@ -79,7 +79,7 @@ class Situation:
                 self.expected.append(match.groups())
 
     def of(self, way):
-        """What is expected in this way: view, whether it must not be there, text."""
+        """The expectations in comments of this form: view, whether the text must be absent, text."""
         return [rest for only, *rest in self.expected
                 if only in (None, way) or only == "asked" and way in ASKED]
 

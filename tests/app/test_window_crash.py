@@ -13,7 +13,7 @@ from window_user import WALKER, WindowUser
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
 class Crash(WindowUser):
     def die(self, recording, how, typing=TYPE_INTO_EDIT, text="# mine"):
-        """Types the text, into Edit if nothing else is said, and ends the window's process with that signal."""
+        """Types the text, by default into Edit, and ends the window's process with that signal."""
         script = "until 2.2" + typing + "until 60\n"
         window = subprocess.Popen(
             self.window(script, "run", str(self.folder), f"--record={recording}", "--port", "0"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What a user of the window wants to get done, task by task: nothing that was typed is lost, everything can be found."""
+"""Tasks of a user of the window: nothing that was typed is lost, everything can be found."""
 import subprocess
 import unittest
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""No class of the source has more than fifteen public functions but those that did when this check began.
+"""No class of the source has more than fifteen public functions, except those that did when this check was introduced.
 
 usage: check_classes.py SOURCE_DIR [--list]
 
@@ -124,7 +124,7 @@ def functions_of(body, name, is_public):
 
 
 def end_of(text, at, opening, closing):
-    """Behind the bracket that closes the one at `at`."""
+    """The position after the bracket that closes the one at `at`."""
     depth = 0
     for place in range(at, len(text)):
         depth += (text[place] == opening) - (text[place] == closing)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that the kernel takes no more instructions than docs/dev/performance.md states.
+"""Checks that the kernel uses no more instructions than docs/dev/performance.md states.
 
 usage: check_instructions.py PERFORMANCE.MD DRIVER_FOLDER [--compiler NAME]
 
@@ -18,7 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
-import compare_bench  # noqa: E402  (bench/ is no package)
+import compare_bench  # noqa: E402  (bench/ is not a package)
 
 HEADING = "The instruction gate"
 MOST_GROWTH = 0.02

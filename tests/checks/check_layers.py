@@ -95,7 +95,7 @@ def goes_up(file, target):
 
 
 def strangers_to_engine(root):
-    """Files of the list that do without the engine: they leave the list, so that it only ever shrinks."""
+    """Files of the list that do not use the engine: they must be removed from the list, so that it only shrinks."""
     for file in sorted(USERS_OF_ENGINE):
         path = root / file
         includes = INCLUDE_LINE.findall(path.read_text(encoding="utf-8")) if path.exists() else []

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that documents lead somewhere: relative links of Markdown files with their headings, and the source files that docs/dev/kernel.md names.
+"""Checks the links of documents: relative links of Markdown files with their headings, and the source files that docs/dev/kernel.md names.
 
 usage: check_links.py PROJECT_DIR
 """

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""What the client API has beyond Soar 9.6.3 is left out where SOARBOX_PUBLIC_API_ONLY is defined.
+"""Additions of the client API to Soar 9.6.3 must be left out if SOARBOX_PUBLIC_API_ONLY is defined.
 
 usage: check_public_api.py ROOT
 
 Each public function of Kernel, Agent and the elements of working memory that stands outside of such a guard is named in
-docs/spec/sml_client_api.md; each that says it is no part of Soar's interface stands inside. Exit status 1 names each offence.
+docs/spec/sml_client_api.md; each that says it is not part of Soar's interface stands inside. Exit status 1 names each offence.
 """
 import pathlib
 import re
@@ -18,7 +18,7 @@ INSIDE = {"GetSymbol", "Name"}
 
 
 def functions(text):
-    """Line, name, comment above, whether guarded: of each function that is public."""
+    """Each public function: line, name, comment above, whether it is guarded."""
     public, guarded, comment = False, False, []
     for number, line in enumerate(text.splitlines(), 1):
         bare = line.strip()
@@ -47,7 +47,7 @@ def offences(root):
             seen += 1
             ours = "Not part of the interface of Soar" in comment
             if ours and not guarded:
-                yield f"{path}:{line}: {function} is no part of Soar's interface: put it inside {GUARD}"
+                yield f"{path}:{line}: {function} is not part of Soar's interface: put it inside {GUARD}"
             if not guarded and function not in INSIDE and not re.search(rf"\b{function}\b", spec):
                 yield f"{path}:{line}: {function} is not in docs/spec/sml_client_api.md: is it part of Soar's interface?"
     if seen < 100:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks the project's own rules for source files: size, licence line, no words that stand where work is missing.
+"""Checks the project's own rules for source files: size, licence line, no words that mark missing work.
 
 usage: check_sizes.py PROJECT_DIR
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The instruction gate lets pass what it should, and can fail. Uses real counts of the drivers in SOARBOX_DRIVERS.
+"""The instruction gate accepts what it should, and can fail. Uses real counts of the drivers in SOARBOX_DRIVERS.
 
 Each run is counted once, for all tests: two counts of threads that run beside each other differ.
 """
@@ -30,7 +30,7 @@ Counted with `GNU 12.2.0`.
 
 
 def counted_once(measure):
-    """`measure`, which counts a run of one name and length a single time."""
+    """`measure` with a cache: it counts each combination of name and length only once."""
     counts = {}
 
     def look_up(folder, work, name, length):

@@ -19,7 +19,7 @@ def geocentric(latitude_deg, longitude_deg, height_m):
 
 
 def on_earth(x_m, y_m, z_m, anchor=ANCHOR):
-    """Where a place of the flat world is: x leads east, y up, -z north."""
+    """The position on the earth of a place in the flat world: x points east, y up, -z north."""
     latitude, longitude = math.radians(anchor[0]), math.radians(anchor[1])
     origin = geocentric(*anchor)
     east = (-math.sin(longitude), math.cos(longitude), 0)

@@ -276,8 +276,8 @@ class Exercise(unittest.TestCase):
         self.assertIsNone(self.member.hear(0.5))
 
     def test_wrong_options_are_told(self):
-        for option, part in (("nowhere", "a port is missing"), ("1.2.3.4:0", "no port"),
-                             ("localhost:3000", "no IPv4 address"), ("239.1.2.3:3000,0", "no site")):
+        for option, part in (("nowhere", "a port is missing"), ("1.2.3.4:0", "not a port"),
+                             ("localhost:3000", "not an IPv4 address"), ("239.1.2.3:3000,0", "not a valid site")):
             done = subprocess.run([COMMAND, "run", "soar_wander", "--headless", "--seconds", "1", "--dis", option],
                                   capture_output=True, text=True, check=False)
             self.assertNotEqual(done.returncode, 0)

@@ -142,7 +142,7 @@ def take(program, name, picture):
 
 
 def spread(box):
-    """How far the colours of a box are from each other."""
+    """The largest difference between colours of a box."""
     return max(max(c[part] for c, _ in box) - min(c[part] for c, _ in box) for part in range(3))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The figures of README are what the project has or has measured. A figure is followed by a comment with its name: 29<!--lessons-->."""
+"""The figures of README equal what the project contains or has measured. A figure is followed by a comment with its name: 29<!--lessons-->."""
 import json
 import pathlib
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Pages for users keep to docs/dev/words.md: none of the words that it replaces, where a word has one meaning only."""
+"""Pages for users follow docs/dev/words.md: they contain none of the replaced words that have only one meaning."""
 import pathlib
 import re
 import unittest

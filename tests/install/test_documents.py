@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Documents lead somewhere where they are installed, and hold what a user without the source needs."""
+"""Links of installed documents work, and the documents contain what a user without the source needs."""
 import os
 import pathlib
 import re

@@ -118,7 +118,7 @@ public class TestMistakes {
         () -> agent.RegisterForRunEvent(smlRunEventId.smlEVENT_BEFORE_INPUT_PHASE, null, this)), "the handler of a run event is null");
     Check.contains(Check.fails(NullPointerException.class,
         () -> kernel.RegisterForSystemEvent(null, (event, data, which) -> {}, this)), "the event is null");
-    // Where nothing is meant by it, null is no mistake.
+    // Where nothing is meant by it, null is not a mistake.
     Check.contains(kernel.ExecuteCommandLine("version", null), "9.6.5");
   }
 
@@ -130,7 +130,7 @@ public class TestMistakes {
   public void testEventsOfNoFamilyAreRefused() {
     Check.contains(Check.fails(IllegalArgumentException.class,
         () -> agent.RegisterForRunEvent(smlRunEventId.smlRUN_EVENT_BAD, (event, data, who, phase) -> {}, null)),
-        "-1 is no number of a run event");
+        "-1 is not a number of a run event");
   }
 
   public void testAnAgentOfAnotherKernelIsRefused() {

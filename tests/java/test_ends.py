@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A program that ends in a handler ends with the status that it said: test_ends.py COMMAND..."""
+"""A program that ends in a handler has the exit status that it set: test_ends.py COMMAND..."""
 import subprocess
 import sys
 

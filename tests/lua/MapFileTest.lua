@@ -142,7 +142,7 @@ function tests.TestFaultsInXmlAreToldWithTheirLine()
     CheckRefused(kXml:gsub("<object>apple</object>", "<object>pear</object>"), "a.txt:22: the object 'pear' is not described");
     CheckRefused(kXml:gsub('<property name="move%-apply" value="true" />', ""), "a.txt:23: the object 'mat' is nothing that these rules have: walls, food");
     CheckRefused(kXml:gsub("</map>", ""), "has no end");
-    CheckRefused(kXml .. "<map/>", "more text behind the end of <map>");
+    CheckRefused(kXml .. "<map/>", "more text after the end of <map>");
     CheckRefused(kXml:gsub("'green'", "green"), "a.txt:14: expected a value in quotes after value=");
     CheckRefused("<soar2d><map/></soar2d>", "a.txt:1: this is a <soar2d>; a map of Soar2D is a <map>");
     CheckRefused(("<a>"):rep(50), "more than 20 elements within each other");

@@ -225,7 +225,7 @@ class Handlers(WithKernel):
         self.assertEqual(leaving.exception.code, 7)
 
     def test_events_of_another_kind_and_handlers_that_are_none_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "47 is no number of a run event"):
+        with self.assertRaisesRegex(ValueError, "47 is not a number of a run event"):
             self.agent.RegisterForRunEvent(sml.smlEVENT_PRINT, print)
         with self.assertRaisesRegex(TypeError, "must be callable, not 'text'"):
             self.agent.RegisterForPrintEvent(sml.smlEVENT_PRINT, "text")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Worlds as environments to learn in, and runs that show themselves."""
+"""Worlds as learning environments, and runs shown in notebooks."""
 import builtins
 import html
 import importlib.util
@@ -180,7 +180,7 @@ class Environments(unittest.TestCase):
             self.assertEqual(environment.step((3, 8.5))[0], 1)
             self.assertEqual(environment.agent.commands[0].parameters["z"], 8.5)
             self.assertIn("anna at 0.3", environment.render())
-            with self.assertRaisesRegex(ValueError, "is no action: Box"):
+            with self.assertRaisesRegex(ValueError, "is not an action: Box"):
                 environment.step((30, 0))
 
     def test_it_has_the_shape_of_a_gymnasium_environment(self):
@@ -201,7 +201,7 @@ class Mistakes(unittest.TestCase):
         for more, message in (
                 ({"actions": []}, "there must be an action"),
                 ({"actions": [3]}, "an order is None, a command's name, or a pair"),
-                ({"actions": ["move to"]}, "'move to' is no name"),
+                ({"actions": ["move to"]}, "'move to' is not a name"),
                 ({"actions": [("move-to", {"x": math.nan})]}, "a finite number"),
                 ({"actions": [("move-to", {"x": [1]})]}, "a number or a text"),
                 ({"actions": [("say", {"text": "a\nb"})]}, "characters that no value may have"),
@@ -222,7 +222,7 @@ class Mistakes(unittest.TestCase):
             environment.step(0)
         environment.reset()
         for action in (4, -1, "stop", None, 1.5, True):
-            with self.subTest(action=action), self.assertRaisesRegex(ValueError, r"is no action: Discrete\(4\)"):
+            with self.subTest(action=action), self.assertRaisesRegex(ValueError, r"is not an action: Discrete\(4\)"):
                 environment.step(action)
         environment.close()
         environment.close()

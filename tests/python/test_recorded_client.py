@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A robot of its own in Python, recorded: the command explains it, thinks it again, and goes back in it."""
+"""A recorded robot in Python: the command explains it, runs its mind again, and goes back in time."""
 import os
 import pathlib
 import subprocess

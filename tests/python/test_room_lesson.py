@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The second half of lesson 27: what check.py says of the starter, of a right answer, and of wrong ones."""
+"""The second half of lesson 27: the output of check.py for the starter, a right answer, and wrong ones."""
 import pathlib
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What a type checker says of the package soarbox, and of a program that uses soar_sml."""
+"""A type checker accepts the package soarbox, and a program that uses soar_sml."""
 import importlib.util
 import os
 import pathlib

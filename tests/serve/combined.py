@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Attacks a server in all known ways at once, beside a class that learns, and measures what the class notices of it.
+"""Attacks a server in all known ways at once while a class learns, and measures the effect on the class.
 
 usage: combined.py [--seconds S] [--learners N]
 
@@ -40,7 +40,7 @@ def most_memory_mb(pid):
 
 
 def cpu_s(pid):
-    """Seconds that a process has worked."""
+    """Processor time of a process, in seconds."""
     fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
@@ -95,7 +95,7 @@ class Attackers:
         self.threads.append(thread)
 
     def place(self):
-        """A new place, until the server makes no more of them for this address; then one of those that it made."""
+        """A new place, until the server refuses to make more for this address; then one of the existing ones."""
         status, made = self.server.json("POST", "/api/places", b"")
         if status == 200:
             self.places.append(made["place"])
@@ -170,7 +170,7 @@ class Attackers:
 
 
 class Learner(threading.Thread):
-    """Somebody of the class: a run that is looked at, and that types."""
+    """A learner of the class: watches a run, and types."""
 
     def __init__(self, server, place):
         super().__init__(daemon=True)

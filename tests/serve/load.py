@@ -27,7 +27,7 @@ NAMES = sorted(path.name for path in LESSONS.iterdir() if (path / "lesson.toml")
 
 
 def memory_mb(pid):
-    """What a process has for itself, shared pages counted by their share."""
+    """The memory of a process, with shared pages counted proportionally."""
     with open(f"/proc/{pid}/smaps_rollup", encoding="utf-8") as rollup:
         return sum(int(line.split()[1]) for line in rollup if line.startswith("Pss:")) / 1024
 
@@ -123,7 +123,7 @@ def describe(what, seconds):
 
 
 def what_the_next_is_told(server):
-    """The answer to one learner more than there is room for."""
+    """The server's answer to one learner too many."""
     page = WebSocket(server, f"/api/p/{server.new_place()}/run")
     if page.status == 101:
         page.close()
@@ -138,7 +138,7 @@ def what_the_next_is_told(server):
 
 
 def measure_streams(server, count, seconds):
-    """How many pages that watch one run a core of the server carries, from what `count` of them cost."""
+    """The number of pages that one core of the server can serve with one run, computed from the cost of `count` pages."""
     place = server.new_place()
     page = WebSocket(server, f"/api/p/{place}/run")
     page.ask(request="open", what="scenario:soar_skirmish")

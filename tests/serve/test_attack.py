@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What one hostile learner does to a server, and what all others notice of it. What is bounded is the server's own work and memory, and what it
+"""Attacks of one hostile learner on a server, and their effects on others. The tests bound the server's own work and memory, and what it
 answers: how long an answer takes depends on what else a machine does (combined.py measures it)."""
 import io
 import json
@@ -23,7 +23,7 @@ MOST_WORK_S = 5
 
 class Attack(ServeCase):
     def assert_others_are_served(self, server, before_s):
-        """Another page is answered, and the server has worked little since it had worked so long."""
+        """Another page gets an answer, and the server has used little processor time since the given value."""
         for _ in range(10):
             self.assertLess(server.http("GET", "/")[0], 500)
         self.assertLess(cpu_s(server.process.pid) - before_s, MOST_WORK_S)
@@ -105,7 +105,7 @@ class Processes(Attack):
             page.until_message("none")
         self.opened(server, server.new_place(), "scenario:soar_hallway")
         idle[0].ask(request="open", what="scenario:soar_hallway")
-        self.assertIn("for your address", idle[0].until_message("error")["error"])
+        self.assertIn("your address already runs", idle[0].until_message("error")["error"])
 
     def test_a_run_that_hangs_is_told_unasked_and_ended(self):
         server = self.serve("--hang", "20")
@@ -219,7 +219,7 @@ class Secrets(Attack):
 
 class Wall(Attack):
     def rights(self, pid):
-        """What the system says of a process: its network, and whether it may gain privileges and which calls are filtered."""
+        """The restrictions of a process: its network, whether it may gain privileges, and filtered system calls."""
         lines = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines())
         return os.readlink(f"/proc/{pid}/ns/net"), lines["NoNewPrivs"].strip(), lines["Seccomp"].strip(), lines.get("Seccomp_filters", "").strip()
 

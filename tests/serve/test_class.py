@@ -104,7 +104,7 @@ class Desk(ClassCase):
         self.assertRegex(ada["trouble"], r"^error in porter\.soar, line \d: ")
         for _ in range(3):
             page.ask(request="edit-text", what="check", text=text.replace("<in>\n", "<in>)\n"))
-        self.wait_for_learner(server, "Ada", lambda one: one["standing"] == "works", "a mended text is no mistake")
+        self.wait_for_learner(server, "Ada", lambda one: one["standing"] == "works", "a mended text is not a mistake")
 
     def test_grades_are_a_row_for_each_learner_with_the_names_of_lessons(self):
         server = self.begin("Ada", "=1+1")
@@ -243,7 +243,7 @@ class OtherSites(ServeCase):
         self.assertEqual(status, 404)
         self.assertIn("--embed", told["hint"])
         for odd in ("school.example", "https://school.example/course", "https://*", "https://a;script-src *", "https://"):
-            with self.subTest(odd=odd), self.assertRaisesRegex(AssertionError, "is no site"):
+            with self.subTest(odd=odd), self.assertRaisesRegex(AssertionError, "is not a site"):
                 self.serve("--embed", odd)
 
 

@@ -37,7 +37,7 @@ class Platform:
         self.process.stdout.close()
 
     def ask(self, path, data=None):
-        """Status and body of one request; like a browser's."""
+        """Status and body of one request, which looks like a browser's."""
         try:
             with urllib.request.urlopen(urllib.request.Request(self.url + path, data), timeout=PATIENCE_S, context=self.context) as answer:
                 return answer.status, answer.read().decode()
@@ -246,7 +246,7 @@ class Launches(LtiCase):
     def test_a_login_of_strangers_leads_nowhere(self):
         self.begin()
         for fields, words in (({"iss": "https://evil.example"}, "does not know the learning platform"), ({"client_id": "client-2"}, "does not know"),
-                              ({"login_hint": None}, "no login"), ({"iss": None}, "no login"), ({"target_link_uri": "https://evil.example/x"}, "another server")):
+                              ({"login_hint": None}, "not a login"), ({"iss": None}, "not a login"), ({"target_link_uri": "https://evil.example/x"}, "another server")):
             with self.subTest(fields=fields):
                 status, location, _, body = self.login(**{"user": "ada", **{("user" if name == "login_hint" else name): value for name, value in fields.items()}})
                 self.assertIn(status, (400, 403))
@@ -444,7 +444,7 @@ class OverTls(LtiCase):
 class Files(ServeCase):
     def test_a_file_with_a_mistake_is_named_with_its_place(self):
         file = self.folder / "lti.json"
-        for text, words in (("{", "this is no JSON"), ("{}", "needs the field 'url'"), ('{"url": "http://soar.example", "platforms": []}', "needs https://")):
+        for text, words in (("{", "this is not JSON"), ("{}", "needs the field 'url'"), ('{"url": "http://soar.example", "platforms": []}', "needs https://")):
             file.write_text(text, encoding="utf-8")
             with self.subTest(text=text), self.assertRaisesRegex(AssertionError, words):
                 self.serve("--lti", file)

@@ -180,7 +180,7 @@ class Doors(ServeCase):
         more = [socket.create_connection(("127.0.0.1", server.port), timeout=60) for _ in range(150)]
         status, answer = server.json("GET", "/")
         self.assertEqual(status, 503)
-        self.assertIn("as many connections", answer["error"])
+        self.assertIn("the maximum number of connections", answer["error"])
         for connection in silent + more:
             connection.close()
         self.wait_for(lambda: server.http("GET", "/")[0] == 200, "there is room again")

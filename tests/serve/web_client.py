@@ -100,7 +100,7 @@ class WebSocket:
             message = b""
 
     def until(self, accepts):
-        """Receives until a message is accepted; that one."""
+        """Receives until a message is accepted, and returns it."""
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end:
             message = self.receive()
@@ -114,7 +114,7 @@ class WebSocket:
         return self.until(lambda message: message["message"] == kind)
 
     def until_contents(self, name, accepts=lambda content: True):
-        """Receives until these contents, as they are now, are accepted; they alone."""
+        """Receives until the current state of these contents is accepted, and returns it."""
         if name not in self.contents or not accepts(self.contents[name]):
             self.until(lambda message: name in message.get("contents", {}) and accepts(message["contents"][name]))
         return self.contents[name]

@@ -29,7 +29,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 def newest_source():
-    """The file of those that a site is made from which was changed last."""
+    """The newest of the files that a site is built from."""
     listed = subprocess.run(["git", "ls-files", "src", "web/src", "lessons", "scenarios", "media", "cmake/wasm"], cwd=REPOSITORY,
                             capture_output=True, text=True, check=True).stdout.split("\n")
     files = [REPOSITORY / name for name in listed if name and not name.endswith(("_test.cpp", ".test.ts"))]
@@ -37,7 +37,7 @@ def newest_source():
 
 
 def what_is_missing(site, is_old_good):
-    """Why nothing can be tried; empty: everything is there."""
+    """The reason why nothing can be tried; empty: there is none."""
     proof = site if site.suffix == ".html" else site / "index.html"
     if not proof.is_file():
         return f"there is no site in {site}: ./dev site writes it (it needs emscripten, docs/dev/wasm.md)"

@@ -306,7 +306,7 @@ TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {
   user.Ask(R"({"request": "look", "panels": ["problems"]})");
   user.Serve();
   EXPECT_EQ(room.told.size(), 3U);
-  EXPECT_THAT(room.told[0], HasSubstr("breakpoints are for a run"));
+  EXPECT_THAT(room.told[0], HasSubstr("Breakpoints stop a run"));
   EXPECT_THAT(user.See("problems")["problems"].dump(), HasSubstr("cannot be opened here"));
   EXPECT_EQ(user.See("moment")["time"]["shown_tick"], 45);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Every world ends in the same state, wherever its minds live: in its own process, in a kernel of ours in another process,
+"""Every world ends in the same state, wherever its minds run: in its own process, in a kernel of ours in another process,
 and in the kernel that SOARBOX_SOAR_KERNEL=HOST:PORT names, which may be one of Soar 9.6.3 (docs/official_soar.md)."""
 import os
 import pathlib
@@ -61,7 +61,7 @@ def name_of(path):
 
 
 def worlds():
-    """All that `soarbox run` can be given: scenarios, their variants, and the lessons."""
+    """All worlds that `soarbox run` accepts: scenarios, their variants, and the lessons."""
     for folder in sorted(SCENARIOS.iterdir()):
         if (folder / "scenario.toml").exists() or (folder / "Sandbox.lua").exists():
             yield folder
@@ -75,7 +75,7 @@ def worlds():
 
 
 def with_agents(scenario, wanted):
-    """The text of a scenario with one agent of each that is wanted, by its name or its file of rules, in this order."""
+    """The text of a scenario with one agent for each given name or file of rules, in this order."""
     blocks = re.split(r"(?m)^(?=\[\[)", scenario)
     agents = [block for block in blocks if block.startswith("[[agent]]")]
     kept = []
@@ -87,7 +87,7 @@ def with_agents(scenario, wanted):
 
 
 def asking_anew(rules):
-    """The same rules, but that each extract is one of this moment alone."""
+    """The same rules with extract_once instead of extract."""
     blocks = []
     for block in re.split(r"(?m)^(?=sp \{)", rules):
         if "^extract <x>" in block:
@@ -98,7 +98,7 @@ def asking_anew(rules):
 
 
 def end_of(world, seconds, *arguments):
-    """What a run comes to: its last event, and all commands that its agents gave."""
+    """The result of a run: its last event, and all commands of its agents."""
     run = run_json(world, "--seconds", seconds, "--seed", 1, "--every-command", *arguments)
     ends = run.of("end")
     if run.code not in (0, 1) or len(ends) != 1:

@@ -9,7 +9,7 @@ after(closeBrowser);
 const title = (page) => page.locator(".run-title").innerText();
 const hash = (page) => new URL(page.url()).hash;
 
-test("Back, Forward and reload lead to the lesson, the world, and where one begins", async () => {
+test("Back, Forward and reload lead to the lesson, the world, and the start page", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 2);
   await until(() => hash(page) === "#lesson=02-operators", "a lesson has an address");
@@ -55,7 +55,7 @@ test("a moment and a file have addresses", async () => {
   await close();
 });
 
-test("a link gives away what is shown, or a copy of the rules, and never the place", async () => {
+test("a link shares the current view, or a copy of the rules, and never the place", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 1);
   await typeRules(page, "# This I give away.\n");

@@ -6,7 +6,7 @@ import { closeBrowser, openPage, openWorld, picture, until } from "./browser.mjs
 
 after(closeBrowser);
 
-test("in a crowd names alone are shown, readable and apart", async () => {
+test("in a crowd only names are shown, readable and without overlaps", async () => {
   const { page, troubles, close } = await openPage("/");
   await openWorld(page, "crowd");
   await until(async () => (await page.locator(".labels .name.compact").count()) >= 12, "a dozen names are shown");

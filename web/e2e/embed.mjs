@@ -16,7 +16,7 @@ async function site(port, body) {
   return { address: `http://127.0.0.1:${port}/`, close: () => server.close() };
 }
 
-test("worlds begin when they are clicked, each in a place of its own, and take keys and rules", { skip }, async () => {
+test("worlds begin when they are clicked, each in its own place, and accept keys and rules", { skip }, async () => {
   const port = await freePort(), server = await startServer(["--embed", `http://127.0.0.1:${port}`]);
   const course = await site(port, `<p>Click.</p><soarbox-world src="${server.address}/#world=soar_hallway" panels="mind why"></soarbox-world>
     <soarbox-world src="#lesson=02-operators" panels="edit" label="Try the mower"></soarbox-world><soarbox-world src="nothing"></soarbox-world><script src="${server.address}/embed.js"></script>`);
@@ -45,7 +45,7 @@ test("worlds begin when they are clicked, each in a place of its own, and take k
   await server.kill();
 });
 
-test("a site that is not named shows no world", { skip }, async () => {
+test("a site that --embed does not name shows no world", { skip }, async () => {
   const [port, other] = [await freePort(), await freePort()], server = await startServer(["--embed", `http://127.0.0.1:${port}`]);
   const course = await site(other, `<iframe src="${server.address}/embed#world=soar_hallway"></iframe><iframe src="${server.address}/#world=soar_hallway"></iframe>`);
   const { page, close } = await openPage(course.address, { draws: false, passed: /./ });

@@ -24,7 +24,7 @@ function freeUdpPort() {
   });
 }
 
-test("who is foreign is marked, and the exercise is told", { skip: COMMAND === "" && "SOARBOX_COMMAND names no program" }, async () => {
+test("foreign agents are marked, and the panel of the exercise describes it", { skip: COMMAND === "" && "SOARBOX_COMMAND names no program" }, async () => {
   const folder = join(mkdtempSync(join(tmpdir(), "soarbox-")), "joint"), port = await freeUdpPort();
   cpSync(SKIRMISH, folder, { recursive: true });
   const own = readFileSync(join(folder, "joint_blue.toml"), "utf8");
@@ -54,7 +54,7 @@ test("who is foreign is marked, and the exercise is told", { skip: COMMAND === "
   }
 });
 
-test("without --dis a learner's world joins nothing, and says so", { skip: COMMAND === "" && "SOARBOX_COMMAND names no program" }, async () => {
+test("without --dis a learner's world joins no exercise, and says so", { skip: COMMAND === "" && "SOARBOX_COMMAND names no program" }, async () => {
   const folder = join(mkdtempSync(join(tmpdir(), "soarbox-")), "alone");
   cpSync(SKIRMISH, folder, { recursive: true });
   writeFileSync(join(folder, "scenario.toml"), readFileSync(join(folder, "joint_blue.toml"), "utf8"));

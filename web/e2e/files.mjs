@@ -19,7 +19,7 @@ async function caretAt(page, word) {
   for (let i = 0; i < lines.at(-1).length; ++i) await page.keyboard.press("ArrowRight");
 }
 
-test("rules are laid out, a name is renamed, and F12 goes to the rule that makes it", async () => {
+test("rules are formatted, a name is renamed, and F12 goes to the rule that makes it", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 1);
   await typeRules(page, "sp {porter*make\n(state <s> ^superstate nil)\n-->\n (<s> ^mood good)}\nsp {porter*use\n(state <s> ^mood good)\n-->\n(write |hello|)}\n");
@@ -48,7 +48,7 @@ test("rules are laid out, a name is renamed, and F12 goes to the rule that makes
   await close();
 });
 
-test("a new file is made beside the first, sourced, and its rules are loaded", async () => {
+test("a new file is created next to the first, sourced, and its rules are loaded", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false, passed: /404/ });
   await openWorld(page, "soar_hallway");
   await page.locator("#tab-edit").click();

@@ -15,7 +15,7 @@ async function assertIsSeen(page, selector, what) {
   }, what);
 }
 
-test("checks are neutral before there is anything to judge, begin anew with Apply, follow time travel, and leave a future that is gone", async () => {
+test("checks are neutral before there is anything to judge, restart with Apply, follow time travel, and forget a discarded future", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 3);
   const rules = readFileSync(new URL("../../lessons/03-choices/solution/runner.soar", import.meta.url), "utf8");

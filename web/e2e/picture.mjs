@@ -6,7 +6,7 @@ import { closeBrowser, openLesson, openPage, openWorld, picture, show, until } f
 
 after(closeBrowser);
 
-test("the navigation mesh, influence map, physics and forces are drawn while they are on, also over a world that stands still", async () => {
+test("the navigation mesh, influence map, physics and forces are drawn while they are on, also over a paused world", async () => {
   const { page, troubles, close } = await openPage("/", { size: [820, 420] });
   await openWorld(page, "tactics");
   await page.waitForSelector(".labels .name");
@@ -44,7 +44,7 @@ const shownSeconds = async (page) => {
   return 60 * Number(minutes) + Number(seconds);
 };
 
-test("the camera keeps everybody in the picture from the beginning, until it is moved, and again when asked", async () => {
+test("the camera keeps everybody in the picture until it is moved, and again on request", async () => {
   const { page, troubles, close } = await openPage("/", { size: [1280, 800] });
   for (const [name, seconds] of [["movement", 2], ["soar_flee", 6], ["eaters", 1]]) {
     await openWorld(page, name);
@@ -127,7 +127,7 @@ test("what an agent prints is over its head, and in the panel Output from the fi
   await close();
 });
 
-test("an empty world and agents without a mind say what they are, and what to do", async () => {
+test("an empty world and agents without a mind are explained, with what to do", async () => {
   const { page, troubles, close } = await openPage();
   await openWorld(page, "mind_body");
   await page.waitForSelector(".stage .nobody:has-text('F4 calls a soldier')");

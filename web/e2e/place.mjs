@@ -31,7 +31,7 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
   await other.page.locator("ol.cards button.card").first().click();
   await until(async () => /Kept in a zip/.test(await other.page.locator(".cm-content").innerText()), "the uploaded rules are in the editor");
 
-  // What is no archive is refused in words.
+  // What is not an archive is refused in words.
   await other.page.locator("button.home").click();
   writeFileSync(join(folder, "odd.zip"), "no archive at all");
   await other.page.locator("input[type=file]").setInputFiles(join(folder, "odd.zip"));
@@ -60,7 +60,7 @@ const fingers = (page, selector, way) => page.locator(selector).evaluate((elemen
   tell("up", "end", at(STEPS));
 }, way);
 
-test("with fingers: a body is selected, the camera turns, pinches and moves, panels are swiped", async () => {
+test("with touch: a body is selected, the camera turns, zooms and moves, panels are swiped", async () => {
   const { page, troubles, close } = await openPage("/", { size: [390, 780], touch: true });
   await openWorld(page, "soar_wander");
   await page.waitForSelector(".labels .name");

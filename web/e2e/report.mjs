@@ -42,7 +42,7 @@ async function bars(page) {
   return found.violations.flatMap((one) => one.nodes.map((node) => `${one.id}: ${node.target.join(" ")}`));
 }
 
-test("a report shows its run in 3D at every moment, and all below follows", () => look("fight", async (page) => {
+test("a report shows its run in 3D at every moment, and all parts below follow", () => look("fight", async (page) => {
   await page.locator(".scene").getByText("blue-leader").first().waitFor();
   const pixels = () => page.locator(".scene canvas").first().screenshot();
   const before = await pixels(), dotsBefore = await dots(page);
@@ -88,7 +88,7 @@ test("names and texts that are markup stay texts, in every part", () => look("ma
   assert.equal(await page.locator("img").count(), 0);
 }));
 
-test("runs of a folder are chosen by name, each with all that there is to tell", () => look("several", async (page) => {
+test("runs of a folder are chosen by name, each with all sections", () => look("several", async (page) => {
   await page.locator("#messages").waitFor();
   assert.deepEqual(await heads(page), ["Checks", "Key moments", "Map", "Timeline", "Numbers", "Messages", "Rules", "Files", "About"]);
   assert.ok((await page.locator("#messages").innerText()).includes('<img src=x onerror="window.hurt=1">'));
@@ -108,7 +108,7 @@ test("runs of a folder are chosen by name, each with all that there is to tell",
   assert.match(await page.locator("#play").innerText(), /Play/);
 }));
 
-test("all goes by the keyboard", () => look("several", async (page) => {
+test("everything can be done with the keyboard", () => look("several", async (page) => {
   await page.locator("#slider").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
@@ -151,7 +151,7 @@ test("a phone shows reports without scrolling sideways, with buttons for fingers
   }
 });
 
-test("nothing bars anybody, in light and dark", async () => {
+test("there are no accessibility errors, in light and dark", async () => {
   const grounds = new Set();
   for (const scheme of ["light", "dark"]) {
     for (const name of ["several", "sweep", "cup", "markup"]) {
@@ -169,7 +169,7 @@ test("nothing bars anybody, in light and dark", async () => {
   assert.equal(grounds.size, 2);
 });
 
-test("a sweep tells variants, distributions, differences, and every run", () => look("sweep", async (page) => {
+test("a sweep shows variants, distributions, differences, and every run", () => look("sweep", async (page) => {
   const told = await heads(page);
   for (const head of ["Variants", "Checks", "Distributions", "Differences from slow, on equal seeds", "All runs", "About"]) assert.ok(told.includes(head), `${head}: ${told}`);
   assert.equal(await page.locator("#rows tbody tr").count(), 12);
@@ -190,7 +190,7 @@ test("a tournament begins with its standings", () => look("cup", async (page) =>
   assert.ok((await page.locator("#standings").innerText()).includes("<img src=x"));
 }));
 
-test("on paper all is light and nothing is cut off", async () => {
+test("the printed page is light, and nothing is cut off", async () => {
   for (const [name, draws] of [["fight", true], ["sweep", false]]) {
     await look(name, async (page) => {
       await page.locator("main h2").first().waitFor();
@@ -206,7 +206,7 @@ test("on paper all is light and nothing is cut off", async () => {
   }
 });
 
-test("a frame that may keep nothing shows a report as in a notebook", async () => {
+test("a frame without storage shows a report, as in a notebook", async () => {
   const page = await (await openBrowser()).newPage(), troubles = [];
   page.on("pageerror", (error) => troubles.push(String(error)));
   await page.setContent('<iframe sandbox="allow-scripts" style="width: 1200px; height: 700px"></iframe>');
@@ -219,7 +219,7 @@ test("a frame that may keep nothing shows a report as in a notebook", async () =
   await page.close();
 });
 
-test("without scripts a report tells the most important", () => look("markup", async (page) => {
+test("without scripts a report shows the most important results", () => look("markup", async (page) => {
   const told = await page.locator("body").innerText();
   assert.match(told, /to the gate/);
   assert.match(told, /failed: 1 of 2 checks/);

@@ -6,7 +6,7 @@ import { closeBrowser, openPage, openWorld, picture, until } from "./browser.mjs
 
 after(closeBrowser);
 
-test("a world with models, an image, a bar and buttons is played with mouse and gamepad, and heard", async () => {
+test("a world with models, an image, a bar and buttons is played with mouse and gamepad, and its sounds are played", async () => {
   const { page, troubles, close } = await openPage("/");
   await page.evaluate(() => {
     globalThis.soundsBegun = 0;

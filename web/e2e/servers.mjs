@@ -37,7 +37,7 @@ test("a server that was killed comes back, and with it the page and what was typ
   await second.kill();
 });
 
-test("with a token the address leads in, and does not keep it; without it there is a sentence", { skip }, async () => {
+test("the printed address with its token opens the page and then drops the token; without a token there is a message", { skip }, async () => {
   const server = await startServer(["--token", "a-long-secret-0123456789"]), { page, troubles, close } = await visit(`${server.address}/#token=a-long-secret-0123456789`);
   await openLesson(page, 1);
   assert.doesNotMatch(page.url(), /token/);
@@ -49,7 +49,7 @@ test("with a token the address leads in, and does not keep it; without it there 
   await server.kill();
 });
 
-test("a teacher sees the class, and watches without a hand in it; names with markup are names", { skip }, async () => {
+test("a teacher sees the class, and watches without changing anything; names with markup are shown as text", { skip }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "soarbox-"));
   writeFileSync(join(folder, "names.txt"), `Ada\n${MARKUP}\n`);
   const server = await startServer(["--class", join(folder, "names.txt")]);
@@ -88,7 +88,7 @@ test("a teacher sees the class, and watches without a hand in it; names with mar
   await server.kill();
 });
 
-test("an agent, a world and messages called like markup are text in every place", { skip }, async () => {
+test("names of an agent and a world, and messages, with markup are shown as text everywhere", { skip }, async () => {
   const lessons = new URL("../../lessons/01-a-rule/", import.meta.url), folder = join(mkdtempSync(join(tmpdir(), "soarbox-")), "odd");
   mkdirSync(folder);
   for (const name of ["porter.soar", "visitor.soar"]) writeFileSync(join(folder, name), readFileSync(new URL(name, lessons)));

@@ -39,7 +39,7 @@ test("a reload right after the last letter, and typing without a server, lose no
   await second.kill();
 });
 
-test("of two tabs on one place one edits, and the other may take over", { skip }, async () => {
+test("only one of two tabs on a place edits, and the other may take over", { skip }, async () => {
   const server = await startServer([]), { page, troubles, close } = await openPage(`${server.address}/`, { draws: false });
   await openLesson(page, 1);
   const other = await (await (await openBrowser({ draws: false })).newContext()).newPage();

@@ -38,7 +38,7 @@ async function colors(page, selector) {
   }, [...shot]);
 }
 
-test("soldiers are drawn, reasons are told, the past is shown and left again", async () => {
+test("soldiers are drawn, reasons are shown, and the past is visited and left again", async () => {
   const { page, troubles, close } = await openPage("/", { size: [1100, 640] });
   await openWorld(page, "soar_skirmish");
   await page.waitForSelector(".labels .name");
@@ -140,7 +140,7 @@ test("with the keyboard alone: run, step, select, cameras, panels, keys", async 
   await close();
 });
 
-test("lists and trees are walked with arrow keys, bars between panels moved; zoomed to 200 % everything can be used", async () => {
+test("arrow keys move in lists and trees and move the bars between panels; everything works at a zoom of 200 %", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 6);
   await show(page, "Agents");

@@ -47,7 +47,7 @@ function tell(root: HTMLElement, error: unknown, canMove = location.pathname !==
     h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button("A new place", () => location.assign("/"))))))]);
 }
 
-/** What is in an element of a page that is one file: base64 of something that is compressed. */
+/** The contents of an element of a single-file page: compressed data in base64. */
 async function partOf(id: string): Promise<ArrayBuffer> {
   const bytes = Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (letter) => letter.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
@@ -68,7 +68,7 @@ async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
     const info = await api.json<PlaceInfo>("/api/p/local");
     root.replaceChildren();
     new App(root, api, info);
-    // Another time it works without a network. Where browsers do not offer that, as on a site without TLS, it needs one.
+    // From the second visit on, the site works without a network, unless the browser does not support this (without TLS).
     if (engine !== "") void navigator.serviceWorker?.register(new URL("offline.js", document.baseURI)).catch(() => undefined);
   } catch (error) {
     tell(root, error, false);

@@ -17,7 +17,7 @@ def find_command() -> str:
     named = os.environ.get("SOARBOX")
     if named:
         if not os.access(named, os.X_OK):
-            raise CommandError(f"$SOARBOX names {named}, which is no program; set it to the path of soarbox")
+            raise CommandError(f"$SOARBOX names {named}, which is not a program; set it to the path of soarbox")
         return named
     built = pathlib.Path(__file__).resolve().parents[2] / "bin" / "soarbox"
     if os.access(built, os.X_OK):

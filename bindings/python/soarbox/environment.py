@@ -114,7 +114,7 @@ class Environment:
         if self._is_over:
             raise WorldEnded("the episode has ended; call reset()")
         if action not in self.action_space:
-            raise ValueError(f"{action!r} is no action: {self.action_space!r}")
+            raise ValueError(f"{action!r} is not an action: {self.action_space!r}")
         self._steps += 1
         reward = 0.0
         try:
@@ -256,7 +256,7 @@ def _pair(order: Any) -> Tuple[str, Parameters]:
 
 def _word(text: Any) -> str:
     if not isinstance(text, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_*-]*", text):
-        raise ValueError(f"{text!r} is no name of a command or parameter")
+        raise ValueError(f"{text!r} is not a name of a command or parameter")
     return text
 
 
@@ -296,7 +296,7 @@ def _paths(observe: Any) -> List[str]:
 
 
 def _add_paths(node: Node, before: str, paths: Set[str], deepest: int = 6) -> None:
-    """Adds the paths of all that is there below a node."""
+    """Adds the paths of all elements below a node."""
     for attribute in node:
         paths.add(before + attribute)
         for value in node.all(attribute):

@@ -97,7 +97,7 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
   for (const std::string& text : channel_.Receive(most_ms)) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) {
-      Refuse(NewProblem("this is no request", "a request is a JSON object (docs/serve.md)"));
+      Refuse(NewProblem("this is not a request", "a request is a JSON object (docs/serve.md)"));
       continue;
     }
     const Result<void> taken = Take(json, asked);

@@ -84,7 +84,8 @@ Result<void> ReadListen(const std::string& listen, serve::Settings& settings) {
   const char* const begin = listen.data() + (colon == std::string::npos ? listen.size() : colon + 1);
   const auto [at, error] = std::from_chars(begin, listen.data() + listen.size(), port);
   if (error != std::errc{} || at != listen.data() + listen.size() || port < 0 || port > 65535)
-    return NewProblem("--listen " + listen + " is no address with a port", "write it as 127.0.0.1:8080 or [::1]:8080");
+    return NewProblem("--listen " + listen + " is not an address with a port",
+                      "write it as 127.0.0.1:8080 or [::1]:8080");
   settings.address = address;
   settings.port = static_cast<std::uint16_t>(port);
   return {};
@@ -109,7 +110,7 @@ Result<std::string> TokenOf(const ServeOptions& options) {
   std::string token = options.token;
   if (!options.token_file.empty()) {
     const std::optional<std::string> text = ReadText(options.token_file);
-    if (!text) return ProblemIn(options.token_file, "this file with the token cannot be read");
+    if (!text) return ProblemIn(options.token_file, "this token file cannot be read");
     token = text->substr(0, text->find_first_of("\r\n"));
     if (token.empty())
       return ProblemIn(options.token_file, "the first line of this file is the token, and it is empty");
@@ -139,7 +140,7 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
   settings.proxies = options.proxies;
   for (const std::string& site : options.embedders) {
     if (!IsOrigin(site))
-      return NewProblem("--embed " + site + " is no site", "write it as https://school.example, without a path");
+      return NewProblem("--embed " + site + " is not a site", "write it as https://school.example, without a path");
     settings.embedders.push_back(site);
   }
   settings.state = fs::absolute(options.state.empty() ? mission::StateFolder("serve") : options.state, error);
@@ -187,7 +188,7 @@ int ServePages(const ServeOptions& options) {
   }
   if (!IsThisMachine(settings->address) && settings->token.empty() && !options.open) {
     std::cerr << Format(
-        NewProblem("others than you could reach this address: the server needs a token",
+        NewProblem("other people could reach this address: the server needs a token",
                    "add --token SECRET, or --open if anybody who reaches it may run worlds on this machine"));
     return kUsage;
   }

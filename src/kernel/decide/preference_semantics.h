@@ -90,7 +90,7 @@ class PreferenceSemantics {
   std::vector<std::uint64_t> pairs_;     ///< Scratch of AllIndifferent and NoteLosers.
   DecisionTrace* trace_ = nullptr;       ///< Of the current call; null if no trace is wanted.
   bool by_position_ = false;             ///< There are many preferences: candidates are found by position_.
-  std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere if it is no candidate.
+  std::vector<std::uint32_t> position_;  ///< By identifier index; kNowhere if it is not a candidate.
   std::vector<std::uint32_t> indexed_;   ///< The identifier indices set in position_.
 };
 

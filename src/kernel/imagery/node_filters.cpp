@@ -25,8 +25,9 @@ class NodeFilter final : public ComputedFilter {
   }
   Trouble Missing() const override {
     if (missing_.empty() || scene().Find(missing_) != nullptr) return {};
-    return {"filter node finds nothing, now and later: " + HintForNode(scene(), missing_),
-            "for what comes later, take tag_select over all_nodes, or give the command once the node is there"};
+    return {
+        "filter node finds nothing, now or later: " + HintForNode(scene(), missing_),
+        "to find a node that appears later, use tag_select over all_nodes, or give the command once the node exists"};
   }
 
   std::string missing_;  ///< The name for which there was no node.

@@ -131,7 +131,7 @@ class LineReader {
   std::optional<LineError> Add() {
     if (!Has(1)) return Refuse(1, "expected the id of the new node");
     if (scene_.Find(words_[1]) != nullptr) {
-      return Refuse(1, "there is a node " + words_[1] + " already: change it, or take another id");
+      return Refuse(1, "there is a node " + words_[1] + " already: change it, or use another id");
     }
     if (!Has(2)) return Refuse(2, "expected the id of the parent: world, or another group");
     Node* const parent = scene_.Find(words_[2]);

@@ -225,16 +225,17 @@ void EpisodeCommands::TellQuery(GoalLevel level, const Command& command, const E
   std::string reason;
   const std::int64_t leaves = query.positive.leaf_count();
   if (answer.episode == 0) {
-    reason = store_.last() == 0 ? "there are no episodes yet" : "no episode that may be looked at holds any of it";
+    reason =
+        store_.last() == 0 ? "there are no episodes yet" : "no episode that may be searched has any part of the cue";
   } else if (answer.graph_matched) {
-    reason = "the latest episode in which all of it holds";
+    reason = "the latest episode that matches the entire cue";
   } else if (answer.cardinality >= leaves && query.negative.leaf_count() == 0) {
-    reason = "the latest in which each part of it holds, though not all together";
+    reason = "the latest that matches each part of the cue, but not all parts together";
   } else {
     char score[40];
     std::snprintf(score, sizeof score, "%g", answer.score);
-    reason = "no episode holds all of it; in this one the most does: " + std::to_string(answer.cardinality) + " of " +
-             std::to_string(leaves) + " parts, score " + score;
+    reason = "no episode matches the entire cue; this one matches most of it: " + std::to_string(answer.cardinality) +
+             " of " + std::to_string(leaves) + " parts, score " + score;
   }
   Tell(level, answer.episode, question, reason);
 }

@@ -79,7 +79,7 @@ class EpisodicMemory final : public Module {
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
   /// All episodes as a record for a journal, and the inverse. Load returns false if the records are invalid: then there
-  /// are no episodes.
+  /// are not episodes.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 

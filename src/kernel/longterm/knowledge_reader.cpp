@@ -335,7 +335,7 @@ bool Plan(const SemanticMemory& memory, const WrittenClause& clause, bool force,
   for (const WrittenAugmentation& augmentation : clause.augmentations) {
     const StoreTerm attribute = FindTerm(memory, augmentation.path.front());
     const bool has = attribute && knowledge.Has(object, attribute);
-    // An attribute that the agent knows is no error, unless a value is specified, too.
+    // An attribute that the agent knows is not an error, unless a value is specified, too.
     const WrittenValue& named = augmentation.path.front();
     const bool is_text = named.kind == WrittenValue::Kind::kString || named.kind == WrittenValue::Kind::kIdentifier;
     if (!has && augmentation.path.size() == 1 && augmentation.values.empty() && is_text &&

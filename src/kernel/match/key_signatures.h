@@ -39,7 +39,7 @@ class KeySignatures {
   /// The tokens of the node are no longer added here until it has been empty.
   void AddAll(std::uint32_t node) { sets_[node] = kAll; }
 
-  /// Begins the sets of that many nodes, about whose tokens nothing is known.
+  /// Creates the sets of this many nodes. Nothing is known about their tokens yet.
   void Begin(std::size_t nodes) { sets_.resize(nodes, kAll); }
   /// The number of nodes is now `nodes`.
   void MakeRoom(std::size_t nodes) {

@@ -50,7 +50,7 @@ void RuleReader::Complain() {
       break;
     case TokenKind::kString:
       Report(Severity::kWarning, token_, text + " is read as a string, not as a variable",
-             "a variable has < in front and > behind, and no blanks");
+             "a variable begins with <, ends with > and has no blanks");
       break;
     default:
       Report(Severity::kWarning, token_, "the number " + text + " is too large and is read as 0", "");

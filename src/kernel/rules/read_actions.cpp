@@ -338,7 +338,7 @@ bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
           DescribeAction(action) + "\n");
       Report(Severity::kWarning, sign,
              "the preference " + std::string(sign.text) + " means nothing here: only operator takes it",
-             "to make an element, leave it out; to remove one, write - behind its value");
+             "to make an element, leave it out; to remove one, write - after its value");
     }
     Accept(TokenKind::kComma);
   }

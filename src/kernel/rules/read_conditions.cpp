@@ -243,7 +243,7 @@ bool RuleReader::ReadIdTest(TestDraft& id) {
   if (symbol && !symbol.IsVariable()) {
     const std::string name = ToString(symbols_, symbol);
     Say("Warning: Constant " + name + " in id field test.\n         This will never match.\n");
-    Report(Severity::kError, at, "constant " + name + " stands where only a variable can match an identifier",
+    Report(Severity::kError, at, "constant " + name + " is used where only a variable can match an identifier",
            "write <" + name + "> to name an object");
     return false;
   }

@@ -34,7 +34,7 @@ Result<Book> Book::Read(const std::filesystem::path& file) {
   if (!text) return book;
   const Diagnostic damaged =
       ProblemIn(file, "this file is damaged: it says which place belongs to whom on learning platforms",
-                "restore it, or move it away; then everybody who comes from a platform begins anew");
+                "restore it, or move it away; then everybody who comes from a platform starts from the beginning");
   try {
     const BookJson json = BookJson::parse(*text);
     for (const BookJson& each : json.at("courses")) {

@@ -19,8 +19,8 @@
 
 namespace soarbox::lti {
 
-/// What is kept of learning platforms: courses, whose place is whose, and scores that were sent or wait. Times are
-/// seconds since 1970. It belongs to one thread.
+/// The stored data about learning platforms: courses, the owner of each place, and scores that were sent or are
+/// waiting. Times are seconds since 1970. It belongs to one thread.
 class Book {
  public:
   struct Course {
@@ -59,7 +59,7 @@ class Book {
   const std::deque<Course>& courses() const { return courses_; }
   std::vector<Link>& links() { return links_; }
   const std::vector<Link>& links() const { return links_; }
-  /// The name of the learner whose place this is; empty: it is nobody's.
+  /// The name of the learner who owns this place; empty: it has no owner.
   std::string NameOf(std::string_view place) const;
   /// The course with this key; null: none.
   const serve::ClassList* FindByKey(std::string_view key) const;

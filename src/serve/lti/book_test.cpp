@@ -47,7 +47,7 @@ TEST(Book, AScoreWaitsWhenALessonWasTriedOrPassedAndOnlyThen) {
   book.AddLink(kMoodle, LaunchOf("1", "a"), "p1");
   ASSERT_EQ(book.links().size(), 1u);
   Book::Link& link = book.links()[0];
-  EXPECT_FALSE(book.Note(link, {false, 0, 2}, 1000)) << "a hint is no try";
+  EXPECT_FALSE(book.Note(link, {false, 0, 2}, 1000)) << "a hint is not a try";
   EXPECT_TRUE(book.Note(link, {false, 1, 2}, 1000));
   EXPECT_EQ(link.comment, "Not passed yet, after 1 try and 2 hints.");
   EXPECT_FALSE(book.Note(link, {false, 1, 2}, 1001));

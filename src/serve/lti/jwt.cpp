@@ -37,16 +37,16 @@ Result<Jwt> ReadJwt(std::string_view text) {
   const std::size_t first = text.find('.'),
                     second = first == std::string_view::npos ? first : text.find('.', first + 1);
   if (second == std::string_view::npos || text.find('.', second + 1) != std::string_view::npos)
-    return NewProblem("this is no token: it needs three parts with dots between them");
+    return NewProblem("this is not a token: it needs three parts with dots between them");
   const std::optional<std::string> header = FromBase64Url(text.substr(0, first)),
                                    claims = FromBase64Url(text.substr(first + 1, second - first - 1)),
                                    signature = FromBase64Url(text.substr(second + 1));
   if (!header || !claims || !signature) return NewProblem("a part of this token is not base64url");
   const TokenJson head = TokenJson::parse(*header, nullptr, false);
-  if (!head.is_object()) return NewProblem("the header of this token is no JSON object");
+  if (!head.is_object()) return NewProblem("the header of this token is not a JSON object");
   if (head.contains("crit")) return NewProblem("this token needs an extension that Soarbox does not know");
   if (!TokenJson::parse(*claims, nullptr, false).is_object())
-    return NewProblem("the claims of this token are no JSON object");
+    return NewProblem("the claims of this token are not a JSON object");
   return Jwt{TokenText(head, "alg"), TokenText(head, "kid"), *claims, std::string(text.substr(0, second)), *signature};
 }
 
@@ -60,7 +60,7 @@ Result<std::vector<WebKey>> ReadKeySet(std::string_view text) {
   const TokenJson json = TokenJson::parse(text, nullptr, false);
   const auto found = json.is_object() ? json.find("keys") : json.end();
   if (!json.is_object() || found == json.end() || !found->is_array() || found->size() > kMostKeys)
-    return NewProblem("this is no set of at most 100 keys", "a set of keys is {\"keys\": [...]}, as RFC 7517 says");
+    return NewProblem("this is not a set of at most 100 keys", "a set of keys is {\"keys\": [...]}, as RFC 7517 says");
   std::vector<WebKey> keys;
   for (const TokenJson& each : *found)
     if (std::optional<WebKey> key = ReadKey(each)) keys.push_back(std::move(*key));

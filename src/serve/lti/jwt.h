@@ -30,7 +30,7 @@ struct WebKey {
   std::string id, modulus, exponent;
 };
 
-/// The keys of a set that can check RS256 signatures; others are left out. The error says that it is no set of keys.
+/// The keys of a set that can check RS256 signatures; others are left out. The error says that it is not a set of keys.
 Result<std::vector<WebKey>> ReadKeySet(std::string_view text);
 
 }  // namespace soarbox::lti

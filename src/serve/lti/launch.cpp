@@ -18,7 +18,7 @@ constexpr const char* kTool = "https://purl.imsglobal.org/spec/lti/claim/";
 constexpr std::int64_t kClocksDiffer_s = 60, kOldest_s = 3600;
 constexpr std::size_t kMostIdBytes = 255, kMostNameBytes = 100;
 
-/// A field of an object; null: it is not there, or this is no object.
+/// A field of an object; null: it is not there, or this is not an object.
 const ClaimJson& FieldIn(const ClaimJson& json, const std::string& name) {
   static const ClaimJson kNull;
   const auto found = json.is_object() ? json.find(name) : json.end();
@@ -30,7 +30,7 @@ std::string TextIn(const ClaimJson& json, const std::string& name) {
   return field.is_string() ? field.get<std::string>() : std::string();
 }
 
-/// Seconds since 1970; nothing if it is no number that a clock could show.
+/// Seconds since 1970; nothing if it is not a number that a clock could show.
 std::optional<std::int64_t> TimeIn(const ClaimJson& json, const char* name) {
   constexpr double kLatest_s = 1e11;
   const ClaimJson& field = FieldIn(json, name);
@@ -81,7 +81,7 @@ bool Teaches(const ClaimJson& role) {
   return false;
 }
 
-/// At most so many bytes, cut between characters; control characters become blanks.
+/// At most this many bytes, cut between characters. Control characters are replaced by blanks.
 std::string ShortName(std::string text) {
   if (text.size() > kMostNameBytes) {
     std::size_t end = kMostNameBytes;
@@ -128,7 +128,7 @@ Result<void> ReadChoice(const ClaimJson& claims, Launch& launch) {
 Result<Launch> ReadLaunch(const std::string& text, const Platform& platform, const std::string& nonce,
                           std::int64_t now_s) {
   const ClaimJson claims = ClaimJson::parse(text, nullptr, false);
-  if (!claims.is_object()) return NewProblem("the claims of this token are no JSON object");
+  if (!claims.is_object()) return NewProblem("the claims of this token are not a JSON object");
   if (const std::string trouble = TroubleOfToken(claims, platform, nonce, now_s); !trouble.empty())
     return NewProblem("the platform's token cannot be used: " + trouble, "open the link in the course again");
   const std::string tool = kTool;
@@ -139,7 +139,7 @@ Result<Launch> ReadLaunch(const std::string& text, const Platform& platform, con
       std::ranges::find(platform.deployments, launch.deployment) == platform.deployments.end())
     return NewProblem(
         "this server does not know the deployment '" + ShortName(launch.deployment) + "' of " + platform.name,
-        "whoever runs the server can add it to 'deployments' in the file of --lti");
+        "the server's administrator can add it to 'deployments' in the file of --lti");
   launch.subject = TextIn(claims, "sub");
   if (launch.subject.empty() || launch.subject.size() > kMostIdBytes)
     return NewProblem("the platform does not say who you are", "log in to the platform");

@@ -9,7 +9,7 @@
 
 namespace soarbox::lti {
 
-/// What a platform says when somebody follows one of its links to Soarbox (LTI 1.3), after all checks.
+/// The data that a platform sends when a user follows one of its links to Soarbox (LTI 1.3), after all checks.
 struct Launch {
   std::string deployment;            ///< Of Soarbox on the platform.
   std::string subject;               ///< The person, by the platform's id.

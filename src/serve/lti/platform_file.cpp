@@ -74,7 +74,7 @@ class FieldReader {
 
 Result<Platform> ReadPlatform(const PlatformJson& json, int number, const fs::path& file) {
   const std::string where = "platform " + std::to_string(number);
-  if (!json.is_object()) return ProblemIn(file, where + " is no object with fields", kSeePage);
+  if (!json.is_object()) return ProblemIn(file, where + " is not an object with fields", kSeePage);
   FieldReader reader(json, where, file);
   Platform platform;
   platform.name = reader.Text("name");
@@ -118,11 +118,12 @@ Result<PlatformFile> ReadPlatformFile(const fs::path& file) {
   try {
     json = PlatformJson::parse(*text);
   } catch (const PlatformJson::parse_error& error) {
-    Diagnostic problem = ProblemIn(file, "this is no JSON", kSeePage);
+    Diagnostic problem = ProblemIn(file, "this is not JSON", kSeePage);
     problem.line = LineAt(*text, error.byte > 0 ? error.byte - 1 : 0);
     return problem;
   }
-  if (!json.is_object()) return ProblemIn(file, "this list of learning platforms is no object with fields", kSeePage);
+  if (!json.is_object())
+    return ProblemIn(file, "this list of learning platforms is not an object with fields", kSeePage);
   FieldReader reader(json, "this list of learning platforms", file);
   PlatformFile list;
   list.url = reader.Url("url");

@@ -14,7 +14,7 @@ namespace soarbox::lti {
 /// The public half of an RSA key: checks RS256 signatures. Copies share the key; any thread may use it.
 class PublicKey {
  public:
-  /// From its numbers, as JSON Web Keys have them; nothing if they are no key of 2048 to 8192 bits.
+  /// From its numbers, as JSON Web Keys have them; nothing if they are not a key of 2048 to 8192 bits.
   static std::optional<PublicKey> FromNumbers(std::string_view modulus, std::string_view exponent);
   bool Verify(std::string_view text, std::string_view signature) const;
 

@@ -157,12 +157,12 @@ class PlatformTool final : public Tool {
                                               : std::string_view(request.target).substr(query + 1));
     const std::string issuer = FieldOf(fields, "iss"), hint = FieldOf(fields, "login_hint");
     if (issuer.empty() || hint.empty())
-      return pages_.Trouble(400, "this is no login of a learning platform: it needs iss and login_hint",
+      return pages_.Trouble(400, "this is not a login of a learning platform: it needs iss and login_hint",
                             "open the link in the course again");
     const Platform* const platform = file_.Find(issuer, FieldOf(fields, "client_id"));
     if (platform == nullptr)
       return pages_.Trouble(403, "this server does not know the learning platform " + issuer,
-                            "whoever runs the server can add its issuer and client id to the file of --lti");
+                            "the server's administrator can add its issuer and client id to the file of --lti");
     const std::string target = FieldOf(fields, "target_link_uri");
     const std::optional<WebAddress> address = ReadWebAddress(target);
     if (!target.empty() && (!address || address->origin() != file_.url))
@@ -468,7 +468,7 @@ class PlatformTool final : public Tool {
   const std::vector<serve::Lesson> lessons_;
   std::string secret_;                        ///< Signs logins. A login does not outlive the server.
   std::map<std::string, std::int64_t> used_;  ///< Nonces of launches, and until when they could come again.
-  std::set<std::string> looked_;              ///< Places at whose progress the next CleanUp looks.
+  std::set<std::string> looked_;              ///< Places with progress that the next CleanUp checks.
   std::vector<Remote> remotes_;               ///< In the order of the platforms.
   serve::Costs fetches_{kFetchesPer_s, kFetches};
   std::atomic<bool> stop_ = false;

@@ -53,7 +53,7 @@ class Tool {
 
   /// The name by which browsers reach the server, as the file says.
   virtual std::string host() const = 0;
-  /// The learner whose place this is; empty: it belongs to nobody of a platform.
+  /// The learner who owns this place; empty: no learner of a platform owns it.
   virtual std::string NameOf(std::string_view place) const = 0;
   /// The learners of the course with this key of its teachers; null: there is none.
   virtual const serve::ClassList* FindByKey(std::string_view key) const = 0;

@@ -18,9 +18,9 @@ struct WebAddress {
   std::string origin() const;
 };
 
-/// Nothing if the text is no address with http or https, a name, and printable ASCII alone, or if it names a user.
+/// Nothing if the text is not an address with http or https, a name, and printable ASCII alone, or if it names a user.
 std::optional<WebAddress> ReadWebAddress(std::string_view text);
-/// Whether nobody on the way can read or change what is sent there: https, or this machine.
+/// Whether data sent to this address is protected from third parties: https, or this machine.
 bool IsPrivate(const WebAddress& address);
 
 /// The fields of a form or a query, "a=1&b=x%20y", decoded, in their order; at most 100.

@@ -124,7 +124,7 @@ class Exchange {
 
 Result<ClientResponse> Fetch(const ClientRequest& request, const std::atomic<bool>& stop) {
   const std::optional<WebAddress> address = ReadWebAddress(request.url);
-  if (!address) return NewProblem("this is no address of the web: " + request.url);
+  if (!address) return NewProblem("this is not an address of the web: " + request.url);
   return Exchange(*address, stop).Run(request);
 }
 

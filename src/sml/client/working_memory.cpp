@@ -190,7 +190,7 @@ Identifier* WorkingMemory::InputLink() {
 
 bool WorkingMemory::CheckParent(Identifier* parent, char const*& attribute) {
   if (!Owns(parent) || !parent->symbol_) {
-    data_.SetError(kInvalidArgument, "The parent is no identifier of this agent, or it has been removed");
+    data_.SetError(kInvalidArgument, "The parent is not an identifier of this agent, or it has been removed");
     return false;
   }
   if (!attribute) {
@@ -251,7 +251,7 @@ Identifier* WorkingMemory::CreateId(Identifier* parent, char const* attribute) {
 Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attribute, Identifier* shared) {
   if (!CheckParent(parent, attribute)) return nullptr;
   if (!Owns(shared) || !shared->symbol_) {
-    data_.SetError(kInvalidArgument, "The shared value is no identifier of this agent, or it has been removed");
+    data_.SetError(kInvalidArgument, "The shared value is not an identifier of this agent, or it has been removed");
     return nullptr;
   }
   // As in Soar, other elements may have the same attribute and value; each is removed individually.

@@ -32,7 +32,7 @@ class DocumentView {
     float scale = 0, room = 0;
   };
   struct FieldState {
-    std::string text, told;  ///< `told`: the document's last text.
+    std::string text, told;  ///< `told`: the last text of the document.
     int choice = 0;
     bool is_set = false, is_active = false;
   };

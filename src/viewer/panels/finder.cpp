@@ -172,7 +172,7 @@ void Finder::Draw(PanelFrame& frame, float width, float height, const std::vecto
   if (count > 0) at_ = std::min(at_, count - 1);
   {
     const Part rows("rows");
-    if (items.empty()) EmptyNote("Nothing is like this.", "Type less, or another part of the name.");
+    if (items.empty()) EmptyNote("Nothing matches.", "Type less, or another part of the name.");
     DrawRows(frame, items, entered);
   }
   ImGui::End();

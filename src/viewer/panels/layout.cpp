@@ -156,11 +156,10 @@ Layout ReadLayout(std::string_view text, Layout layout) {
 }
 
 std::span<const NamedLayout> ShippedLayouts() {
-  static constexpr NamedLayout kShipped[] = {
-      {"Explore", "The default: agents, mind and timeline around the picture"},
-      {"Debug", "Rules, memory, watch, console and trace; a small picture"},
-      {"Write rules", "The editor in the middle of it all, with problems and console"},
-      {"Compare", "Several minds side by side, with messages and plots"}};
+  static constexpr NamedLayout kShipped[] = {{"Explore", "The default: agents, mind and timeline around the picture"},
+                                             {"Debug", "Rules, memory, watch, console and trace; a small picture"},
+                                             {"Write rules", "A large editor, with problems and console"},
+                                             {"Compare", "Several minds side by side, with messages and plots"}};
   return kShipped;
 }
 
@@ -218,7 +217,7 @@ bool IsName(const std::string& name) {
 }
 
 Diagnostic BadName(const std::string& name) {
-  return NewProblem("'" + name + "' is no name for a layout: letters, digits, spaces, '-' and '_', at most 40");
+  return NewProblem("'" + name + "' is not a name for a layout: letters, digits, spaces, '-' and '_', at most 40");
 }
 
 }  // namespace

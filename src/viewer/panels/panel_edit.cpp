@@ -126,22 +126,21 @@ class EditPanel final : public Panel {
       if (ImGui::Button(label)) frame.Ask(workbench::EditTextRequest{what, text_});
       Tooltip(tip);
     };
-    button(
-        "Apply", What::kApply,
-        "Let the text take effect in the running world: changed rules take the place of the old ones, working memory "
-        "stays. The file is not written. (Ctrl+Enter)");
+    button("Apply", What::kApply,
+           "Use the text in the running world: changed rules replace the old ones, and working memory is kept. The "
+           "file is not written. (Ctrl+Enter)");
     button("Check", What::kCheck, "Look for errors; change nothing");
     button("Save", What::kSave, "Write the file. (Ctrl+S)");
-    button("Revert", What::kRevert, "Back to what is on the disk; Undo takes that back, too");
+    button("Revert", What::kRevert, "Back to the file on disk; you can undo this, too");
     const TextHistory& history = histories_[file_];
     FlowLine(ButtonWidth("Undo"), frame.Px(4));
-    const bool back = ButtonIf(history.CanUndo(), "Undo", "Take the last change back (Ctrl+Z)");
+    const bool back = ButtonIf(history.CanUndo(), "Undo", "Undo the last change (Ctrl+Z)");
     FlowLine(ButtonWidth("Redo"), frame.Px(4));
-    const bool forth = ButtonIf(history.CanRedo(), "Redo", "Do again what was taken back (Ctrl+Y)");
+    const bool forth = ButtonIf(history.CanRedo(), "Redo", "Redo the change that was undone (Ctrl+Y)");
     if (back || forth) Undo(frame, forth);
     FlowLine(ButtonWidth("Open in editor"), frame.Px(4));
     if (ImGui::Button("Open in editor")) frame.Ask(workbench::OpenFileRequest{edit.file, went_to_});
-    Tooltip("With $VISUAL, $EDITOR or what your desktop takes for it; what you save there is reloaded by itself");
+    Tooltip("With $VISUAL, $EDITOR or your desktop's editor; saved changes are reloaded automatically");
     const bool unsaved = text_ != edit.text || edit.is_unsaved, changed = text_ != edit.text || edit.is_changed;
     std::string state = edit.notice;
     if (changed)

@@ -64,7 +64,8 @@ class MissionPanel final : public Panel {
     ColoredText(bad > 0 ? theme::kBad : good == all ? theme::kGood : theme::kText, words);
     if (moment.branches > 0)
       WrappedText(theme::kWarn,
-                  "You went back and on: these are the checks of the run before. Reset begins a run that is checked.");
+                  "You went back in time and continued: these checks are from the earlier run. Reset begins a run that "
+                  "is checked.");
   }
 
   static void DrawCheck(PanelFrame& frame, const workbench::CheckRow& check) {

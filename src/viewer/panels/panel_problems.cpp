@@ -75,7 +75,7 @@ class ProblemsPanel final : public Panel {
         ImGui::SameLine();
       }
       if (ImGui::SmallButton("Open in editor")) frame.Ask(workbench::OpenFileRequest{what.file, what.line});
-      Tooltip("Opens the file with $VISUAL, $EDITOR or what your desktop takes for it");
+      Tooltip("Opens the file with $VISUAL, $EDITOR or your desktop's editor");
     }
     ImGui::Separator();
   }

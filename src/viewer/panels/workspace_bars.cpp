@@ -139,7 +139,8 @@ void Workspace::DrawFileMenu(PanelFrame& frame) {
   }
   ImGui::Separator();
   if (ImGui::MenuItem("Save picture")) frame.Ask(workbench::SavePictureRequest{});
-  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file");
+  Tooltip(
+      "Writes the window as soarbox-TICK.png into the folder where the program was started; existing files are kept");
   ImGui::Separator();
   CommandItem(frame, ViewerCommand::kQuit);
 }
@@ -255,7 +256,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     ImGui::SetNextItemWidth(frame.Px(80));
     constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
     if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(workbench::SpeedRequest{speed});
-    Tooltip("Simulated seconds per second of yours; keys + and -");
+    Tooltip("Simulated seconds per second of real time; keys + and -");
     ImGui::SameLine(0, frame.Px(4));
     if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
     Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
@@ -324,7 +325,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   if (ImGui::SliderScalar("##scrubber", ImGuiDataType_U64, &tick, &least, &most, "")) seek(tick);
   if (offers_resume) ImGui::PopStyleColor();
   ImGui::EndDisabled();
-  Tooltip(tip("Drag to see any moment of the run: scene, panels and plots go along"));
+  Tooltip(tip("Drag to see any moment of the run: scene, panels and plots follow"));
   ImGui::SameLine(0, frame.Px(8));
   ColoredText(at.is_live || at.is_recording ? theme::kText : theme::kWarn, now);
   ImGui::SameLine(0, frame.Px(8));

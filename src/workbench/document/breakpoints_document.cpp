@@ -37,8 +37,7 @@ Nodes BreakpointsDocument(const Contents& contents) {
   for (const debugger::BreakHit& hit : contents.hits)
     nodes.push_back(Text(Spans{{"stopped", Role::kTag}, {" "}, Time(hit.tick), {" " + hit.why, Role::kWarn}}));
   if (contents.moment.is_recording) {
-    nodes.push_back(
-        Empty("Nothing stops a recording.", "Breakpoints are for a run: search its trace or click in its timeline."));
+    nodes.push_back(Empty("Breakpoints stop a run, not a recording.", "Search its trace or click in its timeline."));
     return nodes;
   }
   nodes.push_back(Heading("Stop the world when"));

@@ -61,13 +61,14 @@ TableRow RowOf(const Contents& contents, const ExerciseContents::Entity& one) {
 
 Nodes ExerciseDocument(const Contents& contents) {
   if (!contents.exercise && contents.moment.is_recording)
-    return {Empty("A recording takes part in no exercise.", "What came from others is in it, and moves their bodies.")};
+    return {Empty("A recording takes part in no exercise.",
+                  "It contains what other simulations sent, which moves their bodies.")};
   if (!contents.exercise)
     return {Empty("This run takes part in no exercise of other simulations.",
                   "Begin it with --dis ADDRESS:PORT, or write [dis] into its scenario (docs/dis.md).")};
   const ExerciseContents& exercise = *contents.exercise;
   Nodes nodes{Heading("Exercise " + std::to_string(exercise.exercise))};
-  if (exercise.is_frozen) nodes.push_back(Text("Frozen: the exercise's manager let the run stand still.", Role::kWarn));
+  if (exercise.is_frozen) nodes.push_back(Text("Frozen: the exercise's manager has paused the run.", Role::kWarn));
   nodes.push_back(FactsOf(exercise));
   const std::size_t listed = exercise.entities.size();
   nodes.push_back(Heading(Count(exercise.entity_count, "entity", "entities") + " of others"));

@@ -16,7 +16,7 @@ using debugger::LearningView;
 
 constexpr std::size_t kMostFired = 8, kMostEpisodes = 300;
 
-/// Why the selected rule is as it is, and when it has fired since.
+/// The explanation of the selected rule, and when it has fired since.
 Section Story(const Contents& contents) {
   const debugger::LearnedRuleView& rule = contents.learned_rule;
   Section section{"learned-rule", {RuleLink(rule.name)}, {}};

@@ -80,7 +80,7 @@ Section Story(const Contents& contents, const debugger::ElementStory& story) {
     button.is_enabled = timetag != 0;
     tools.nodes.push_back(std::move(button));
   };
-  step("\xe2\x86\x90", contents.element_before, "Back to the element looked at before");
+  step("\xe2\x86\x90", contents.element_before, "Back to the previous element");
   step("\xe2\x86\x92", contents.element_after, "Forward again");
   tools.nodes.push_back(Small("Why?", AskWhy(WhyRequest::About::kElement, std::to_string(element.timetag)),
                               "Where does this element come from?"));

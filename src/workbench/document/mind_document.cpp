@@ -120,7 +120,8 @@ void AddOperators(const debugger::OperatorsView& view, Nodes& nodes) {
   if (view.rows.empty()) {
     if (view.sentence.empty() && view.note.empty())
       nodes.push_back(
-          Text("No operator is proposed here. In the panel Why, ask why not one that you miss.", Role::kQuiet));
+          Text("No operator is proposed here. In the panel Why, you can ask why an operator is not proposed.",
+               Role::kQuiet));
     return;
   }
   Table table;
@@ -200,14 +201,14 @@ Nodes MindsDocument(const Contents& contents) {
   Nodes nodes{BesideLine(contents)};
   if (contents.minds.empty()) {
     nodes.push_back(
-        Empty("No mind is looked at.", "Choose agents above: their goal stacks and operators appear side by side."));
+        Empty("No mind is shown.", "Choose agents above: their goal stacks and operators appear side by side."));
     return nodes;
   }
   Columns columns;
   for (const MindColumn& mind : contents.minds) {
     Section part{mind.agent, {AgentLink(mind.agent)}, {}};
-    part.nodes.push_back(Text(Spans{
-        {"select", Role::kQuiet, Action{SelectRequest{mind.agent}}, "All other panels are about this agent then"}}));
+    part.nodes.push_back(Text(
+        Spans{{"select", Role::kQuiet, Action{SelectRequest{mind.agent}}, "All other panels then show this agent"}}));
     if (!mind.note.empty()) {
       part.nodes.push_back(Text(mind.note, Role::kQuiet));
     } else {

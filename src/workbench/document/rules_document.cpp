@@ -23,7 +23,7 @@ Node List(const Contents& contents) {
   table.columns = {{"Rule"}, {"Fired", true}, {"Matches", true}};
   table.filter = "Filter by name";
   table.groups = {"all", "match now", "have fired", "never fired"};
-  table.none_fits = {"No rule is like this.", "Clear the filter, or choose 'all'."};
+  table.none_fits = {"No rule matches.", "Clear the filter, or choose 'all'."};
   table.is_sortable = true;
   table.press = RowAction{{RuleRequest{}}, "rule"};
   for (const mind::RuleFact& rule : contents.rules) {
@@ -99,7 +99,8 @@ void AddMatch(const debugger::PartialMatch& match, Nodes& nodes) {
   for (const mind::ElementFact& element : facts.seen)
     nodes.push_back(Text(Spans{{"there is ", Role::kWarn}, ElementLink(element)}));
   for (const mind::ElementFact& element : facts.candidates)
-    nodes.push_back(Text(Spans{{"would do, but does not fit the others: ", Role::kWarn}, ElementLink(element)}));
+    nodes.push_back(
+        Text(Spans{{"matches alone, but not together with the others: ", Role::kWarn}, ElementLink(element)}));
 }
 
 void AddMatches(const mind::MatchFacts& facts, Nodes& nodes) {

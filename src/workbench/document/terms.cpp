@@ -53,9 +53,8 @@ constexpr Term kTerms[] = {
      "Impasse: preferences contradict each other. Each of two operators is better than the other."},
     {"operator constraint-failure", "Impasse: several operators are required, or one is both required and prohibited."},
     {"operator no-change",
-     "Impasse: the operator is selected, but no rule changes anything because of it. Perhaps it takes its time (a "
-     "walk), or "
-     "a rule that applies it is missing."},
+     "Impasse: the operator is selected, but no rule changes anything because of it. Perhaps it takes time (a walk), "
+     "or a rule that applies it is missing."},
     {"state no-change",
      "Impasse: no operator is proposed. A rule is missing, or one of its conditions does not match."},
     // Preferences.
@@ -71,7 +70,7 @@ constexpr Term kTerms[] = {
     {"equal", "= : as good as the other one."},
     {"numeric", "= number : the higher the number, the likelier it is selected."},
     // Kinds of rules, and of support.
-    {"user", "A rule that somebody has written."},
+    {"user", "A rule that a person wrote."},
     {"default", "A rule that was loaded as general knowledge."},
     {"chunk", "A rule that the agent has learned: the result of a substate, so that it need not be worked out again."},
     {"justification", "A temporary rule for the result of a substate. It lasts as long as the result is supported."},

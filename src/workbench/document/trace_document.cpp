@@ -119,7 +119,7 @@ Nodes TraceDocument(const Contents& contents) {
   };
   contents.trace_found != nullptr ? add(*contents.trace_found) : add(contents.trace->Find(contents.trace_filter));
   if (table.rows.empty())
-    nodes.push_back(Empty("No line is like this.", "Show more levels, or clear the search."));
+    nodes.push_back(Empty("No line matches.", "Show more levels, or clear the search."));
   else
     nodes.push_back(std::move(table));
   return nodes;

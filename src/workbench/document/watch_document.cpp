@@ -24,7 +24,7 @@ Nodes WatchDocument(const Contents& contents) {
   if (contents.watches.empty()) {
     nodes.push_back(Empty("Nothing is watched yet.",
                           "Type a path above (io.input-link.self.health, <s>.operator.name) or a command that prints "
-                          "(print s1 -d 2, preferences, matches RULE). It is looked at again at each decision."));
+                          "(print s1 -d 2, preferences, matches RULE). It is evaluated again at each decision."));
     return nodes;
   }
   Table table;

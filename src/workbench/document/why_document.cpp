@@ -29,7 +29,7 @@ Nodes WhyDocument(const Contents& contents) {
   if (contents.why.answer)
     nodes.push_back(ReasonTree(contents, *contents.why.answer, 4));
   else
-    nodes.push_back(Empty(contents.not_available.empty() ? "There is no answer: what you ask about is not there now."
+    nodes.push_back(Empty(contents.not_available.empty() ? "There is no answer: what you ask about does not exist now."
                                                          : contents.not_available));
   return nodes;
 }

@@ -11,13 +11,13 @@ test("lessons, worlds, recordings, moments and files have addresses that can be 
   assert.equal(formatAddress({ ...NOWHERE, what: "scenario:eaters", seconds: 1 / 3 }), "#world=eaters&t=0.333");
 });
 
-test("an address that names nothing is that of lessons and worlds", () => {
+test("an address without contents means the start page", () => {
   for (const hash of ["", "#", "#watch=abc", "#lesson=", "#nonsense"]) assert.equal(parseAddress(hash).what, "");
   assert.equal(formatAddress(NOWHERE), "");
   for (const t of ["-1", "x", "", "1e9", "NaN"]) assert.equal(parseAddress(`#world=a&t=${t}`).seconds, t === "" ? 0 : null);
 });
 
-test("rules travel in an address; what is damaged is refused", async () => {
+test("an address can contain rules; damaged ones are refused", async () => {
   const rules = "sp {größe\n   (state <s> ^superstate nil)\n-->\n   (write |hä|)}\n".repeat(20), packed = await packText(rules);
   assert.match(packed, /^[\w-]+$/);
   assert.ok(packed.length < rules.length / 4);

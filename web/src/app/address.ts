@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What a page shows, as the part of its address after #: "#lesson=02-operators&t=4.3&file=mower.soar". */
+/** The state of a page, as the part of its address after #: "#lesson=02-operators&t=4.3&file=mower.soar". */
 export interface Address {
   /** "lesson:NAME", "scenario:NAME", "recording:NAME" or "match:ID" of the arena; empty: lessons and worlds. */
   what: string;
@@ -25,7 +25,7 @@ export function parseAddress(hash: string): Address {
   };
 }
 
-/** With #; empty for lessons and worlds. */
+/** The fragment with #; empty for lessons and worlds. */
 export function formatAddress({ what, seconds, file, text }: Address): string {
   const fields = new URLSearchParams();
   for (const [field, kind] of NAMES) if (what.startsWith(kind)) fields.set(field, what.slice(kind.length));

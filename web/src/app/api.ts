@@ -28,7 +28,7 @@ export interface ScoreInfo {
   sent: number;
   waiting: number;
   refused: number;
-  /** Of one that waits or was refused. */
+  /** The reason why a score waits or was refused. */
   trouble: string;
 }
 export interface Learner {
@@ -39,7 +39,7 @@ export interface Learner {
   is_here: boolean;
   doing?: string;
   last_hint?: string;
-  /** "works", "mistake", "stuck" or "idle"; for how long, and what the matter is. */
+  /** "works", "mistake", "stuck" or "idle"; its duration and cause. */
   standing?: string;
   trouble?: string;
   lasts_s?: number;
@@ -52,7 +52,7 @@ export interface Learner {
 /** A message of the teacher; `line`: 0 if it is about no line. */
 export interface TeacherNote { id: number; text: string; file: string; line: number; when: number }
 
-/** The games in which learners measure their rules. */
+/** The games in which learners' rules compete. */
 export interface ArenaInfo { games: readonly GameInfo[] }
 export interface GameInfo {
   name: string;
@@ -70,7 +70,7 @@ export interface Tournament {
   matches: readonly { learners: readonly [string, string]; seed: number; scores: readonly [number, number] | null; trouble: string; replay: string | null }[];
 }
 
-/** What the server said to a request that it refused. */
+/** The server's answer to a refused request. */
 export class Refused extends Error {
   constructor(message: string, readonly hint: string, readonly status: number) {
     super(message);
@@ -126,17 +126,17 @@ export class Api {
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 
-  /** Where the run of a place comes from: `path` is that of its WebSocket. */
+  /** The source of a place's run: `path` is the path of its WebSocket. */
   source(path: string): RunSource {
     return new SocketSource(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${path}`, this.token);
   }
 
-  /** Whether there is a server; without one, there is one place in this browser, and nobody else can be led to it. */
+  /** Whether there is a server. Without one, this browser has one place, and no link leads to it from elsewhere. */
   get hasServer(): boolean {
     return true;
   }
 
-  /** The address of the page itself, without what it shows. */
+  /** The address of the page, without the fragment. */
   get pageAddress(): string {
     return `${location.origin}/`;
   }

@@ -19,19 +19,19 @@ import { RunPage } from "./run_page";
 import { isDark, switchTheme } from "./theme";
 
 const FETCHED_AFTER_MS = 800;
-/** Where a run sees the files of its place. */
+/** The folder in which a run finds the files of its place. */
 const HOME = "/place/home/";
 /** What was opened last in a place. */
 const LAST = "soarbox.last.";
 const REMARK_MS = 7000, MOST_REMARKS = 4;
 
-/** How a page is shown that is not the place's own. */
+/** The mode of a page that is not the place's own. */
 export interface Guest {
   /** The teacher watches, with the key of the class. */
   key?: string;
-  /** Somebody watches by a link that was given away. */
+  /** A person watches with a shared link. */
   link?: string;
-  /** It is a frame in a page of another site, with these panels. */
+  /** The page is a frame in a page of another site, with these panels. */
   panels?: readonly string[];
 }
 
@@ -51,9 +51,9 @@ export class App {
   private shown: { remark: Remark; id: number }[] = [];
   private nextRemark = 1;
   private openedGiven = false;
-  /** What was opened because the address says so; "": nothing since a run was there. */
+  /** The run that the address named when it was opened; "": none since a run exists. */
   private openedByAddress = "";
-  /** File and text of the address that are to be shown once the run is there. */
+  /** File and text from the address, shown as soon as there is a run. */
   private given: { file: string; text: string } | null = null;
   private readonly navigator: Navigator;
   private readonly reach: Reach;
@@ -109,7 +109,7 @@ export class App {
       this.maps = maps;
       this.draw();
     });
-    // What a run needs is fetched while one still chooses.
+    // Fetches what a run needs while the user still chooses.
     setTimeout(() => {
       void import("../scene/scene_view");
       void import("../editor/editor");
@@ -170,7 +170,7 @@ export class App {
     this.draw();
   }
 
-  /** There is no run: what the address names is opened; what cannot be opened leads to lessons and worlds. */
+  /** There is no run: opens what the address names. If that is impossible, shows lessons and worlds. */
   private nothingRuns(): void {
     const { what } = this.navigator.address;
     if (!this.watches && what !== "" && this.openedByAddress !== what) {
@@ -225,7 +225,7 @@ export class App {
     this.fetchArena();
   }
 
-  /** Learners of a class see the arena; it is looked at again while a tournament is played. */
+  /** Learners of a class see the arena. It is requested again while a tournament is played. */
   private fetchArena(): void {
     if (this.desk === null) return;
     const PLAYS_AGAIN_MS = 3000;
@@ -239,7 +239,7 @@ export class App {
   /** Files of the place, by the names that the run gives them. */
   private files(): PlaceFiles {
     const path = (file: string): string => {
-      if (!file.startsWith(HOME)) throw new Error(`${fileName(file)} is no file of your place.`);
+      if (!file.startsWith(HOME)) throw new Error(`${fileName(file)} is not a file of your place.`);
       return `/api/p/${this.info.place}/files/${file.slice(HOME.length).split("/").map(encodeURIComponent).join("/")}`;
     };
     return {
@@ -256,7 +256,7 @@ export class App {
     }, (error: unknown) => this.fail(error));
   }
 
-  /** Sends the teacher's message to the watched learner; if wanted, about the line of the caret. */
+  /** Sends the teacher's message to the watched learner, optionally about the line of the caret. */
   private sendMessage(isAboutLine: boolean): void {
     const where = isAboutLine ? (this.runPage?.editorPlace ?? null) : null;
     void this.api.json<unknown>(`/api/class/${encodeURIComponent(this.guest.key ?? "")}/message`, { method: "POST", body: JSON.stringify({ to: this.info.place, text: this.message, ...(where ?? {}) }) }).then(() => {
@@ -275,7 +275,7 @@ export class App {
       event.preventDefault();
       this.sendMessage((event as SubmitEvent).submitter?.dataset["about"] === "line");
     } } }, h("input", { value: this.message, attributes: { type: "text", maxlength: 500, placeholder: `Write to ${learner}`, "aria-label": `Message to ${learner}`, autocomplete: "off" }, on: { input: (event) => (this.message = (event.target as HTMLInputElement).value) } }),
-    h("button", { attributes: { type: "submit" } }, "Send"), h("button", { attributes: { type: "submit", "data-about": "line", title: "The message leads to the line in which the caret is" } }, "Send about this line"))];
+    h("button", { attributes: { type: "submit" } }, "Send"), h("button", { attributes: { type: "submit", "data-about": "line", title: "The message contains a link to the line of the caret" } }, "Send about this line"))];
   }
 
   private say(remark: Remark): void {
@@ -423,7 +423,7 @@ export class App {
         this.fail(error);
       }
     }
-    if (this.api.hasServer) links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Whoever has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
+    if (this.api.hasServer) links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Everybody who has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
     this.links = links;
     this.draw();
   }
@@ -435,7 +435,7 @@ export class App {
     };
     const { link } = await this.api.json<{ link: string }>(path);
     if (link === "") return { title, about: "Shows others what runs here, whatever you open, until you withdraw the link. They change nothing and do not learn the link of your place.", address: "", make: ask("POST") };
-    return { title, about: "Whoever has this link sees what runs here, whatever you open, and changes nothing. Withdrawn, it leads nowhere; whoever watches then sees on until the page is loaded again.", address: location.origin + link, withdraw: ask("DELETE") };
+    return { title, about: "Everybody with this link sees what runs here, whatever you open, and cannot change anything. Once you withdraw it, it opens nothing; people who are already watching see the run until they load the page again.", address: location.origin + link, withdraw: ask("DELETE") };
   }
 
   private async copyLink(address: string): Promise<void> {

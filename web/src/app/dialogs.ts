@@ -27,7 +27,7 @@ function keepFocus(element: HTMLElement): void {
   }).observe(document.body, { childList: true, subtree: true });
 }
 
-/** The notices of what the page contains: a file beside it, or a part of a page that is one file. */
+/** The licence notices of the page: a separate file, or a part of a single-file page. */
 function licencesAddress(): string {
   const inPage = document.getElementById("soarbox-licences")?.textContent;
   return inPage === undefined || inPage === null ? new URL("licences.txt", import.meta.url).href : URL.createObjectURL(new Blob([inPage], { type: "text/plain" }));
@@ -59,7 +59,7 @@ export function linkDialog(links: readonly Link[], isSecret: boolean, told: stri
       one.make !== undefined ? h("div.row", null, button("Make this link", one.make)) : h("div.row", null, h("input.address", { value: one.address, attributes: { type: "text", readonly: true, "aria-label": one.title }, on: { focus: (event) => (event.target as HTMLInputElement).select() } }),
         button("Copy", () => copy(one.address), { attributes: { "aria-label": `Copy: ${one.title}` } }, i === 0 ? "button.primary" : "button"),
         one.withdraw !== undefined && button("Withdraw", one.withdraw)))),
-    isSecret && h("p.quiet", null, "This server asks for its token as well; the links do not hold it."),
+    isSecret && h("p.quiet", null, "The links do not contain the token that this server requires."),
     h("p.good", { attributes: { role: "status" } }, told),
     place !== undefined && h("figure", null, qrView(place.address.replace(/#.*$/, "")), h("figcaption.quiet", null, "Your whole place, for another machine of yours")));
 }

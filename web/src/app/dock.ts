@@ -28,7 +28,7 @@ function listKey(event: KeyboardEvent, body: HTMLElement): void {
   all[next]?.focus();
 }
 
-/** A place for panels, with a tab for each; one is in front. */
+/** An area for panels, with a tab for each; one panel is in front. */
 export class Dock {
   readonly element: HTMLElement;
   private readonly tabs: HTMLElement;
@@ -37,7 +37,7 @@ export class Dock {
   private readonly stale = new Set<string>();
   private frame = 0;
 
-  /** `kept`: under this name it is kept which panel is in front. */
+  /** `kept`: the name under which the front panel is stored. */
   constructor(readonly name: string, private readonly kept: string, readonly panels: readonly Panel[], private readonly contents: () => Contents, private readonly changed: () => void) {
     const front = sessionStorage.getItem(`soarbox.dock.${kept}`) ?? "";
     this.front = panels.some((one) => one.word === front) ? front : (panels[0]?.word ?? "");
@@ -113,7 +113,7 @@ export class Dock {
     this.drawTabs();
     const panel = this.panels.find((one) => one.word === this.front), body = this.bodies.get(this.front);
     if (panel === undefined || body === undefined || !this.stale.has(this.front)) return;
-    // Whoever marks a text to copy it keeps it.
+    // Keeps a text selection that the user wants to copy.
     const marked = document.getSelection();
     if (marked !== null && !marked.isCollapsed && body.contains(marked.anchorNode) && panel.word !== "edit") {
       setTimeout(() => this.later(), 500);

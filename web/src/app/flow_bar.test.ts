@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { WantedTick } from "./flow_bar";
 
-test("a slider that is moved faster than answers come stays where it was put last", () => {
+test("a slider that is moved faster than answers arrive keeps its last position", () => {
   const wanted = new WantedTick();
   for (const tick of [99, 98, 97]) wanted.ask(tick, () => assert.fail("the answers came in time"));
   wanted.shown(99);
@@ -13,7 +13,7 @@ test("a slider that is moved faster than answers come stays where it was put las
   assert.equal(wanted.tick, null);
 });
 
-test("a slider without an answer shows what is true again", async (context) => {
+test("a slider without an answer returns to the actual position", async (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const wanted = new WantedTick();
   let told = 0;

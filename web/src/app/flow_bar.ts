@@ -52,7 +52,7 @@ export class WantedTick {
   }
 }
 
-/** The past: a slider over it, and the way back to now. */
+/** A slider over past moments, and a button back to the present. */
 export function scrubber(run: Run, wanted: WantedTick, redraw: () => void): Child {
   const time = run.contents.moment?.time, { flow, hello } = run, step = time?.step_s ?? hello?.step_s ?? 1 / 30;
   if (time?.is_live === false) wanted.shown(time.shown_tick);
@@ -74,7 +74,7 @@ export function scrubber(run: Run, wanted: WantedTick, redraw: () => void): Chil
       wanted.forget();
       run.ask("resume");
     }, {
-      attributes: { disabled: time?.can_resume !== true, title: time?.can_resume === true ? "Run on from the moment that is shown; what came after it becomes the old future" : (time?.resume_refusal ?? "") },
+      attributes: { disabled: time?.can_resume !== true, title: time?.can_resume === true ? "Continue from this moment; what came after it becomes the old future" : (time?.resume_refusal ?? "") },
     }),
     !(time?.is_recording === true) && button([icon("live"), h("span", null, isLive ? "Live" : "To the newest")], () => {
       wanted.forget();

@@ -3,9 +3,8 @@ import { formatAddress, NOWHERE, parseAddress, type Address } from "./address";
 
 const SETTLED_AFTER_MS = 300;
 
-/**
- * The address of what the page shows: Back and Forward go from one to the next, and a bookmark or a reload leads to the same.
- * `isOff`: the page watches somebody else's run, whose address stays as it is.
+/** The address of the page's state: Back and Forward move between states, and a bookmark or a reload restores the state.
+ * `isOff`: the page watches another user's run, and the address does not change.
  */
 export class Navigator {
   private now: Address;
@@ -25,7 +24,7 @@ export class Navigator {
     return this.now;
   }
 
-  /** The page goes somewhere else; Back leads here. */
+  /** The page shows something else; Back returns to the present state. */
   go(what: string): void {
     if (what === this.now.what && this.isHome === (what === "")) return;
     clearTimeout(this.timer);
@@ -33,7 +32,7 @@ export class Navigator {
     if (!this.isOff) history.pushState({ isHome: what === "" }, "", this.link);
   }
 
-  /** Whether the user went to lessons and worlds here. Otherwise, if the address names nothing else, the existing run is shown first. */
+  /** Whether the user went to lessons and worlds. Otherwise an address without a run shows the existing run first. */
   get isHome(): boolean {
     return (history.state as { isHome?: boolean } | null)?.isHome === true;
   }
@@ -45,7 +44,7 @@ export class Navigator {
     this.write();
   }
 
-  /** Where in it one is: that changes without a step for Back. */
+  /** The position within the state. It changes without a new entry for Back. */
   note(where: Partial<Pick<Address, "seconds" | "file" | "text">>): void {
     if (this.now.what === "") return;
     const next = { ...this.now, ...where };

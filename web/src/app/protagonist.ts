@@ -7,7 +7,7 @@ function isAbout(check: Check, agent: string): boolean {
   return words.some((one) => one !== "" && new RegExp(`^${one.replace(/[.+?^${}()|[\]\\]/g, "\\$&").replaceAll("*", ".*")}$`).test(agent));
 }
 
-/** The agent whom most checks are about, or the first of them: the protagonist. */
+/** The protagonist: the agent with the most checks, or the first of several. */
 export function protagonist(mission: Mission, agents: readonly string[]): string {
   const about = agents.map((agent) => ({ agent, count: mission.checks.filter((one) => isAbout(one, agent)).length, first: mission.checks.findIndex((one) => isAbout(one, agent)) }));
   return about.filter((one) => one.count > 0).sort((a, b) => b.count - a.count || a.first - b.first)[0]?.agent ?? agents[0] ?? "";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Run } from "../run/run";
 
-/** Brings a run to a moment that an address names: back to it, or on to it as fast as the world goes, and stops there. */
+/** Moves a run to the moment in an address: back, or forward at full speed. Then pauses it. */
 export class Reach {
   private tick: number | null = null;
   private isFast = false;
@@ -23,7 +23,7 @@ export class Reach {
     return this.tick !== null;
   }
 
-  /** The user wants to be somewhere else. */
+  /** The user went elsewhere: gives up. */
   forget(): void {
     this.tick = null;
   }

@@ -27,7 +27,7 @@ function inOneRow({ left, right, bottom }: Arrangement): Arrangement {
   return { left: [], right: [], bottom: [...first, ...all.filter((word) => !first.includes(word))] };
 }
 
-/** Where panels stand on this kind of page. */
+/** The positions of panels on this kind of page. */
 function arrangementOf(shape: string): Arrangement {
   if (shape === "narrow") return inOneRow(ARRANGEMENTS.lesson);
   if (shape === "narrowReport") return inOneRow(ARRANGEMENTS.report);
@@ -36,7 +36,7 @@ function arrangementOf(shape: string): Arrangement {
 
 interface Arrangement { readonly left: readonly string[]; readonly right: readonly string[]; readonly bottom: readonly string[] }
 
-/** Few runs take part in an exercise: its panel is there only then. */
+/** The panel of an exercise is shown only in runs that take part in one. */
 function withExercise(arranged: Arrangement, hasExercise: boolean, isNarrow: boolean): Arrangement {
   if (!hasExercise) return arranged;
   return isNarrow ? { ...arranged, bottom: [...arranged.bottom, "exercise"] } : { ...arranged, left: [...arranged.left, "exercise"] };
@@ -56,12 +56,12 @@ export class RunPage {
   private readonly wanted = new WantedTick();
   private hasExercise = false;
   private isChosen = false;
-  /** Who was selected because nobody had chosen. */
+  /** The agent that was selected automatically. */
   private chosen = "";
   private isFronted = false;
   private readonly attempt = new Attempt(localStorage);
 
-  /** `isReport`: of what a page with a recorded run in it can show. `only`: the panels below the picture of a small page; null: all. */
+  /** `isReport`: the page contains a recorded run and can show less. `only`: the panels below the picture of a small page; null: all. */
   constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}, private readonly only: readonly string[] | null = null, files: PlaceFiles | null = null) {
     this.element.className = "run-page";
     this.work.className = "work";
@@ -92,7 +92,7 @@ export class RunPage {
     run.on("hello", ({ what }) => {
       this.isChosen = false;
       this.chosen = "";
-      // Begun again, the panels stay as they are.
+      // When the run begins again, the panels stay as they are.
       if (!this.attempt.begin(what)) this.isFronted = false;
       this.arrange();
       this.drawFlow();
@@ -150,7 +150,7 @@ export class RunPage {
     return this.edit.text;
   }
 
-  /** Opens a file by its name; with a text that somebody gave away, as a draft. */
+  /** Opens a file by its name; with a shared text, as a draft. */
   showFile(file: string, text: string): void {
     if (text !== "") void this.edit.offer(file, text);
     this.edit.showFile(file);
@@ -161,7 +161,7 @@ export class RunPage {
     for (const dock of this.docks) if (dock.has(word)) dock.show(word);
   }
 
-  /** Only what is seen is asked for; checks and problems are counted on tabs, too, and what agents print is shown over their heads. */
+  /** Requests only visible contents, plus checks and problems (counted on tabs) and what agents print (shown over their heads). */
   private look(): void {
     const shown = this.docks.map((dock) => dock.shownWord).filter((word) => word !== "" && word !== "output");
     this.run.look([...shown, "mission", "problems", "edit", "timeline"]);
@@ -180,18 +180,18 @@ export class RunPage {
     }
   }
 
-  /** Somebody is selected from the beginning, so that panels show something. */
+  /** Selects an agent at the beginning, so that panels are not empty. */
   private choose(): void {
     const { moment, mission } = this.run.contents, { hello } = this.run;
     if (this.isChosen || moment === undefined || hello === null || (mission === undefined && !this.isReport)) return;
     const agents = hello.minds.length > 0 ? hello.minds : hello.agents, agent = mission === undefined ? (agents[0] ?? "") : protagonist(mission, agents);
-    // Checks may be told a little later: until then the first agent is selected, as the run does it by itself.
+    // Checks may arrive later. Until then the first agent is selected, as the run does itself.
     this.isChosen = mission === undefined || mission.checks.length > 0;
     if (moment.agent !== "" && moment.agent !== agents[0] && moment.agent !== this.chosen) this.isChosen = true;
     else if (agent !== "" && agent !== moment.agent && agent !== this.chosen && hello.may_edit !== false) this.run.ask("select", { agent: (this.chosen = agent) });
   }
 
-  /** The run has changed rules: in a lesson it begins again, so that checks and what one sees are about them. */
+  /** Called when rules have changed. A lesson's run begins again, so that checks and picture show the new rules. */
   private applied(): void {
     const { run, attempt } = this, isLive = run.contents.moment?.time.is_live !== false;
     attempt.applied(run.flow.tick, run.contents.edit?.edit.file);
@@ -209,7 +209,7 @@ export class RunPage {
     patch(this.foot, [flowControls(this.run), scrubber(this.run, this.wanted, () => this.drawFlow())] satisfies Child[]);
   }
 
-  /** Keys of the page; true if it was one. */
+  /** Handles keys of the page. Returns whether the key was one of them. */
   key(event: KeyboardEvent): boolean {
     if (event.altKey && /^[1-9]$/.test(event.key)) {
       const dock = this.docks.find((one) => one.name === "bottom"), panel = dock?.panels[Number(event.key) - 1];

@@ -16,11 +16,11 @@ const CAMERAS: readonly { mode: CameraMode; title: string; key: string }[] = [
 const RESIZED_AFTER_MS = 400;
 /** Prefix of the names of contents with shapes. */
 const SHAPES = "shapes:";
-/** Of those with images and sounds. */
+/** Prefix of the names of contents with images and sounds. */
 const ASSETS = "assets:";
 const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full";
 
-/** The picture of the world with what lies over it: labels, cameras, overlays. The scene itself is loaded when it is needed. */
+/** The picture of the world with labels, camera buttons and overlays. The scene's code is loaded when it is needed. */
 export class Stage {
   readonly element: HTMLElement;
   view: SceneView | null = null;
@@ -70,9 +70,9 @@ export class Stage {
         this.draw();
       }, { attributes: { title: "What is drawn over the picture", "aria-label": "What is drawn over the picture", "aria-expanded": String(this.isOpen) } }, "button.tool")),
       this.isOpen && h("div.menu", null, OVERLAYS.filter((one) => this.mayAsk || !COSTLY.has(one.word)).map((one): Child => h("label", null, h("input", { checked: view?.on.has(one.word) ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggle(one.word) } }), one.title)),
-        h("label", { attributes: { title: "Draws everything, however long a picture takes; otherwise the page draws less where pictures are slow" } },
+        h("label", { attributes: { title: "Draws everything, however long a picture takes; otherwise the page reduces the detail if pictures are slow" } },
           h("input", { checked: view?.isInFullDetail ?? false, attributes: { type: "checkbox" }, on: { change: () => this.toggleDetail() } }), "Full detail")),
-      this.isEmpty && h("div.nobody", { attributes: { role: "status" } }, h("p", null, h("b", null, "Nobody is here yet.")), (this.run.printed.lines.filter((one) => one.agent === "" && one.isPrinted).slice(-2)).map((one) => h("p", null, one.text)), h("p", null, "Keys that this world waits for are heard while the picture has the focus: click it first.")),
+      this.isEmpty && h("div.nobody", { attributes: { role: "status" } }, h("p", null, h("b", null, "Nobody is here yet.")), (this.run.printed.lines.filter((one) => one.agent === "" && one.isPrinted).slice(-2)).map((one) => h("p", null, one.text)), h("p", null, "This world reacts to keys only while the picture has the focus: click it first.")),
       this.isLost && button("Nobody is in the picture. Show everybody", () => view?.frameAll(), {}, "button.small.lost"),
     ]);
   }

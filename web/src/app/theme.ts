@@ -20,7 +20,7 @@ export function isDark(): boolean {
   return theme === "dark" || (theme === "system" && matchMedia("(prefers-color-scheme: dark)").matches);
 }
 
-/** The other one of light and dark. */
+/** The opposite theme: dark for light, light for dark. */
 export function switchTheme(): void {
   applyTheme(isDark() ? "light" : "dark");
   dispatchEvent(new Event("soarbox-theme"));

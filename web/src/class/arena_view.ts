@@ -49,7 +49,7 @@ export function arenaView(info: ArenaInfo, chosenSeeds: number, setSeeds: (seeds
     tournamentView(game, events))));
 }
 
-/** The arena as a learner sees it: hand in, the ladder, replays. `files`: those of the place. */
+/** The learner's view of the arena: hand in, ladder, replays. `files`: the files of the place. */
 export function learnersArena(info: ArenaInfo, files: readonly { path: string }[], handIn: (game: string, file: string) => void, events: ArenaEvents): View {
   return h("section.arena", { attributes: { "aria-label": "Arena" } }, h("h2", null, "Arena"), h("p.quiet", null, "Hand in rules for a game. Your teacher lets all that were handed in play against each other."),
     info.games.map((game) => {

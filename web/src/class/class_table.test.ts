@@ -10,7 +10,7 @@ import { coursesOf, duration, now, scoreText, standing } from "./class_table";
 
 const learner = { name: "Ada", place: "x", place_link: "/p/x/", watch_link: "/p/x/", is_here: true, done: { a: { is_done: true, tries: 3, hints: 1 }, b: { is_done: false, tries: 2, hints: 0 }, c: { is_done: false, tries: 0, hints: 0 }, d: { is_done: false, passed: 2, of: 3, tries: 1 } } };
 
-test("a learner's standing is a sign and a sentence", () => {
+test("a learner's state is shown as a sign and a sentence", () => {
   assert.deepEqual(standing(learner, "a"), { text: "✓", says: "passed, 3 tries, 1 hint", kind: "done" });
   assert.deepEqual(standing(learner, "b"), { text: "2×", says: "not passed, 2 tries, 0 hints", kind: "begun" });
   assert.equal(standing(learner, "c").kind, "none");
@@ -18,7 +18,7 @@ test("a learner's standing is a sign and a sentence", () => {
   assert.equal(standing(learner, "nobody").kind, "none");
 });
 
-test("who is stuck is said with the cause and since when, and the lesson has its title", () => {
+test("a stuck learner is shown with cause and duration, and the lesson with its title", () => {
   const titleOf = (name: string): string => (name === "01-a-rule" ? "A rule" : name);
   assert.deepEqual(now({ ...learner, doing: "lesson:01-a-rule", standing: "stuck", trouble: "error in porter.soar, line 4: a ( is open", lasts_s: 250 }, titleOf), { what: "A rule", state: "Stuck for 4 min: error in porter.soar, line 4: a ( is open", isStuck: true });
   assert.deepEqual(now({ ...learner, doing: "scenario:eaters", standing: "works", trouble: "" }, titleOf), { what: "eaters", state: "", isStuck: false });

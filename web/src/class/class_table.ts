@@ -18,13 +18,13 @@ export function standing(learner: Learner, lesson: string): { text: string; says
   return { text: of > 0 ? `${passed}/${of}` : tries === 0 ? "·" : `${tries}×`, says, kind: "begun" };
 }
 
-/** "40 s", "4 min", "2 h": for how long something has been so. */
+/** A duration: "40 s", "4 min", "2 h". */
 export function duration(seconds: number): string {
   if (seconds < 90) return `${Math.round(seconds)} s`;
   return seconds < 5400 ? `${Math.round(seconds / 60)} min` : `${Math.round(seconds / 3600)} h`;
 }
 
-/** What a learner does now, and what the matter is. */
+/** The learner's present state and its cause. */
 export function now(learner: Learner, titleOf: (lesson: string) => string): { what: string; state: string; isStuck: boolean } {
   const doing = learner.doing ?? "", name = doing.replace(/^\w+:/, ""), what = doing.startsWith("lesson:") ? titleOf(name) : doing.startsWith("match:") ? "a replay of the arena" : name;
   const { standing: kind = "works", trouble = "", lasts_s: lasts = 0 } = learner;
@@ -34,7 +34,7 @@ export function now(learner: Learner, titleOf: (lesson: string) => string): { wh
   return { what, state: "", isStuck: false };
 }
 
-/** How scores for a learning platform fare; empty: all were sent, or there are none. */
+/** The state of scores for a learning platform; empty: all were sent, or there are none. */
 export function scoreText(scores: ScoreInfo | undefined): string {
   if (scores === undefined || scores.waiting + scores.refused === 0) return "";
   const counts = [scores.waiting > 0 ? `${scores.waiting} not sent yet` : "", scores.refused > 0 ? `${scores.refused} refused` : ""].filter((one) => one !== "").join(", ");
@@ -183,7 +183,7 @@ export class ClassTable {
       }));
   }
 
-  /** Links lead to this server and to nothing else. */
+  /** Accepts only links to this server. */
   private here(link: string): string {
     return link.startsWith("/") && !link.startsWith("//") ? link : "#";
   }

@@ -3,7 +3,7 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { Api, TeacherNote } from "../app/api";
 import type { Run } from "../run/run";
 
-/** What a learner of a class has besides the run: a hand to raise, and the teacher's messages. */
+/** A learner's parts of a class: the button to raise a hand, and the teacher's messages. */
 export class LearnerDesk {
   private isHandUp = false;
   private notes: readonly TeacherNote[] = [];
@@ -21,7 +21,7 @@ export class LearnerDesk {
     void this.api.json<unknown>(`${this.path}/${what}`, { method: "POST", body: JSON.stringify(body) }).catch((error: unknown) => this.failed(error));
   }
 
-  /** For the head of the page. */
+  /** The view for the head of the page. */
   handButton(): View {
     return button(this.isHandUp ? "Your hand is up" : "Raise hand", () => this.post("hand", { is_up: !this.isHandUp }),
       { attributes: { "aria-pressed": this.isHandUp, title: this.isHandUp ? "Take your hand down" : "Your teacher sees that you want help" } }, `button.toggle${this.isHandUp ? ".primary" : ""}`);

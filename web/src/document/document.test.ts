@@ -35,7 +35,7 @@ const type = (child: Child, label: string, text: string): void => {
 };
 
 const TABLE: Table = {
-  is: "table", key: "rules", columns: [{ title: "Rule" }, { title: "Fired", number: true }], filter: "Filter by text", groups: ["all", "match now"], sorts: true, none: ["No rule is like this.", "Choose 'all'."],
+  is: "table", key: "rules", columns: [{ title: "Rule" }, { title: "Fired", number: true }], filter: "Filter by text", groups: ["all", "match now"], sorts: true, none: ["No rule matches.", "Choose 'all'."],
   press: { do: [{ request: "rule", rule: "" }], field: "rule" },
   rows: [
     { k: "seek", c: ["seek", { s: "2", n: 2 }], g: 3 }, { k: "flee", c: [[["flee", "good"]], { s: "10", n: 10 }], g: 1, chosen: true },
@@ -44,13 +44,13 @@ const TABLE: Table = {
 };
 const firstCells = (view: Child): string[] => all(view).filter((one) => one.tag === "tr").slice(1).map((row) => textOf(all(row).find((one) => one.tag === "td")!));
 
-test("a panel without a document says what one sees in it, one with a document shows it", () => {
+test("a panel without a document describes its contents, one with a document shows it", () => {
   const panel = documentPanel(made().context, { word: "rules", title: "Rules", about: "The rules.", hasDocument: true });
   assert.equal(textOf(panel.view({})), "The rules.");
   assert.equal(textOf(panel.view({ rules: { document: [{ is: "empty", s: ["No rules. ", ["Write one.", "quiet"]] }] } })), "No rules. Write one.");
 });
 
-test("texts have roles, and lead on by requests; a text with markup is a text", () => {
+test("texts have roles and send requests; markup in a text is shown as text", () => {
   const { view, asked } = made();
   const shown = view.view([{ is: "title", s: MARKUP }, { is: "text", s: ["by ", ["my*rule", "name", [{ request: "rule", rule: "my*rule" }, "rules"], "Look at it"], " at ", [30], ["Edit", "tag", [{ request: "edit", file: "a.soar", line: 3 }, "edit"]]] }]);
   assert.ok(all(shown).every((one) => one.tag !== "img"));
@@ -61,7 +61,7 @@ test("texts have roles, and lead on by requests; a text with markup is a text", 
   assert.deepEqual(asked, [["rule", { rule: "my*rule" }], "reveal rules", ["seek", { tick: 30 }], "flush", ["edit", { file: "a.soar", line: 3 }], "reveal edit"]);
 });
 
-test("whoever only watches is led nowhere", () => {
+test("texts have no links for a person who only watches", () => {
   const { view, asked } = made(false);
   press(view.view([{ is: "button", label: "Why?", do: [{ request: "ask", about: "agent" }, "why"] }]), "Why?");
   assert.deepEqual(asked, [["ask", { about: "agent" }]]);
@@ -76,7 +76,7 @@ test("a row of a table is pressed by its key, rows are filtered, grouped and sor
   type(shown, "Filter by text", "FL");
   assert.deepEqual(firstCells(view.view([TABLE])), ["flee"]);
   type(shown, "Filter by text", "nothing like it");
-  assert.match(textOf(view.view([TABLE])), /No rule is like this/);
+  assert.match(textOf(view.view([TABLE])), /No rule matches/);
   type(shown, "Filter by text", "");
   type(shown, "Which rows are shown", "1");
   assert.deepEqual(firstCells(view.view([TABLE])), ["seek"]);
@@ -89,7 +89,7 @@ test("a row of a table is pressed by its key, rows are filtered, grouped and sor
   assert.deepEqual(firstCells(view.view([TABLE])), ["seek", "flee", MARKUP], "the first order is back");
 });
 
-test("deeper rows fold away with the row that they belong to", () => {
+test("deeper rows fold with their parent row", () => {
   const { view } = made();
   const table: Table = { is: "table", key: "operators", columns: [{ title: "Operator" }], rows: [{ k: "O1", c: ["seek"], open: false }, { k: "a", c: ["+ acceptable"], depth: 1 }, { k: "O2", c: ["rest"] }] };
   assert.deepEqual(firstCells(view.view([table])).map((text) => text.replace(/^[▸▾]/, "")), ["seek", "rest"]);
@@ -97,7 +97,7 @@ test("deeper rows fold away with the row that they belong to", () => {
   assert.deepEqual(firstCells(view.view([table])).map((text) => text.replace(/^[▸▾]/, "")), ["seek", "+ acceptable", "rest"]);
 });
 
-test("a tree whose objects the run keeps unfolds by a request, another one by itself", () => {
+test("a tree with objects from the run unfolds by a request, other trees by themselves", () => {
   const { view, asked } = made();
   const memory: Tree = {
     is: "tree", key: "memory", label: "Working memory", press: { do: [{ request: "element", timetag: 0 }], field: "timetag" }, unfold: { do: [{ request: "object", id: "", is_open: true }], field: "id", argument: 1 },
@@ -118,7 +118,7 @@ test("a tree whose objects the run keeps unfolds by a request, another one by it
   assert.doesNotMatch(textOf(view.view([reasons])), /command seek/);
 });
 
-test("a form sends what was typed, and keeps it while the document says the same", () => {
+test("a form sends the typed text, and keeps it while the document's value is the same", () => {
   const { view, asked } = made();
   const nodes: Document = [{ is: "form", key: "new", do: [{ request: "break", kind: "fire", agent: "", what: "" }], button: "Add", clears: true, fields: [
     { kind: "choice", name: "kind", label: "What", options: [["fire", "a rule fires"], ["match", "a rule matches"]] }, { kind: "check", name: "agent", label: "only", options: [["", ""], ["scout", "scout"]] }, { kind: "line", name: "what", label: "Which", needed: true },
@@ -135,7 +135,7 @@ test("a form sends what was typed, and keeps it while the document says the same
   assert.deepEqual(asked, [], "the line is empty again");
 });
 
-test("a form without a button sends while one types; a number is sent as one", () => {
+test("a form without a button sends while the user types; a number is sent as a number", () => {
   const { view, asked } = made();
   const search: Document = [{ is: "form", key: "search", do: [{ request: "search-memory", text: "" }], fields: [{ kind: "line", name: "text", label: "Search" }] }];
   type(view.view(search), "Search", "io");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What a panel shows, as src/workbench/document/document_json.cpp writes it: roles and keys, no colours or sizes. */
+/** The document of a panel, as written by src/workbench/document/document_json.cpp: roles and keys, no colours or sizes. */
 
 /** A request with its fields, and the panel that then comes to the front. */
 export type Action = readonly [{ readonly request: string } & Readonly<Record<string, unknown>>, string?];
 
-/** A plain text, or [text, role, action, hint]. Instead of a text a tick may be there: the time that leads to it. */
+/** A plain text, or [text, role, action, hint]. A tick instead of the text is shown as a time that leads to the moment. */
 export type Span = string | readonly [string | number, string?, (Action | null)?, string?];
 export type Spans = string | readonly Span[];
 
@@ -50,7 +50,7 @@ export interface TableRow {
   readonly c: readonly Cell[];
   readonly hint?: string;
   readonly a?: readonly string[];
-  /** Of a body: team, kind, whether another simulation moves it. */
+  /** The body of the row: team, kind, and whether another simulation moves it. */
   readonly sign?: readonly [string, string, boolean];
   readonly depth?: number;
   /** A bit for each group that it belongs to. */
@@ -76,7 +76,7 @@ export interface TreeRow {
   readonly k: string;
   readonly s: Spans;
   readonly a?: readonly string[];
-  /** It can be unfolded; whether it is. */
+  /** Present if the row can be unfolded: whether it is. */
   readonly open?: boolean;
   readonly below?: readonly TreeRow[];
 }
@@ -122,7 +122,7 @@ export interface Tabs {
   readonly is: "tabs";
   readonly key: string;
   readonly first?: number;
-  /** When it becomes another one, the first page is shown again. */
+  /** If it changes, the first page is shown again. */
   readonly reason?: string;
   readonly pages: readonly { readonly title: string; readonly hint: string; readonly nodes: readonly DocumentNode[] }[];
 }
@@ -131,7 +131,7 @@ export interface Facts { readonly is: "facts"; readonly rows: readonly (readonly
 export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Section | Tabs | Columns | Facts;
 export type Document = readonly DocumentNode[];
 
-/** The text of spans, without what they lead to; times are left out. */
+/** The text of spans, without their actions and without times. */
 export function plainText(spans: Spans): string {
   if (typeof spans === "string") return spans;
   return spans.map((span) => (typeof span === "string" ? span : typeof span[0] === "string" ? span[0] : "")).join("");

@@ -7,13 +7,13 @@ import { plainText, type Action, type Button, type Code, type Document, type Doc
 import { PlotViews } from "./plot_view";
 import { TableViews } from "./table_view";
 
-/** Roles with a class of another name. */
+/** Roles with a style class of a different name. */
 const CLASSES: Readonly<Record<string, string>> = { new: "sign added", gone: "removed", name: "attribute", obj: "object", num: "num" };
 
-/** What the user set in a part of a document is kept by the part's key. */
+/** The user's settings in a part of a document, stored by the part's key. */
 interface FieldState { text: string; told: string }
 
-/** Draws documents, and keeps what the user sets in them: filters, pages, what is unfolded, typed text. */
+/** Draws documents, and stores the user's settings in them: filters, pages, unfolded rows, typed text. */
 export class DocumentView {
   private readonly fields = new Map<string, FieldState>();
   private readonly pages = new Map<string, number>();
@@ -66,7 +66,7 @@ export class DocumentView {
     return this.context.run.contents?.moment?.time.step_s ?? 1 / 30;
   }
 
-  // Texts and what they lead to ------------------------------------------------------------------------------------
+  // Texts and their actions -----------------------------------------------------------------------------------------
 
   private paragraph(text: Paragraph): View {
     const attributes = { title: text.hint };
@@ -114,7 +114,7 @@ export class DocumentView {
 
   // Forms ------------------------------------------------------------------------------------------------------------
 
-  /** What the document says counts until the user types, and again when it says something else. */
+  /** A field shows the document's value until the user types, and again when the document's value changes. */
   private stateOf(form: Form, field: Field): FieldState {
     const key = `${form.key}/${field.name}`, isChosen = field.kind === "choice" || field.kind === "check";
     const told = field.value ?? (isChosen ? (field.options?.[0]?.[0] ?? "") : "");

@@ -20,7 +20,7 @@ export function columnsOf(plot: Plot, stepS: number): (number | null)[][] {
 export class PlotViews {
   private readonly drawn = new Map<string, { plot: uPlot; element: HTMLElement; curves: number }>();
 
-  /** Lets go of what the document no longer has. */
+  /** Releases plots that the document no longer contains. */
   keep(nodes: Document): void {
     const text = this.drawn.size === 0 ? "" : JSON.stringify(nodes);
     for (const [key, { plot }] of this.drawn) {

@@ -4,7 +4,7 @@ import { filterField, passes } from "../panels/parts";
 import { cssColor, kindColor, teamColor } from "../scene/looks";
 import { plainText, type Cell, type Column, type RowAction, type Spans, type Table, type TableRow } from "./document";
 
-/** More rows than anybody reads: the filter finds the others. */
+/** Maximum number of rows that are drawn; the filter finds the others. */
 const MOST_ROWS = 400;
 
 interface Uses {
@@ -54,7 +54,7 @@ export class TableViews {
     const what = `th${column.number === true ? ".number" : ""}${column.wide === true ? ".wide" : ""}`;
     return h(what, { attributes: { scope: "col", title: column.hint, "aria-sort": isSorted ? (state.isDescending ? "descending" : "ascending") : undefined } },
       table.sorts !== true ? label : button(label, () => {
-        // Numbers begin with the greatest; a third press brings the first order back.
+        // Numbers are sorted in descending order first; a third press restores the original order.
         const first = column.number === true, isOver = isSorted && state.isDescending !== first;
         state.isDescending = isSorted ? !state.isDescending : first;
         state.sortedBy = isOver ? -1 : i;
@@ -83,7 +83,7 @@ export class TableViews {
   }
 
   private row(table: Table, state: TableState, row: TableRow, wide: (i: number) => string): View {
-    // The first cell that leads nowhere by itself presses the row.
+    // The first cell without its own action gets the action of the row.
     const pressed = table.press === undefined || (table.press.argument !== undefined && row.a?.[table.press.argument - 1] === undefined) ? -1
       : row.c.findIndex((cell) => !leadsOn(spansOf(cell)) && plainText(spansOf(cell)) !== "");
     const anyPress = table.press !== undefined && pressed < 0 && row.a === undefined && table.press.argument === undefined ? 0 : pressed;
@@ -103,7 +103,7 @@ export class TableViews {
     }));
   }
 
-  /** What leads on by itself stays beside what presses the row. */
+  /** Cells with their own actions stay next to the cell with the action of the row. */
   private pressed(press: RowAction, row: TableRow, spans: Spans, sign: Child): Child {
     const all = typeof spans === "string" ? [spans] : spans;
     const own = all.filter((span) => !leadsOn([span])), others = all.filter((span) => leadsOn([span]));

@@ -35,7 +35,7 @@ test("a link can be read again from its code", () => {
   }
 });
 
-test("corners have their signs, and the lines between them take turns", () => {
+test("the corners have finder patterns, with alternating lines between them", () => {
   const { dark, size } = qrCode("http://localhost/")!;
   for (const [row, column] of [[0, 0], [0, size - 7], [size - 7, 0]] as const) {
     assert.ok(dark[row]![column] && dark[row + 6]![column + 6] && dark[row + 3]![column + 3]);
@@ -44,6 +44,6 @@ test("corners have their signs, and the lines between them take turns", () => {
   for (let i = 8; i < size - 8; ++i) assert.equal(dark[6]![i], i % 2 === 0);
 });
 
-test("what is too long has no code", () => {
+test("a text that is too long has no code", () => {
   assert.equal(qrCode("x".repeat(214)), null);
 });

@@ -89,7 +89,7 @@ export function dataPlaces(size: number, isFixed: (row: number, column: number) 
   return places;
 }
 
-/** How unlike an even field of dark and light it is: runs, squares, what looks like a corner's sign, and too much of one. */
+/** The penalty of a mask: runs, squares, patterns that resemble finder marks, and imbalance of dark and light. */
 function unevenness(dark: readonly (readonly boolean[])[]): number {
   const size = dark.length, sign = [true, false, true, true, true, false, true];
   let points = 0, count = 0;

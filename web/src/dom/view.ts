@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What a view shows: plain values, made by functions without a document, and put into the page by patch(). Texts become text nodes and nothing else. */
+/** A view is a plain value that functions create without a DOM. patch() puts it into the page. Texts only become text nodes. */
 export interface View {
   readonly tag: string;
   readonly classes: string;
@@ -10,7 +10,7 @@ export interface View {
 export type Child = View | string | number | false | null | undefined | readonly Child[];
 
 export interface Props {
-  /** Tells siblings apart that come and go. */
+  /** Distinguishes siblings that are added and removed. */
   key?: string;
   /** Of form fields: set only when it differs, so that the caret stays. */
   value?: string;
@@ -65,7 +65,7 @@ function flatten(children: readonly Child[], into: Flat[] = []): Flat[] {
   }, []);
 }
 
-/** What there is to read in a view; for tests and for names that are read out. */
+/** The readable text of a view; for tests and accessible names. */
 export function textOf(child: Child): string {
   return flatten([child]).map((one) => (typeof one === "string" ? one : textOf(one.children))).join("");
 }
@@ -108,7 +108,7 @@ function update(element: Element, view: View): void {
   const field = element as HTMLInputElement;
   if (view.props.value !== undefined && field.value !== view.props.value) field.value = view.props.value;
   if (view.props.checked !== undefined) field.checked = view.props.checked;
-  // Whoever reads opens and shuts; the view only says how it begins.
+  // The reader opens and closes it; the view only sets the initial state.
   if (view.props.open !== undefined && view.props.open !== before.props.open) (element as HTMLDetailsElement).open = view.props.open;
 }
 

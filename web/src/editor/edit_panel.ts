@@ -12,7 +12,7 @@ import { changesOf, edited } from "./text_edits";
 
 const SIGNS = ["(", ")", "<", ">", "^", ".", "-->", "{", "}", "|", "*", "+", "-", "="] as const;
 const ANSWERED_AFTER_MS = 500;
-/** What the run says when it has taken over changed rules. */
+/** The run's message after it has reloaded changed rules. */
 const RELOADED = /^Reloaded/;
 
 
@@ -36,14 +36,14 @@ export class EditPanel implements Panel {
   private wanted = "";
   private tellsAgain = false;
   private offered: { file: string; text: string } | null = null;
-  /** What was typed here before somebody changed the text elsewhere. */
+  /** The text typed here before it was changed elsewhere. */
   private older: string | null = null;
-  /** A name that is being asked for: of a new file, or for the name at a place. */
+  /** The open question for a name: of a new file, or a new name for the one at a position. */
   private asks: { what: "rename" | "new"; old: string; name: string; line: number; character: number } | null = null;
-  /** Whether the editor holds what was typed or brought back here; if not, it follows the text of the run. */
+  /** Whether the editor contains text that was typed or restored here. Otherwise it follows the text of the run. */
   private isOwn = false;
 
-  /** `applied`: the run has taken over changed rules. */
+  /** `applied`: called when the run has reloaded changed rules. */
   constructor(private readonly context: PanelContext, private readonly applied: () => void) {
     this.client = new LanguageClient(context.run, () => {
       this.mark();
@@ -52,7 +52,7 @@ export class EditPanel implements Panel {
     this.what = context.run.hello?.what ?? "";
     context.run.on("hello", ({ what }) => {
       this.asked = "";
-      // The same world from its beginning keeps its text and its caret; the text of another world goes.
+      // If the same world begins again, its text and caret are kept; the text of another world is dropped.
       if (what !== this.what) {
         this.file = this.wanted = "";
         this.version = -1;
@@ -111,11 +111,11 @@ export class EditPanel implements Panel {
     ];
   }
 
-  /** What else can be done with the text; all but a new file are keys, too. */
+  /** Further actions on the text. All except "new file" also have keys. */
   private commands(isRules: boolean): View {
     const small = (label: string, title: string, press: () => void): View => button(label, press, { attributes: { title } }, "button.small");
     return h("div.row.bar.commands", { key: "commands", attributes: { role: "group", "aria-label": "More for the text" } },
-      isRules && [small("Lay out", "Lay the rules out (Shift+Alt+F)", () => this.command("format")), small("Rename", "Give the name at the caret another one, wherever it is used (F2)", () => this.command("rename")),
+      isRules && [small("Lay out", "Lay the rules out (Shift+Alt+F)", () => this.command("format")), small("Rename", "Rename what is at the caret, wherever it is used (F2)", () => this.command("rename")),
         small("Go to definition", "Go where the name at the caret is made (F12)", () => this.command("definition"))],
       this.context.files !== null && small("New file", "A new file beside this one", () => this.ask({ what: "new", old: "", name: "", line: 0, character: 0 })));
   }
@@ -154,13 +154,13 @@ export class EditPanel implements Panel {
       }
       if (what === "definition") {
         const found = await this.client.definition(text, caret.line, caret.character);
-        if (found === null) throw new Error("Nothing makes what is at the caret: no rule of these files does.");
+        if (found === null) throw new Error("No rule in these files makes what is at the caret.");
         if (found.path === this.file) editor.goTo(found.line);
         else this.context.edit(found.path, found.line);
         return;
       }
       const old = await this.client.nameAt(text, caret.line, caret.character);
-      if (old === null) throw new Error("At the caret is no name that can be renamed. Put it into a variable, an attribute or the name of a rule.");
+      if (old === null) throw new Error("There is no name at the caret that can be renamed. Put the caret into a variable, an attribute or the name of a rule.");
       this.ask({ what: "rename", old, name: old, ...caret });
     };
     void work().catch((error: unknown) => this.fail(error));
@@ -183,7 +183,7 @@ export class EditPanel implements Panel {
     this.focus();
   }
 
-  /** An empty file beside the one that is shown. */
+  /** Creates an empty file next to the one that is shown. */
   private async newFile(name: string): Promise<void> {
     const { files } = this.context, plain = name.trim();
     if (files === null) return;
@@ -196,7 +196,7 @@ export class EditPanel implements Panel {
     this.context.run.remark(`${file} is there.`, file.endsWith(".soar") ? `Write  source ${file}  into ${first}, so that it is loaded.` : "", false);
   }
 
-  /** Signs of rules that a phone's keyboard hides; shown where fingers type. */
+  /** Buttons for characters that are hard to reach on a phone's keyboard; shown on touch devices. */
   private signs(): View {
     return h("div.row.signs", { key: "signs", attributes: { role: "group", "aria-label": "Signs of rules" } }, SIGNS.map((sign) => button(sign, () => this.editor?.type(sign), {
       key: sign, attributes: { "aria-label": `Type ${sign}` },
@@ -238,7 +238,7 @@ export class EditPanel implements Panel {
         if (this.context.run.connection !== "open" || !this.mayType) return;
         this.context.run.ask("edit-text", { what: "check", text });
         void this.client.tell(text);
-        // Problems that stay the same do not come again: they are marked anew in the new text.
+        // Unchanged problems are not sent again, so they are marked again in the new text.
         setTimeout(() => {
           this.problems = "";
           this.mark();
@@ -250,7 +250,7 @@ export class EditPanel implements Panel {
         if (!this.context.run.ask("edit-text", { what: "save", text })) return;
         this.isApplying = true;
         this.context.run.ask("edit-text", { what: "apply", text });
-        // Contents that stay the same do not come again.
+        // Unchanged contents are not sent again.
         setTimeout(() => this.noteApplied(), ANSWERED_AFTER_MS);
       },
     }, this.client);
@@ -269,17 +269,17 @@ export class EditPanel implements Panel {
     this.editor?.apply();
   }
 
-  /** What is in the editor; null: no file. */
+  /** The text in the editor; null: no file. */
   get text(): string | null {
     return this.editor === null || this.file === "" ? null : this.editor.text;
   }
 
-  /** Where the caret is; null: no file is shown. */
+  /** The position of the caret; null: no file is shown. */
   get where(): { file: string; line: number } | null {
     return this.editor === null || this.file === "" ? null : { file: fileName(this.file), line: this.editor.line };
   }
 
-  /** A packed text that somebody gave away: it comes into the editor as a draft once its file is there. */
+  /** A packed, shared text. It is put into the editor as a draft as soon as its file exists. */
   async offer(file: string, packed: string): Promise<void> {
     const text = await unpackText(packed);
     if (text === null) return this.context.run.remark("The rules in this link are damaged: it may have been cut off.", "Ask for the link again.");
@@ -295,7 +295,7 @@ export class EditPanel implements Panel {
     editor.show(offered.text, true);
     this.isOwn = true;
     this.context.run.ask("edit-text", { what: "check", text: offered.text });
-    this.context.run.remark(`The link brought this text of ${offered.file}.`, "Apply puts it into effect. Revert brings your own back.", false);
+    this.context.run.remark(`This text of ${offered.file} came with the link.`, "Apply puts it into effect. Revert brings your own back.", false);
   }
 
   private noteApplied(): void {
@@ -304,7 +304,7 @@ export class EditPanel implements Panel {
     this.applied();
   }
 
-  /** New contents came. */
+  /** Called when new contents have arrived. */
   take(contents: Contents): void {
     this.noteApplied();
     const edit = contents.edit?.edit, editor = this.editor;
@@ -321,7 +321,7 @@ export class EditPanel implements Panel {
       if (edit.is_rules) this.client.look(edit.file, edit.text);
       this.problems = "";
     }
-    // A run that has begun again, or whose server has, may lack what was typed last.
+    // A restarted run or server may lack the text that was typed last.
     if (this.tellsAgain && !isNew && this.isOwn && this.mayType && edit.text !== editor.text) this.context.run.ask("edit-text", { what: "check", text: editor.text });
     this.tellsAgain = false;
     this.context.run.kept.confirm(edit.file, edit.text);
@@ -354,7 +354,7 @@ export class EditPanel implements Panel {
     this.context.redraw("edit");
   }
 
-  /** What the kernel's reader says, and what the language server says of rules together. */
+  /** Problems from the kernel's reader, and from the language server about all rules together. */
   private allProblems(): PlacedProblem[] {
     const edit = this.context.run.contents.edit?.edit, text = this.editor?.text ?? "";
     const told = edit?.is_rules === true ? (this.client.diagnostics ?? []).map((one) => problemOf(one, text)) : [];

@@ -70,7 +70,7 @@ export class Editor {
   }
 
   private makeScrollable(): void {
-    // Whoever has no mouse scrolls it, too.
+    // Users without a mouse must be able to scroll it, too.
     this.view.scrollDOM.tabIndex = 0;
     this.view.scrollDOM.setAttribute("role", "group");
     this.view.scrollDOM.setAttribute("aria-label", "Text of the rules");
@@ -95,7 +95,7 @@ export class Editor {
         } }],
       };
     }).filter((one) => one.to >= one.from && one.to <= text.length);
-    // What is marked already stays: a remedy that is being read is not taken away.
+    // Existing marks are kept, so that a hint does not disappear while it is read.
     const there: string[] = [];
     forEachDiagnostic(this.view.state, (one, from, to) => there.push(`${from}-${to} ${one.message}`));
     if (there.sort().join() === shown.map((one) => `${one.from}-${one.to} ${one.message}`).sort().join()) return;
@@ -134,7 +134,7 @@ export class Editor {
     return true;
   }
 
-  /** Where the caret is: its line and letter, from 0. */
+  /** The position of the caret: line and character, from 0. */
   get caret(): { line: number; character: number } {
     const { head } = this.view.state.selection.main, line = this.view.state.doc.lineAt(head);
     return { line: line.number - 1, character: head - line.from };
@@ -145,7 +145,7 @@ export class Editor {
     if (changes.length > 0) this.view.dispatch({ changes: [...changes], userEvent: "input.change" });
   }
 
-  /** As if this was typed at the caret. */
+  /** Inserts this at the caret, as if it was typed. */
   type(text: string): void {
     this.view.dispatch({ ...this.view.state.replaceSelection(text), userEvent: "input.type", scrollIntoView: true });
     this.view.focus();

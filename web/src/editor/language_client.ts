@@ -23,7 +23,7 @@ function resultOf<T>(answer: Answer | null): T {
 
 /** Client of the language server, over the run's connection: problems in the text, and completions at the caret. */
 export class LanguageClient {
-  /** Of the file that is looked at; null: nothing was said about it yet. */
+  /** The problems of the current file; null: none were reported yet. */
   diagnostics: readonly LspDiagnostic[] | null = null;
   private next = 1;
   private readonly waiting = new Map<number, (answer: Answer) => void>();
@@ -41,7 +41,7 @@ export class LanguageClient {
     });
   }
 
-  /** Another file is edited. */
+  /** Switches to another file. */
   look(file: string, text: string): void {
     const uri = `file://${encodeURI(file)}`;
     if (uri !== this.uri) {
@@ -72,7 +72,7 @@ export class LanguageClient {
     return Array.isArray(result) ? result : result.items;
   }
 
-  /** What there is to say about the word at a place, in the protocol's simple markdown; empty: nothing. */
+  /** The explanation of the word at a position, in the protocol's simple markdown; empty: none. */
   async hover(text: string, line: number, character: number): Promise<string> {
     if (text !== this.told && !(await this.tell(text))) return "";
     const answer = await this.ask("textDocument/hover", { textDocument: { uri: this.uri }, position: { line, character } });
@@ -80,7 +80,7 @@ export class LanguageClient {
     return typeof contents === "string" ? contents : (contents?.value ?? "");
   }
 
-  /** The changes that lay the text out. */
+  /** The changes that format the text. */
   async format(text: string): Promise<readonly TextEdit[]> {
     if (!(await this.tell(text))) throw new Error(NO_HELP);
     return resultOf<readonly TextEdit[] | null>(await this.ask("textDocument/formatting", { textDocument: { uri: this.uri }, options: { tabSize: 3, insertSpaces: true } })) ?? [];
@@ -92,14 +92,14 @@ export class LanguageClient {
     return resultOf<{ placeholder: string } | null>(await this.ask("textDocument/prepareRename", { textDocument: { uri: this.uri }, position: { line, character } }))?.placeholder ?? null;
   }
 
-  /** The changes of each file that give the name at a place another one. */
+  /** The changes of each file that rename the name at a position. */
   async rename(text: string, line: number, character: number, newName: string): Promise<{ path: string; edits: readonly TextEdit[] }[]> {
     if (!(await this.tell(text))) throw new Error(NO_HELP);
     const result = resultOf<{ changes?: Readonly<Record<string, readonly TextEdit[]>> } | null>(await this.ask("textDocument/rename", { textDocument: { uri: this.uri }, position: { line, character }, newName }));
     return Object.entries(result?.changes ?? {}).map(([uri, edits]) => ({ path: pathOf(uri), edits }));
   }
 
-  /** Where what the word at a place names is made; lines count from 1. */
+  /** The definition of the name at a position; lines count from 1. */
   async definition(text: string, line: number, character: number): Promise<{ path: string; line: number } | null> {
     if (!(await this.tell(text))) throw new Error(NO_HELP);
     const [first] = resultOf<readonly { uri: string; range: TextEdit["range"] }[] | null>(await this.ask("textDocument/definition", { textDocument: { uri: this.uri }, position: { line, character } })) ?? [];
@@ -118,7 +118,7 @@ export class LanguageClient {
     this.waiting.delete(content.id);
   }
 
-  /** Whoever came before may have started the server: its refusal to start again is an answer, too. */
+  /** An earlier page may have started the server. Its refusal to start again is a valid answer. */
   private start(): Promise<boolean> {
     this.started ??= this.ask("initialize", { processId: null, rootUri: null, capabilities: {} }).then((answer) => {
       if (answer === null) return false;
@@ -179,7 +179,7 @@ export function wordsOf(line: string): { text: string; kind: "bold" | "code" | "
     one.startsWith("**") && one.length > 4 ? { text: one.slice(2, -2), kind: "bold" } : one.startsWith("`") && one.length > 1 ? { text: one.slice(1, -1), kind: "code" } : { text: one, kind: "" });
 }
 
-/** Tells about the word under the mouse. */
+/** Explains the word under the mouse. */
 export function hoverWith(client: LanguageClient): ReturnType<typeof hoverTooltip> {
   return hoverTooltip(async (view, pos) => {
     const line = view.state.doc.lineAt(pos), word = view.state.wordAt(pos);

@@ -11,7 +11,7 @@ const marked = (one: Problem, text = TEXT): string => {
   return text.slice(from, to);
 };
 
-test("a hint names what was meant", () => {
+test("a hint contains the suggested word", () => {
   assert.equal(meantBy("did you mean ^range?"), "range");
   assert.equal(meantBy("no such rule: did you mean 'porter*greet'?"), "porter*greet");
   assert.equal(meantBy("did you mean <s>?"), "<s>");
@@ -30,12 +30,12 @@ test("columns are bytes", () => {
   assert.equal(marked(problem(2, 13), text), "|x|");
 });
 
-test("places beyond the text are cut to it", () => {
+test("positions beyond the text are clamped", () => {
   assert.equal(marked(problem(99, 99)), "");
   assert.equal(marked(problem(1, 99)), "");
 });
 
-test("a remedy changes only what was wrong", () => {
+test("a fix changes only the wrong part", () => {
   const fixed = (one: Problem): string => {
     const remedy = remedyOf(one, TEXT);
     return remedy === null ? "none" : `${TEXT.slice(0, remedy.from)}[${remedy.insert}]${TEXT.slice(remedy.to)}`.split("\n")[one.line! - 1]!;

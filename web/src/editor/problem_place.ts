@@ -86,7 +86,7 @@ export function remedyOf(problem: PlacedProblem, text: string): Remedy | null {
   else if (there.startsWith("^")) from += 1;
   else if (there.startsWith("<") && !meant.startsWith("<")) return null;
   const rest = text.slice(from, to);
-  // Of a path only the part that is wrong; without a sign which, the last one.
+  // Only the wrong part of a path; if it is not marked, the last part.
   const dot = rest.lastIndexOf(".");
   if (dot >= 0 && !meant.includes(".")) from += dot + 1;
   return text.slice(from, to) === meant || from === to ? null : { from, to, insert: meant };

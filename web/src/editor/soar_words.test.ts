@@ -18,6 +18,6 @@ test("state, write, --> and ^superstate are explained to a beginner", () => {
   assert.match(told("sp {porter*greet", "sp", 0), /soar production/);
 });
 
-test("names, variables, comments and texts are none of these words", () => {
+test("names, variables, comments and texts are not explained words", () => {
   for (const [line, word] of [["sp {state*write", "state*write"], ["   (<state> ^color red)", "<state>"], ["# write a state", "write"], ["   (write |the state|)", "the state"]] as const) assert.equal(told(line, word, 2), "", line);
 });

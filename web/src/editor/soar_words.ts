@@ -4,7 +4,7 @@
 const WORDS: Readonly<Record<string, string>> = {
   "sp": "**sp** begins a rule (a *soar production*): its name, conditions, `-->`, and actions, all between { and }.",
   "state": "**state** says that the first condition looks at a state: a situation in which the agent decides. `(state <s> …)` stands at the beginning of each rule.",
-  "-->": "**-->** stands between conditions and actions: if everything above it is so, what is below it happens.",
+  "-->": "**-->** stands between conditions and actions: if all conditions above it match, the actions below it happen.",
   "write": "**write** prints: `(write |Good day, | <name> (crlf))`. What is printed is shown in the panel Output and over the agent's head.",
   "crlf": "**crlf** begins a new line in what write prints.",
   "halt": "**halt** stops the agent for good.",

@@ -4,7 +4,7 @@ interface Position { line: number; character: number }
 /** A change of a text, as the Language Server Protocol has it; places count from 0. */
 export interface TextEdit { range: { start: Position; end: Position }; newText: string }
 
-/** The changes as places of the text, from its beginning on; what lies beyond a line or the text ends there. */
+/** The changes with offsets in the text. Positions beyond the end of a line or of the text are clamped. */
 export function changesOf(text: string, edits: readonly TextEdit[]): { from: number; to: number; insert: string }[] {
   const lines = text.split("\n"), begins: number[] = [];
   let at = 0;

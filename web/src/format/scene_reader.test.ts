@@ -15,7 +15,7 @@ const near = (a: readonly number[], b: readonly number[]): void => {
   a.forEach((value, i) => assert.ok(Math.abs(value - b[i]!) < 0.003, `${a.join()} is not ${b.join()}`));
 };
 
-test("a full block tells the whole moment", async () => {
+test("a full block contains the complete moment", async () => {
   const scene = new SceneReader().read(await unpack(full), isFull(full))!;
   assert.equal(scene.tick, 300);
   assert.equal(scene.time, 10);
@@ -43,7 +43,7 @@ test("a full block tells the whole moment", async () => {
   assert.deepEqual(scene.places, [{ kind: "item", name: "medkit", place: [1, 0.5, 2] }]);
 });
 
-test("a difference changes what it names and leaves the moment before alone", async () => {
+test("a difference changes the named values and leaves the previous moment unchanged", async () => {
   const reader = new SceneReader();
   const first = reader.read(await unpack(full), true)!;
   const second = reader.read(await unpack(difference), isFull(difference))!;
@@ -62,11 +62,11 @@ test("a difference changes what it names and leaves the moment before alone", as
   assert.equal(first.agents.get(2)!.alive, true);
 });
 
-test("a difference before the first full block is passed over", async () => {
+test("a difference before the first full block is skipped", async () => {
   assert.equal(new SceneReader().read(await unpack(difference), false), null);
 });
 
-test("a compressed block holds the same", async () => {
+test("a compressed block has the same contents", async () => {
   const packed = Uint8Array.from([full[0]!, full[1]!, full[2]! | 2, ...deflateSync(full.slice(3))]);
   assert.deepEqual(await unpack(packed), await unpack(full));
 });
@@ -78,7 +78,7 @@ test("a block that is cut anywhere is refused, and the next full one is read", a
   assert.equal(reader.read(payload, true)!.tick, 300);
 });
 
-test("what is no block, or of another version, is refused", async () => {
+test("data that is not a block, or has another version, is refused", async () => {
   await assert.rejects(unpack(Uint8Array.from([1, 2, 3, 4])), BadBytes);
   await assert.rejects(unpack(Uint8Array.from([0x53, 99, 1, 0])), /load the page again/);
 });

@@ -20,7 +20,7 @@ export function isFull(block: Uint8Array): boolean {
 
 /** The decompressed payload of a block. */
 export async function unpack(block: Uint8Array): Promise<Uint8Array> {
-  if (block[0] !== MARK || block.length < HEAD_BYTES) throw new BadBytes("this is no block of a scene");
+  if (block[0] !== MARK || block.length < HEAD_BYTES) throw new BadBytes("this is not a block of a scene");
   if (block[1] !== VERSION) throw new BadBytes("this page and the engine are of different versions: load the page again");
   const rest = block.slice(HEAD_BYTES);
   if (((block[2] ?? 0) & DEFLATED) === 0) return rest;

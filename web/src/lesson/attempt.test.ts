@@ -13,7 +13,7 @@ const time = (more: Partial<Time> = {}): Time => ({
   first_tick: 0, shown_tick: 300, last_tick: 300, step_s: 1 / 30, is_recording: false, is_live: true, can_go_back: true, can_resume: false, resume_refusal: "", branch_tick: null, branches: 0, ...more,
 });
 
-test("nothing is failed before the learner has done anything, also after a reload", () => {
+test("no check is shown as failed before the learner has done anything, also after a reload", () => {
   const kept = shelf(), attempt = new Attempt(kept);
   attempt.begin("lesson:02-operators");
   assert.equal(standingOf(check("false", 31), time(), attempt), "open");
@@ -28,7 +28,7 @@ test("nothing is failed before the learner has done anything, also after a reloa
   assert.equal(standingOf(check("false", 31), time(), again), "failed", "worlds have nothing to wait for");
 });
 
-test("checks begin anew with each Apply", () => {
+test("checks restart with each Apply", () => {
   const attempt = new Attempt(shelf());
   assert.equal(attempt.begin("lesson:02-operators"), false);
   attempt.applied(100);
@@ -41,7 +41,7 @@ test("checks begin anew with each Apply", () => {
   assert.equal(whyOpen(time(), attempt), "");
 });
 
-test("a problem of a file that was changed since without errors is over", () => {
+test("a problem disappears after a later change of its file without errors", () => {
   const attempt = new Attempt(shelf());
   attempt.begin("scenario:x");
   assert.equal(attempt.isMended({ file: "a.soar", tick: 5 }), false);
@@ -49,14 +49,14 @@ test("a problem of a file that was changed since without errors is over", () => 
   assert.deepEqual([{ file: "a.soar", tick: 9 }, { file: "a.soar", tick: 10 }, { file: "b.soar", tick: 5 }, { tick: 5 }].map((one) => attempt.isMended(one)), [true, false, false, false]);
 });
 
-test("at an earlier moment checks say what was known then", () => {
+test("at an earlier moment checks show their state at that moment", () => {
   const attempt = new Attempt(shelf()), past = time({ is_live: false, shown_tick: 50 }), mission: Mission = { checks: [check("true", 40), check("true", 60), check("open", 0)], lesson: null, lessons: [] };
   attempt.begin("scenario:x");
   assert.deepEqual(passedOf(mission, past, attempt), { passed: 1, of: 3 });
   assert.deepEqual(passedOf(mission, time(), attempt), { passed: 2, of: 3 });
 });
 
-test("after going on from the past no tick of the future that is gone stays", () => {
+test("after continuing from the past, no tick of the discarded future remains", () => {
   const attempt = new Attempt(shelf()), gone = time({ branch_tick: 50, branches: 1, shown_tick: 70, last_tick: 70 });
   attempt.begin("scenario:x");
   assert.equal(standingOf(check("true", 60), gone, attempt), "open");
@@ -64,7 +64,7 @@ test("after going on from the past no tick of the future that is gone stays", ()
   assert.match(whyOpen(gone, attempt), /earlier moment/);
 });
 
-test("whether a run begins again with Apply is the learner's choice, which is kept", () => {
+test("the learner's choice whether a run begins again with Apply is stored", () => {
   const kept = shelf(), attempt = new Attempt(kept);
   assert.equal(attempt.restarts, true);
   attempt.restarts = false;

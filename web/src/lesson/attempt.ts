@@ -9,7 +9,7 @@ export interface Shelf {
 
 const TRIED = "soarbox.tried.", RESTARTS = "soarbox.restarts", NO = "no";
 
-/** What the learner has done with the rules of this run: what checks say depends on it. */
+/** The learner's changes to the rules of this run. The display of checks depends on them. */
 export class Attempt {
   private what = "";
   /** Tick at which the rules of the running world changed; null: they have not changed since its beginning. */
@@ -19,7 +19,7 @@ export class Attempt {
 
   constructor(private readonly shelf: Shelf) {}
 
-  /** A run begins, or this page joins one. Returns whether it is the same world as before, from the beginning. */
+  /** Called when a run begins or this page joins one. Returns whether the same world has begun again. */
   begin(what: string): boolean {
     const isSame = what === this.what;
     this.what = what;
@@ -32,7 +32,7 @@ export class Attempt {
     return this.what.startsWith("lesson:");
   }
 
-  /** Whether the learner has changed anything in this lesson yet, or had it graded. Worlds have no first step to wait for. */
+  /** Whether the learner has changed anything in this lesson yet, or had it graded. Always true for other worlds. */
   get isTried(): boolean {
     return !this.isLesson || this.shelf.getItem(TRIED + this.what) !== null;
   }
@@ -65,9 +65,8 @@ export class Attempt {
 
 export type Standing = "passed" | "failed" | "open";
 
-/**
- * What a check says at the moment that is shown. It is open where it was decided later, or in a future that is gone, or with rules
- * that have been changed since; and where nobody has done anything yet that could be judged.
+/** The state of a check at the moment that is shown. It is open if it was decided later, in a discarded future, or with rules
+ * that have been changed since, or if the learner has not done anything yet that could be judged.
  */
 export function standingOf(check: Check, time: Pick<Time, "shown_tick" | "is_live" | "branch_tick"> | undefined, attempt: Pick<Attempt, "changedAt" | "isTried">): Standing {
   if (check.state !== "true" && check.state !== "false") return "open";
@@ -84,7 +83,7 @@ export function passedOf(mission: Mission, time: Time | undefined, attempt: Atte
   return { passed: counted.filter((one) => standingOf(one, time, attempt) === "passed").length, of: counted.length };
 }
 
-/** Why the checks say less than they could; "": they say all. */
+/** The reason why some checks are not decided; "": all are. */
 export function whyOpen(time: Time | undefined, attempt: Attempt): string {
   if (time !== undefined && time.branch_tick !== null && time.is_live) return "You went on from an earlier moment. Checks follow a run from its beginning.";
   if (attempt.changedAt !== null) return "The rules changed while the world ran. Checks follow a run from its beginning.";

@@ -23,7 +23,7 @@ export function gradeText(line: string): string {
   return withoutFolders(line.replace(/: soarbox run .*$/, ""));
 }
 
-/** Files by their names alone: where a server keeps them is its own affair. */
+/** Files by their names alone, without the folders of the server. */
 export function withoutFolders(text: string): string {
   return text.replace(/(^|[\s"'(])\/(?:[^\s:"'/]+\/)+([^\s:"'/]+)/g, "$1$2");
 }
@@ -31,7 +31,7 @@ export function withoutFolders(text: string): string {
 const GRADE_CHECK = /^\s*(yes|no)\s{2,}(.*)$/;
 const PASSED = /^Passed with all/;
 
-/** What a grade says: the headline, and the lines below it, of which those about checks have a sign. */
+/** The contents of a grade: the headline, and the lines below it; lines about checks have a sign. */
 export function gradeLines(grade: readonly string[]): { headline: string; isPass: boolean; lines: { sign: "" | "check" | "cross"; text: string }[] } {
   const [headline = "", ...rest] = grade.map(gradeText);
   const lines = rest.filter((one) => one.trim() !== "").map((text) => {
@@ -45,7 +45,7 @@ function titleOf(name: string, lessons: readonly LessonOffer[]): string {
   return lessons.find((one) => one.name === name)?.title ?? name;
 }
 
-/** Progress while the rules are graded; then the headline, and below it what led to it. A pass leads to the next lesson. */
+/** Shows progress during grading, then the headline and its reasons. A pass leads to the next lesson. */
 function gradeView(context: PanelContext, lesson: Lesson, lessons: readonly LessonOffer[], isWatching: boolean, arrived: (element: HTMLElement, text: string) => void): Child {
   if (!lesson.is_graded && lesson.grade.length === 0) return false;
   const { headline, isPass, lines } = gradeLines(lesson.grade), text = lesson.is_graded ? "grading" : lesson.grade.join("\n"), show = (element: HTMLElement): void => arrived(element, text);
@@ -62,10 +62,10 @@ function gradeView(context: PanelContext, lesson: Lesson, lessons: readonly Less
       ]);
 }
 
-/** What a learner can do now: at the lower edge of the panel, in view wherever the text is scrolled to. */
+/** The learner's present actions, at the lower edge of the panel; always visible. */
 function actions(context: PanelContext, lesson: Lesson, isCelebrated: boolean): View {
   return h("div.row.actions", { key: "actions" },
-    button(lesson.is_graded ? "Grading …" : "Grade", () => context.grade(), { attributes: { disabled: lesson.is_graded, title: "Runs your rules with ten seeds and says what came of it" } }, "button.primary"),
+    button(lesson.is_graded ? "Grading …" : "Grade", () => context.grade(), { attributes: { disabled: lesson.is_graded, title: "Runs your rules with ten seeds and reports the result" } }, "button.primary"),
     lesson.hint_count > 0 && button(lesson.hints.length >= lesson.hint_count ? "No more hints" : `Hint ${lesson.hints.length + 1} of ${lesson.hint_count}`, () => context.run.ask("lesson", { what: "hint" }), { attributes: { disabled: lesson.hints.length >= lesson.hint_count } }),
     lesson.next !== "" && !isCelebrated && button("Next lesson", () => context.openWhat(`lesson:${lesson.next}`)));
 }

@@ -16,7 +16,7 @@ test("the main button is the next thing to do", () => {
   assert.deepEqual(labels(info(3), null, ""), []);
 });
 
-test("the next lesson comes after the last one, else it is the first that is not passed", () => {
+test("the next lesson follows the last one; otherwise it is the first that is not passed", () => {
   assert.equal(nextLesson(info(1), "01-a-rule"), "02-operators");
   assert.equal(nextLesson(info(1), "03-choices"), "02-operators");
   assert.equal(nextLesson(info(3)), "");

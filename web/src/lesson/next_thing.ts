@@ -21,8 +21,7 @@ function lessonThing(lessons: Lessons, name: string): Thing | null {
   return { label: isFirst ? "Begin with lesson 1" : `Lesson ${numberOf(name)}: ${found.title}`, what: `lesson:${name}`, goesOn: false };
 }
 
-/**
- * What somebody does next, the most likely first: a lesson that was begun, the lesson after the one that was passed, the first lesson,
+/** The next steps of a user, the most likely first: a lesson that was begun, the lesson after the last passed one, the first lesson,
  * or the world that is open. `open`: what runs now, with its title; `last`: what was opened last in this browser.
  */
 export function nextThings({ lessons }: Pick<PlaceInfo, "lessons">, open: { what: string; title: string } | null, last: string): Thing[] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h, type View } from "../dom/view";
 
-/** How a world looks from above in its first tick (make_maps.py), in 1/200 of its width. A thing: x, z, width, depth (0: round), turn in degrees. */
+/** A world from above in its first tick (make_maps.py), in 1/200 of its width. A thing: x, z, width, depth (0: round), turn in degrees. */
 export interface WorldMap { things: readonly (readonly number[])[]; agents: readonly (readonly number[])[] }
 export type WorldMaps = Readonly<Record<string, WorldMap>>;
 

@@ -114,7 +114,7 @@ function pageWith(fake: FakeEngine, grader = new FakeEngine()) {
   return { place, messages, blocks, states, timers, ports, settled: () => new Promise((resolve) => setTimeout(resolve, 5)) };
 }
 
-test("a page without a server is told what a server would tell it", async () => {
+test("a page without a server gets the same messages as from a server", async () => {
   const fake = new FakeEngine(), page = pageWith(fake);
   await page.settled();
   assert.deepEqual(page.states, ["connecting", "open"]);
@@ -129,7 +129,7 @@ test("a page without a server is told what a server would tell it", async () => 
   page.place.close();
 });
 
-test("what cannot be opened is refused, and what cannot begin says why", async () => {
+test("an unknown world is refused, and a world that cannot begin reports why", async () => {
   const page = pageWith(new FakeEngine());
   await page.settled();
   page.messages.length = 0;
@@ -143,7 +143,7 @@ test("what cannot be opened is refused, and what cannot begin says why", async (
   page.place.close();
 });
 
-test("files are kept after what may have changed them, and only then", async () => {
+test("files are saved after requests that may have changed them, and only then", async () => {
   const fake = new FakeEngine(), page = pageWith(fake), fire = () => page.timers.filter(({ ms, isOff }) => ms === 1000 && !isOff).forEach((timer) => { timer.isOff = true; timer.call(); });
   await page.settled();
   page.place.send({ request: "open", what: "scenario:field" });
@@ -180,7 +180,7 @@ test("a run that crashes ends, and opening it again starts another worker", asyn
   page.place.close();
 });
 
-test("another worker grades with the learner's files, and what it has noted comes back", async () => {
+test("another worker grades with the learner's files, and returns the progress", async () => {
   const fake = new FakeEngine(), grader = new FakeEngine(), page = pageWith(fake, grader);
   await page.settled();
   fake.files.set("/place/home/soarbox-lessons/01-a-rule/porter.soar", bytesOf("sp {}"));
@@ -207,7 +207,7 @@ test("grading that is cancelled ends its worker, and the run goes on", async () 
   page.place.close();
 });
 
-test("the place is asked as a server is", async () => {
+test("the place answers the same requests as a server", async () => {
   const page = pageWith(new FakeEngine()), api = new LocalApi(page.place);
   const response = await api.fetch("/api/p/local/files/a.soar", { method: "PUT", body: "sp {}" });
   assert.equal(await response.text(), "PUT files/a.soar sp {}");

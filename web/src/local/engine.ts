@@ -36,22 +36,22 @@ export interface EngineSettings {
 }
 export type MakeEngine = (settings: EngineSettings) => Promise<EngineModule>;
 
-/** What is around an engine: tests give their own. */
+/** The environment of an engine; tests replace it. */
 export interface Surroundings {
   /** Loads the engine; `loaded` is for another worker, or null if grading is done in this one. */
   load(engine: EngineFiles | LoadedEngine): Promise<{ make: MakeEngine; loaded: LoadedEngine | null }>;
   say(message: FromWorker): void;
-  /** Calls later; what it returns takes that back. */
+  /** Schedules a call; the returned function cancels it. */
   later(call: () => void, ms: number): () => void;
 }
 
 /** Changed files are kept this long after the request that may have changed them. */
 const KEPT_AFTER_MS = 1000;
-/** Recordings grow all the time; what they hold is kept this often. */
+/** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
 /** Requests that change no file. */
 const CHANGES_NOTHING = new Set(["look", "flow", "overlays", "scene", "input", "language", "presence", "select"]);
-/** What a lesson is graded by, and where it is noted that it is passed. */
+/** The files that grading uses, and the file that records passed lessons. */
 const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
 
 function filesBelow(FS: EngineModule["FS"], folder: string): KeptFile[] {
@@ -114,7 +114,7 @@ export class EngineWorker {
       const { make, loaded } = await this.around.load(engine);
       this.module = await make({
         soarboxFrame: (kind, bytes) => {
-          // The engine does not know by what name it was asked for.
+          // The engine does not know under which name it was opened.
           if (kind === "h") this.say({ kind: "begun", what: this.what });
           this.say({ kind: "frame", frame: kind, bytes });
         },
@@ -182,7 +182,7 @@ export class EngineWorker {
     return text;
   }
 
-  /** A fault of the engine ends it: the page starts another worker. */
+  /** A fault ends the engine; the page then starts another worker. */
   private guarded(call: () => void): void {
     try {
       call();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** Where a worker gets the engine from: the address of a folder, or what is in its files. */
+/** The source of the engine for a worker: the address of a folder, or the contents of its files. */
 export type EngineFiles = string | { wasm: ArrayBuffer; data: ArrayBuffer };
 /** An engine that one worker has loaded, for another one. */
 export interface LoadedEngine { module: WebAssembly.Module; data: ArrayBuffer }
@@ -16,7 +16,7 @@ export type ToWorker =
   | { kind: "keep" }
   // Instead of all others, to a worker that only grades; it answers with `graded`.
   | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
-  /** What that worker has printed since; `files`: what it has noted, when it is done. */
+  /** The new output of that worker; `files`: its changed files, when it is done. */
   | { kind: "graded"; text: string; isOver: boolean; files: readonly KeptFile[] };
 
 /** What the worker says: `frame` is a letter of the frames between engine and server (docs/serve_protocol.md). */

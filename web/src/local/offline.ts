@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The service worker of a site without a server: after the first visit, the site works without a network. A newer version of the
-// site is loaded beside the one that is in use, and takes its place when no tab shows the old one any more.
+// site is loaded next to the current one, and replaces it as soon as no tab shows the old one.
 
-/** All files of the site, and what tells its version from others; build_site.mjs knows them. */
+/** All files of the site, and a version identifier; both come from build_site.mjs. */
 declare const SOARBOX_FILES: readonly string[];
 declare const SOARBOX_VERSION: string;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What emscripten writes beside the engine (src/app/worker); build_site.mjs says where it is.
+// The module that emscripten writes with the engine (src/app/worker); build_site.mjs has its location.
 import type { EngineModule, EngineSettings } from "./engine";
 
 export default function makeEngine(settings: EngineSettings & {

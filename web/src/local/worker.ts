@@ -26,7 +26,7 @@ async function fetched(address: string): Promise<Response> {
 
 async function compiled(folder: string): Promise<WebAssembly.Module> {
   const response = await fetched(`${folder}/soarbox-engine.wasm`);
-  // Servers that do not know the kind of the file do not let it be compiled while it comes.
+  // If a server sends the wrong media type, the module cannot be compiled while it is loaded.
   if (response.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }
@@ -50,7 +50,7 @@ const worker = new EngineWorker({
           void WebAssembly.instantiate(loaded.module, imports).then((instance) => done(instance, loaded.module));
           return {};
         },
-        // The file system keeps it, and another module gets a copy.
+        // The file system owns the buffer, so the other module gets a copy.
         getPreloadedPackage: () => loaded.data.slice(0),
         locateFile: (name) => name,
         soarboxModuleId: () => SOARBOX_MODULE_ID,
@@ -58,7 +58,7 @@ const worker = new EngineWorker({
     };
   },
   say: (message) => scope.postMessage(message, "bytes" in message ? [message.bytes.buffer] : []),
-  // A timer of 0 ms waits 4 ms; a message does not, and lets others come first as well.
+  // A timer of 0 ms waits 4 ms. A message does not, and also lets other messages pass first.
   later: (call, ms) => {
     if (ms > 0) {
       const timer = setTimeout(call, ms);

@@ -17,7 +17,7 @@ export interface Port {
   terminate(): void;
 }
 
-/** A run in a worker of this page, and the place that its files are in: what a server and its engine are to other pages. */
+/** A run in a worker of this page, with the place for its files. It replaces a server and its engine. */
 export class LocalPlace implements RunSource {
   private port: Port | null = null;
   private listener: Listener | null = null;
@@ -64,12 +64,12 @@ export class LocalPlace implements RunSource {
     this.listener?.connection("closed");
   }
 
-  /** The page goes away, or is hidden: what changed is kept now. */
+  /** The page is closed or hidden: saves changes now. */
   keepNow(): void {
     if (this.isReady) this.post({ kind: "keep" });
   }
 
-  /** Answers what a server would be asked about a place: `path` begins after "/api/p/ID". */
+  /** Answers requests to a server about a place: `path` begins after "/api/p/ID". */
   async answer(method: string, path: string, body: Uint8Array): Promise<Response> {
     this.connect();
     const call = this.nextCall++;
@@ -166,7 +166,7 @@ export class LocalPlace implements RunSource {
     waiting?.resolve(new Response(bytes as BodyInit, { status, headers: { "Content-Type": type } }));
   }
 
-  /** A worker of its own grades, so that the run goes on and grading can be cancelled. */
+  /** Grades in a separate worker, so that the run continues and grading can be cancelled. */
   private grade(message: ToWorker): void {
     this.stopGrading();
     const grader = this.makePort();
@@ -191,7 +191,7 @@ export class LocalPlace implements RunSource {
     this.grader = null;
   }
 
-  /** The worker is of no use any more: the next request starts another one. */
+  /** The worker is unusable: the next request starts another one. */
   private crashed(text: string): void {
     const what = this.isReady ? CRASHED : NOT_LOADED;
     this.stopGrading();
@@ -224,7 +224,7 @@ export class LocalPlace implements RunSource {
 
 const BEFORE = /^\/api\/p\/[^/]+\/?/;
 
-/** Answers what a page asks of its server, from the place in the worker. */
+/** Answers a page's requests to its server from the place in the worker. */
 export class LocalApi extends Api {
   constructor(private readonly place: LocalPlace) {
     super("");

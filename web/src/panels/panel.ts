@@ -16,18 +16,18 @@ export interface PanelContext {
   readonly run: Run;
   /** Shows the panel again, after something of its own changed. */
   redraw(word: string): void;
-  /** What stands on a panel's tab. */
+  /** The number on a panel's tab. */
   titleOf(word: string): string;
   /** Brings a panel to the front. */
   reveal(word: string): void;
-  /** Asks why something is, and shows the answer. */
+  /** Asks why something is so, and shows the answer. */
   why(about: string, what?: string): void;
   /** Before another file is opened in the editor: what was typed goes to the run. */
   beforeEdit(): void;
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
-  /** Shows where one begins: lessons and worlds. */
+  /** Shows the start page: lessons and worlds. */
   goHome(): void;
   /** Has the learner's rules graded; what was typed last is applied before. */
   grade(): void;
@@ -42,7 +42,7 @@ export interface Panel {
   /** As in docs/workbench.md. */
   readonly word: string;
   readonly title: string;
-  /** What one sees there; said while it is empty. */
+  /** What the panel shows; displayed while it is empty. */
   readonly about: string;
   readonly uses: readonly ContentName[];
   view(contents: Contents): Child;

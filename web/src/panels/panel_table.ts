@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Written by reference_pages from src/workbench/panel_id.h.
 
-/** What is said about a panel wherever it is offered. */
+/** Word, title and description of a panel. */
 export interface PanelInfo {
   readonly word: string;
   readonly title: string;
@@ -12,7 +12,7 @@ export interface PanelInfo {
 export const PANELS: readonly PanelInfo[] = [
   {
     word: "agents", title: "Agents",
-    about: "Everybody in the world: team, state, operator, command. Click to select.",
+    about: "All agents of the world: team, state, operator, command. Click to select.",
     hasDocument: true,
   },
   {
@@ -22,7 +22,7 @@ export const PANELS: readonly PanelInfo[] = [
   },
   {
     word: "memory", title: "Memory",
-    about: "Working memory as a tree; what changed is marked.",
+    about: "Working memory as a tree; changes are marked.",
     hasDocument: true,
   },
   {
@@ -77,7 +77,7 @@ export const PANELS: readonly PanelInfo[] = [
   },
   {
     word: "futures", title: "Futures",
-    about: "After going back: the old future beside the new one, and where they differ.",
+    about: "After going back: the old future next to the new one, and where they differ.",
     hasDocument: true,
   },
   {
@@ -112,7 +112,7 @@ export const PANELS: readonly PanelInfo[] = [
   },
   {
     word: "exercise", title: "Exercise",
-    about: "The exercise of other simulations that the run takes part in (DIS): who is there, what passes, what is dropped.",
+    about: "The exercise (DIS) that the run shares with other simulations: their entities, sent and received PDUs, dropped PDUs.",
     hasDocument: true,
   },
   {
@@ -122,7 +122,7 @@ export const PANELS: readonly PanelInfo[] = [
   },
 ];
 
-/** Which panels stand where to begin with; what agents print is the page's own panel. */
+/** The initial positions of panels. The page adds its own panel for the output of agents. */
 export const ARRANGEMENTS = {
   world: {
     left: ["agents", "mission", "problems"],

@@ -32,7 +32,7 @@ const press = (child: Child, text: string): void => {
   found.props.on!.click!({} as MouseEvent);
 };
 
-test("every panel says what would fill it", () => {
+test("every empty panel says what would fill it", () => {
   for (const make of [problemsPanel, missionPanel]) {
     const { panel } = made(make);
     assert.ok(textOf(panel.view({})).length > 20, panel.word);
@@ -48,7 +48,7 @@ test("checks tick off; marks do not count", () => {
   assert.match(textOf(panel.view({ moment: MOMENT, mission })), /passed: a.*not decided yet: b/s);
 });
 
-test("the agent whom most checks are about is the protagonist", () => {
+test("the agent with the most checks is the protagonist", () => {
   const of = (...expected: string[]): Mission => ({ checks: expected.map((one) => ({ ...check(one, "open"), agent: "", expected: one })), lesson: null, lessons: [] });
   assert.equal(protagonist(of("hare should give evade by 20 s", "hare should never be at most 1 m from bear"), ["bear", "hare"]), "hare");
   assert.equal(protagonist(of("leader should walk", "follower-* should give follow", "follower-* should see leader"), ["leader", "follower-1", "follower-2"]), "follower-1");
@@ -57,7 +57,7 @@ test("the agent whom most checks are about is the protagonist", () => {
   assert.equal(protagonist(of(), []), "");
 });
 
-test("hints, grade and the next lesson are asked for", () => {
+test("buttons request hints, the grade and the next lesson", () => {
   const { panel, asked } = made(missionPanel);
   const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", new_panels: ["memory", "edit"], hints: ["first"], hint_count: 3, is_passed: true, is_graded: false, grade: ["all passed"], next: "02" };
   const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [] } });
@@ -67,7 +67,7 @@ test("hints, grade and the next lesson are asked for", () => {
   assert.match(textOf(view), /all passed.*New here: memory, edit/s, "the grade comes first");
 });
 
-test("a pass is celebrated and leads to the next lesson; a server's folders are not told", () => {
+test("a pass is celebrated and leads to the next lesson; the folders of a server are not shown", () => {
   const { panel } = made(missionPanel);
   const lesson = { name: "01", title: "One", idea: "i", task: "t", panel: "Memory", new_panels: [], hints: [], hint_count: 0, is_passed: true, is_graded: false, grade: ["Passed with all of 10 seeds.", "  yes  it greets"], next: "02" };
   const view = panel.view({ moment: MOMENT, mission: { checks: [], lesson, lessons: [{ name: "01", title: "One", is_passed: true }, { name: "02", title: "Two", is_passed: false }] } });

@@ -29,7 +29,7 @@ export function clock(seconds: number): string {
   return `${minutes}:${String(Math.floor(rest / 100)).padStart(2, "0")}.${String(rest % 100).padStart(2, "0")}`;
 }
 
-/** A number with at most three digits behind the point. */
+/** A number with at most three digits after the decimal point. */
 export function short(value: number): string {
   return Number.isFinite(value) ? String(Math.round(value * 1000) / 1000) : "?";
 }

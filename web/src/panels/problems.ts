@@ -18,7 +18,7 @@ export const problemsPanel: MakePanel = (context) => ({
     return count === 0 ? "" : String(count);
   },
   view: (contents) => {
-    // The cause comes first, as the run ranks it. What was mended goes.
+    // The cause comes first, as ranked by the run. Corrected problems are removed.
     const all = (contents.problems?.problems ?? []).filter((one) => !context.attempt.isMended(one));
     if (all.length === 0) return empty("No problems. Errors and warnings about rules, scripts and commands would be listed here, with what to do about them.");
     return [h("div.row", null, button("Clear", () => context.run.ask("clear-problems"))), h("ul.plain", null, all.map((one) => problemView(context, one, h("b", null, one.agent), moment(context, one.tick, one.time_s))))];

@@ -9,7 +9,7 @@ const MARK_COLORS: Readonly<Record<string, string>> = { command: "#e0a30b", outc
 
 export interface Placement { first: number; last: number; perTick: number; rows: readonly { track: Track; top: number; lines: number }[]; height: number }
 
-/** Where what is drawn. Two lines for each level: the state's and the operator's. */
+/** The vertical layout. Each level has two lines: one for the state and one for the operator. */
 export function placeTracks(tracks: readonly Track[], shownTick: number, widthPx: number): Placement {
   const last = Math.max(shownTick, 60), first = Math.max(0, last - MOST_TICKS);
   let top = SCALE_PX;

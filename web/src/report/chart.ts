@@ -45,7 +45,7 @@ export function ticks(low: number, high: number, count: number): number[] {
   return list;
 }
 
-/** About how many round numbers an axis has room for. */
+/** The approximate number of round numbers that fit on an axis. */
 export function tickCount(width: number, most: number): number {
   return Math.max(3, Math.min(most, Math.round(width / 110)));
 }
@@ -95,11 +95,11 @@ export interface Drawing {
 }
 
 export interface ChartProps {
-  /** What is read out in place of the picture. */
+  /** The text alternative of the picture. */
   label: string;
   caption: string;
   id?: string;
-  /** As narrow as it may be; then one scrolls. */
+  /** Minimum width; narrower areas scroll. */
   least?: number;
   most?: number;
   time?: Time;

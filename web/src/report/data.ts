@@ -14,7 +14,7 @@ interface Head {
   passed?: boolean | null;
 }
 
-/** Of one agent. Series are differences: of centimetres, points of health, and tenths of metres per second. */
+/** The data of one agent. Series contain differences: centimetres, points of health, and tenths of metres per second. */
 export interface AgentReport {
   name: string;
   team: string;
@@ -41,7 +41,7 @@ export type SpanReport = readonly [number, number, number, string];
 
 export interface RunReport extends Head {
   kind: "run";
-  /** Simulated again, it came to the recorded state. */
+  /** Whether a second simulation reached the recorded state. */
   same: boolean;
   scenario: string;
   seed: number;

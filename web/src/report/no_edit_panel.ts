@@ -2,7 +2,7 @@
 import type { EditPanel as Editor } from "../editor/edit_panel";
 import { infoOf } from "../panels/panel";
 
-/** A recorded run is not edited: on its page this stands in the place of the editor (build.mjs), which is a third of all that it would hold. */
+/** Replaces the editor in pages of recorded runs (build.mjs). The editor would be a third of such a page. */
 export class EditPanel implements Pick<Editor, keyof Editor> {
   readonly word = "edit";
   readonly title = infoOf("edit").title;

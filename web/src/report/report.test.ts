@@ -17,7 +17,7 @@ test("series are sums of differences, in metres, points and metres per second", 
   assert.equal(wayOf(AGENT), null, "who has no body goes nowhere");
 });
 
-test("a place between two moments lies between their places; before the first and after the last it is theirs", () => {
+test("a position between two moments is interpolated; before the first and after the last it is clamped", () => {
   const times = [0, 1, 2, 3], way = wayOf({ ...AGENT, from: 1, x: [0, 200, 200], z: [0, 0, 0], hp: [100, 0, -100], v: [0, 0, 0] })!;
   assert.deepEqual(positionAt(way, times, 1.25), { x: 0.5, z: 0, isAlive: true });
   assert.deepEqual(positionAt(way, times, 0), { x: 0, z: 0, isAlive: true });
@@ -25,7 +25,7 @@ test("a place between two moments lies between their places; before the first an
   assert.deepEqual([indexAt(times, -1), indexAt(times, 1), indexAt(times, 1.9), indexAt(times, 99)], [0, 1, 1, 3]);
 });
 
-test("ticks are round, within the range, and told apart by their labels", () => {
+test("ticks are round numbers within the range, with different labels", () => {
   assert.deepEqual(ticks(0, 10, 5), [0, 2, 4, 6, 8, 10]);
   assert.deepEqual(ticks(0.11, 0.13, 4), [0.11, 0.115, 0.12, 0.125, 0.13]);
   assert.deepEqual(ticks(-3, 3, 3), [-2, 0, 2]);
@@ -39,7 +39,7 @@ test("numbers have four digits, names are cut with dots", () => {
   assert.deepEqual([cut("short", 5), cut("longer", 5), cut("𝒜𝒷𝒸𝒹", 3)], ["short", "long…", "𝒜𝒷…"]);
 });
 
-test("a team has one colour, the one that it is called after; its agents have dashes", () => {
+test("a team has the colour in its name; its agents have different dashes", () => {
   const painted = paints([{ team: "red" }, { team: "blue" }, { team: "red" }, { team: "other" }]);
   assert.deepEqual(painted.map((one) => one.color), ["var(--c1)", "var(--c0)", "var(--c1)", "var(--c2)"]);
   assert.notEqual(painted[0]!.dash, painted[2]!.dash);
@@ -47,7 +47,7 @@ test("a team has one colour, the one that it is called after; its agents have da
   assert.equal(new Set(alone.map((one) => one.color + one.dash)).size, 12, "without teams everybody looks different");
 });
 
-test("names beside dots cover no other dot and no other name", () => {
+test("names next to dots cover no other dot and no other name", () => {
   const dots = [{ x: 100, y: 100, name: "red-1" }, { x: 120, y: 100, name: "red-2" }, { x: 100, y: 118, name: "red-3" }], places = placeNames(dots, 400);
   const boxes = dots.map((dot, i) => {
     const { dx, dy, anchor } = places[i]!, left = dot.x + dx - (anchor === "end" ? 36 : 0);
@@ -65,14 +65,14 @@ test("a name at the edge of a map stays inside", () => {
   assert.ok(crowded.every((one) => one.anchor === "end"), "even where there is no free place");
 });
 
-test("a map holds all ways and places; without any there is none", () => {
+test("a map contains all paths and places; without any there is no map", () => {
   const way = wayOf({ ...AGENT, x: [0, 10000], z: [-500, 0], hp: [1, 0], v: [0, 0] }), extent = extentOf([way, null], [{ name: "mill", x: -20, z: 7, r: 1, hx: 0, hz: 0 }])!;
   assert.ok(extent.x < -20 && extent.z < -5 && extent.x + extent.side > 100 && extent.z + extent.side > 7);
   assert.equal(Math.round(extent.side), 137, "with room for names at its edges");
   assert.equal(extentOf([null], []), null);
 });
 
-test("of equal triangles at one place one is drawn, and none of what comes by the thousand", () => {
+test("only one of several equal triangles at a place is drawn, and none for very frequent events", () => {
   const event = (t: number, a: string, k: string): EventReport => ({ t, a, k, text: "" });
   const drawn = marksOf([event(1, "anna", "impasse"), event(1.01, "anna", "impasse"), event(1, "bert", "impasse"), event(2, "anna", "print"), event(2, "anna", "command"), event(2, "nobody", "news"), event(2, "anna", "news")], new Map([["anna", 0], ["bert", 1]]), (seconds) => 10 * seconds);
   assert.deepEqual(drawn.map((one) => `${one.t} ${one.a} ${one.k}`), ["1 anna impasse", "1 bert impasse", "2 anna news"]);
@@ -89,12 +89,12 @@ test("rows sort as numbers or as people sort texts, keep their order where they 
   assert.equal(textOf(h("td", null, h("b", null, "a"), 5)), "a5");
 });
 
-test("marks that turn the direction of text are shown, and turn nothing", () => {
+test("control characters for the direction of text are shown, and have no effect", () => {
   assert.equal(textOf(h("b", null, "anna\u202egnp.exe\u2066", h("i", null, "\u202d"))), "anna\ufffdgnp.exe\ufffd\ufffd");
   assert.equal(textOf(h("b", null, "שלום anna")), "שלום anna", "letters have their own direction");
 });
 
-test("time stops at its ends and tells whoever follows", () => {
+test("time stops at its ends and notifies its followers", () => {
   const time = new OwnTime(4), told: number[] = [];
   time.on(() => told.push(time.now));
   time.go(9);

@@ -26,7 +26,7 @@ export class ReportPage {
     root.replaceChildren(this.head, ...(scene === null ? [] : [scene.element]), this.main, this.bar);
     if (scene !== null) {
       root.classList.add("has-scene");
-      // The run's own slider is the slider of all, wherever it is seen.
+      // The run's own slider controls all parts of the page.
       new IntersectionObserver((seen) => (this.bar.hidden = seen.at(-1)?.isIntersecting === true), { threshold: 0.6 }).observe(scene.element.querySelector(".foot") ?? scene.element);
     }
     addEventListener("beforeprint", () => this.openReasons());

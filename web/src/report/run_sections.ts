@@ -69,7 +69,7 @@ function files(run: RunReport): Child {
 
 function about(run: RunReport): Child {
   const lines = [`Scenario ${run.scenario}, seed ${run.seed}, ${seconds(run.seconds)}, build ${run.build}.`,
-    run.same ? "The run was simulated again for this page and came to the recorded state." : "The run was simulated again for this page and did NOT come to the recorded state: files or the program have changed.", ...run.warnings];
+    run.same ? "The run was simulated again for this page and reached the recorded state." : "The run was simulated again for this page and did NOT reach the recorded state: files or the program have changed.", ...run.warnings];
   return section("about", "About", lines.map((words) => h(`p.quiet${words.includes(" NOT ") ? ".warn" : ""}`, null, words)), manifestOf(run));
 }
 

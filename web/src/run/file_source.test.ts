@@ -38,12 +38,12 @@ function listen(source: FileSource): { blocks: number[]; messages: RunMessage[];
   return heard;
 }
 
-test("the last entry until a tick is found", () => {
+test("the last entry up to a tick is found", () => {
   const entries = [0, 3, 6].map((tick) => ({ tick }));
   assert.deepEqual([-1, 0, 2, 3, 5, 6, 99].map((tick) => lastUntil(entries, tick)), [0, 0, 0, 1, 1, 2, 2]);
 });
 
-test("a moment is reached from the full block before it, or from the one that is shown", () => {
+test("a moment is decoded from the preceding full block, or from the current one", () => {
   const source = new FileSource(recorded()), heard = listen(source);
   assert.equal(heard.messages[0]!.message, "hello");
   assert.deepEqual(heard.blocks, [0]);
@@ -57,7 +57,7 @@ test("a moment is reached from the full block before it, or from the one that is
   assert.deepEqual(heard.blocks.splice(0), []);
 });
 
-test("panels show what was there at the moment, of the agent that is selected", { timeout: 20_000 }, async () => {
+test("panels show the contents at the moment, for the selected agent", { timeout: 20_000 }, async () => {
   const source = new FileSource(recorded()), heard = listen(source);
   while (heard.content("agents") === undefined) await new Promise((done) => setTimeout(done, 5));
   assert.deepEqual(heard.content("agents"), { agents: ["early"] });

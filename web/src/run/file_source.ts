@@ -18,12 +18,12 @@ export interface RecordedRun {
   /** In base 64, deflated: RecordedContent[]. */
   contents: string;
 }
-/** What panels showed from this tick on; of one agent, or of all ("") . */
+/** The contents of panels from this tick on, of one agent or of all (""). */
 interface RecordedContent { tick: number; agent: string; name: ContentName; content: unknown }
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16] as const;
 const FRAME_MS = 50;
-/** Contents that tell of what was before their moment. */
+/** Contents that also cover the time before their moment. */
 const OF_A_WHILE: ReadonlySet<string> = new Set(["timeline", "trace"]);
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
@@ -43,22 +43,22 @@ export function lastUntil(entries: readonly { tick: number }[], tick: number): n
   return low;
 }
 
-/** Shows a recorded run that lies in the page itself: no server, no network. */
+/** Shows a recorded run that is contained in the page: no server, no network. */
 export class FileSource implements RunSource {
   private listener: Listener | null = null;
   private tick: number;
-  /** Of the block that was shown last; -1: none. */
+  /** The index of the block that was shown last; -1: none. */
   private block = -1;
   private agent: string;
   private paused = true;
   private speed = 1;
   private timer: ReturnType<typeof setInterval> | null = null;
   private contents: RecordedContent[] = [];
-  /** The record of the answer about what the agent imagines that is looked at; "": none. */
+  /** The record of the selected answer about the imagined scene; "": none. */
   private record = "";
   private readonly told = new Map<string, unknown>();
   private readonly whiles = new Map<string, number>();
-  /** The trace that was told, and as much of it as had happened. */
+  /** The last complete trace, and its part up to the current moment. */
   private traced: { whole: DocumentContent; count: number; past: DocumentContent } | null = null;
 
   constructor(private readonly run: RecordedRun) {
@@ -99,11 +99,11 @@ export class FileSource implements RunSource {
         break;
       case "imagine":
         this.record = String(request["record"] ?? "");
-        if (String(request["state"] ?? "") !== "") this.listener?.message({ message: "told", text: "This page holds what the agent made up. A run, or its recording, can draw whole scenes." });
+        if (String(request["state"] ?? "") !== "") this.listener?.message({ message: "told", text: "This page contains only what the agent made up. A run, or its recording, can draw whole scenes." });
         this.show();
         break;
       default:
-        this.listener?.message({ message: "told", text: "This page holds a recording: it can be looked at, and nothing else." });
+        this.listener?.message({ message: "told", text: "This page contains a recording: you can only look at it." });
     }
     return true;
   }
@@ -167,7 +167,7 @@ export class FileSource implements RunSource {
     this.tellContents();
   }
 
-  /** Blocks are differences: the way to one begins at the full one before it, or goes on from the one that is shown. */
+  /** Blocks contain differences. Decoding begins at the preceding full block, or continues from the current one. */
   private showScene(): void {
     const { scene } = this.run, wanted = lastUntil(scene, this.tick);
     if (wanted === this.block || scene.length === 0) return;
@@ -178,7 +178,7 @@ export class FileSource implements RunSource {
     this.block = wanted;
   }
 
-  /** What had happened of a trace; the same object while it holds the same lines. */
+  /** The part of a trace up to a moment; the same object as long as it contains the same lines. */
   private pastOf(whole: DocumentContent): DocumentContent {
     const past = (whole.document ?? []).filter((node) => node.is !== "form").map((node) => node.is !== "table" ? node : { ...node, rows: node.rows.filter((row) => {
       const cell = row.c[0], spans = typeof cell === "object" && "s" in cell ? cell.s : cell, tick = Array.isArray(spans) ? (spans[0] as Span)[0] : undefined;
@@ -202,7 +202,7 @@ export class FileSource implements RunSource {
     };
     const now: Record<string, unknown> = { moment };
     for (const each of this.contents) {
-      // What tells of a while is told at its end: the next one after this moment knows most of it.
+      // Contents that cover an interval are stored at its end, so the next entry after this moment contains most of it.
       const isEnough = each.name in now && (OF_A_WHILE.has(each.name) ? this.whiles.get(each.name)! > this.tick : each.tick > this.tick);
       if (isEnough || (each.agent !== "" && each.agent !== this.agent)) continue;
       now[each.name] = each.content;

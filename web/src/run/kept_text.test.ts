@@ -18,7 +18,7 @@ class Shelf implements Store {
   }
 }
 
-test("what was typed is there after a reload, and goes when the server has it", () => {
+test("typed text survives a reload, and is removed when the server has it", () => {
   const shelf = new Shelf();
   new KeptText("p", shelf).keep("/place/a", "one", "");
   new KeptText("p", shelf).keep("/place/a", "one two", "one");
@@ -30,7 +30,7 @@ test("what was typed is there after a reload, and goes when the server has it", 
   assert.equal(shelf.all.size, 0);
 });
 
-test("a text that the server changed elsewhere is told from one that it has not got", () => {
+test("a text that was changed elsewhere is distinguished from one that the server does not have", () => {
   const shelf = new Shelf(), kept = new KeptText("p", shelf);
   kept.keep("a", "mine", "before");
   assert.deepEqual(kept.find("a", "theirs"), { text: "mine", isOlder: true });
@@ -38,7 +38,7 @@ test("a text that the server changed elsewhere is told from one that it has not 
   assert.equal(shelf.all.size, 0);
 });
 
-test("a storage that is full, forbidden or damaged stops nobody", () => {
+test("a full, forbidden or damaged storage prevents nothing", () => {
   const shelf = new Shelf();
   shelf.isFull = true;
   new KeptText("p", shelf).keep("a", "x", "");

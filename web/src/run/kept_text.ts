@@ -9,7 +9,7 @@ export interface Store {
 
 interface Kept {
   text: string;
-  /** What the server had when the first of it was typed. */
+  /** The server's text when typing began. */
   base: string;
 }
 
@@ -39,7 +39,7 @@ export class KeptText {
     this.store?.removeItem(this.key(file));
   }
 
-  /** What was typed and is not at the server, whose text is `current`; null if there is none. `isOlder`: the server's
+  /** The typed text that the server does not have (its text is `current`); null if there is none. `isOlder`: the server's
    * text has changed since, elsewhere. */
   find(file: string, current: string): { text: string; isOlder: boolean } | null {
     const known = this.read(file);

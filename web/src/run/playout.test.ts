@@ -11,7 +11,7 @@ function at(time: number): Scene {
   };
 }
 
-test("moments that come evenly are played evenly, between two of them", () => {
+test("moments that arrive at regular intervals are played smoothly", () => {
   const playout = new Playout();
   let last = -1, steps = 0;
   for (let frame = 0; frame < 180; ++frame) {
@@ -36,7 +36,7 @@ test("paused, the newest moment is shown", () => {
   assert.equal(playout.advance(1 / 60, true)!.share, 1);
 });
 
-test("back in time, or far ahead, it begins anew there", () => {
+test("after a jump back or far ahead, it restarts there", () => {
   const playout = new Playout();
   playout.add(at(10), 0);
   playout.add(at(10.1), 0.1);

@@ -5,9 +5,8 @@ const MOST_KEPT = 12, JUMP_S = 1.5, CATCH_UP_PER_S = 5;
 
 export interface Between { before: Scene; after: Scene; share: number }
 
-/**
- * Moments of a run, played a little later than they come, so that there is one before and one after the moment that is
- * drawn. The clock runs as fast as moments come, and gently follows when they come late or early.
+/** Plays the moments of a run with a small delay, so that there is one before and one after the moment that is
+ * drawn. The clock runs at the rate at which moments arrive, and adapts gradually if they come early or late.
  */
 export class Playout {
   private scenes: Scene[] = [];
@@ -43,7 +42,7 @@ export class Playout {
     this.scenes = [];
   }
 
-  /** Goes on by some seconds of the wall's clock. Paused, it comes to rest at the newest moment. Null: there is none. */
+  /** Advances by some seconds of real time. While paused, it stops at the newest moment. Null: there is none. */
   advance(seconds: number, paused: boolean): Between | null {
     const newest = this.scenes.at(-1);
     if (newest === undefined) return null;
@@ -58,7 +57,7 @@ export class Playout {
     return { before, after, share: span > 0 ? Math.min(Math.max((this.shown - before.time) / span, 0), 1) : 1 };
   }
 
-  /** Seconds of the world in a second of the wall's clock. */
+  /** Simulated seconds per second of real time. */
   get pace(): number {
     return this.rate;
   }

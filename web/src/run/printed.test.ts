@@ -6,7 +6,7 @@ import { Printed } from "./printed";
 
 const of = (...marks: [number, string, string][]): Timeline => ({ timeline: [{ agent: "porter", spans: [], marks: marks.map(([tick, kind, text]) => ({ tick, kind, text })) }] });
 
-test("what an agent prints is told once, and kept when the timeline forgets it", () => {
+test("printed text is reported once, and kept after the timeline has dropped it", () => {
   const printed = new Printed();
   assert.deepEqual(printed.note(of([0, "event", "soar, porter.soar"], [5, "event", "Good day, anna"], [6, "command", "move"], [7, "event", "takes crate-1"]), 10).map((one) => one.text), ["Good day, anna"]);
   assert.deepEqual(printed.note(of([5, "event", "Good day, anna"]), 11), []);
@@ -14,7 +14,7 @@ test("what an agent prints is told once, and kept when the timeline forgets it",
   assert.deepEqual(printed.lines.map((one) => [one.tick, one.text, one.isPrinted]), [[5, "Good day, anna", true], [7, "takes crate-1", false], [1000, "Good day, anna", true]]);
 });
 
-test("after going on from the past, what the old future printed is gone", () => {
+test("after continuing from the past, the printed text of the old future is gone", () => {
   const printed = new Printed();
   printed.note(of([5, "event", "a"], [90, "event", "b"]), 100);
   printed.note(of([5, "event", "a"]), 50);

@@ -29,7 +29,7 @@ function started(): { run: Run; source: FakeSource } {
   return { run, source };
 }
 
-test("contents come together, and a new run forgets them", () => {
+test("contents accumulate, and a new run drops them", () => {
   const { run, source } = started();
   source.listener.message(HELLO);
   source.listener.message({ message: "contents", contents: { why: { question: "Why?", answer: null } } });
@@ -40,7 +40,7 @@ test("contents come together, and a new run forgets them", () => {
   assert.deepEqual(run.contents, {});
 });
 
-test("what is looked at is told again to each run", () => {
+test("the visible panels are sent to each new run", () => {
   const { run, source } = started();
   run.look(["why", "mind"]);
   assert.equal(source.sent.length, 0);
@@ -52,7 +52,7 @@ test("what is looked at is told again to each run", () => {
   assert.deepEqual(source.sent.at(-1), { request: "look", panels: ["mind", "why"] });
 });
 
-test("whoever watches says at what he looks and asks for nothing else, and is told so", () => {
+test("a watching page sends only the visible panels, and says so for other requests", () => {
   const { run, source } = started(), remarks: string[] = [];
   run.on("remark", (remark) => remarks.push(remark.text));
   run.look(["why"]);
@@ -63,7 +63,7 @@ test("whoever watches says at what he looks and asks for nothing else, and is to
   assert.deepEqual(source.sent, [{ request: "look", panels: ["why"] }, { request: "look", panels: ["mind"] }]);
 });
 
-test("a request that nobody takes is a remark", () => {
+test("a request without a connection becomes a notice", () => {
   const { run, source } = started(), remarks: string[] = [];
   run.on("remark", (remark) => remarks.push(remark.text));
   source.isOpen = false;
@@ -71,7 +71,7 @@ test("a request that nobody takes is a remark", () => {
   assert.match(remarks[0]!, /cannot be reached/);
 });
 
-test("what was asked to be opened while the connection was away is opened when it is back", () => {
+test("a run requested without a connection is opened when the connection is back", () => {
   const { run, source } = started();
   source.listener.connection("lost");
   run.open("lesson:01-a-rule");
@@ -111,7 +111,7 @@ test("a run that ends says why", () => {
   assert.equal(run.state, "ended");
 });
 
-test("blocks become moments in their order, and a bad one is a remark", async () => {
+test("blocks are decoded in order, and a bad one becomes a notice", async () => {
   const { run, source } = started(), ticks: number[] = [], remarks: string[] = [];
   const blocks = readFileSync("../tests/stream/scene_blocks.hex", "utf8").trim().split("\n").map((line) => Uint8Array.from(Buffer.from(line, "hex")));
   run.on("scene", (scene) => ticks.push(scene.tick));

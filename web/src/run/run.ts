@@ -125,7 +125,7 @@ export class Run {
     if (this.connection === "open") this.ask("open", { what });
   }
 
-  /** Which panels are looked at; sent again whenever a run begins. */
+  /** The visible panels; sent again whenever a run begins. */
   look(panels: readonly string[]): void {
     const sorted = [...new Set(panels)].sort();
     if (sorted.join() === this.looked.join()) return;
@@ -213,7 +213,7 @@ export class Run {
     if (fresh.length > 0) this.tell("printed", fresh);
   }
 
-  /** Whatever was known of another run is void. */
+  /** Drops all data of the previous run. */
   private forget(): void {
     this.hello = null;
     this.contents = {};

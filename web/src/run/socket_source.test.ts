@@ -49,11 +49,11 @@ function listen(): { messages: RunMessage[]; blocks: Uint8Array[]; states: Conne
   return { messages, blocks, states, message: (m) => messages.push(m), block: (b) => blocks.push(b), connection: (s) => states.push(s) };
 }
 
-test("pauses between tries grow, and end growing", () => {
+test("pauses between tries grow up to a maximum", () => {
   assert.deepEqual([1, 2, 3, 4, 5, 6, 7, 40].map(pauseBefore), [500, 1000, 2000, 4000, 8000, 15000, 15000, 15000]);
 });
 
-test("a lost connection is tried again, and a token is the subprotocol", () => {
+test("a lost connection is retried, and the token is the subprotocol", () => {
   const world = surroundings(), listener = listen(), source = new SocketSource("ws://host/run", "secret", world);
   source.start(listener);
   assert.deepEqual(world.sockets[0]!.protocols, ["soarbox.secret"]);
@@ -74,7 +74,7 @@ test("a lost connection is tried again, and a token is the subprotocol", () => {
   assert.deepEqual(listener.states.slice(0, 3), ["connecting", "open", "lost"]);
 });
 
-test("whoever tries at once does not wait, and a closed source tries no more", () => {
+test("an immediate try does not wait, and a closed source does not try again", () => {
   const world = surroundings(), source = new SocketSource("ws://host/run", "", world);
   source.start(listen());
   world.sockets[0]!.breaks();
@@ -86,7 +86,7 @@ test("whoever tries at once does not wait, and a closed source tries no more", (
   assert.equal(world.waits.length, 1);
 });
 
-test("a refusal is told and not tried again", () => {
+test("a refusal is reported and not retried", () => {
   const world = surroundings(), listener = listen(), source = new SocketSource("ws://host/run", "", world);
   source.start(listener);
   world.sockets[0]!.opens();
@@ -95,7 +95,7 @@ test("a refusal is told and not tried again", () => {
   assert.equal(world.waits.length, 0);
 });
 
-test("bytes are blocks, texts are messages, and what is neither is passed over", () => {
+test("bytes are blocks, texts are messages, and other data is skipped", () => {
   const world = surroundings(), listener = listen();
   new SocketSource("ws://host/run", "", world).start(listener);
   const socket = world.sockets[0]!;

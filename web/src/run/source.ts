@@ -31,7 +31,7 @@ export interface Hello {
   turn_ticks?: number;
   may_edit: boolean;
   is_recording: boolean;
-  /** It can be looked at, moment after moment, and nothing else. */
+  /** Read-only: its moments can be viewed, and nothing can be changed. */
   only_shows?: boolean;
   /** The run takes part in an exercise with other simulations. */
   has_exercise?: boolean;
@@ -49,7 +49,7 @@ export interface Listener {
   connection(state: Connection, retryAt?: number): void;
 }
 
-/** Where a run comes from: a server now; a file or an engine in the page could be others. */
+/** The source of a run: a server, a file, or an engine in the page. */
 export interface RunSource {
   start(listener: Listener): void;
   /** False if it cannot be sent now: nothing is kept for later. */

@@ -82,7 +82,7 @@ export class Bodies {
     if (told === null) return null;
     const mesh = new Mesh(new BufferGeometry(), this.materials.of("Soarbox/Soldier", CLOTH_LOOK));
     mesh.castShadow = mesh.receiveShadow = !isSlow || level < 2;
-    // What is out of sight is not in it.
+    // Bodies out of sight are left out.
     mesh.frustumCulled = false;
     this.group.add(mesh);
     const batch: Batch = { mesh, room: 0, wanted: [], look, level, shape: isSlow && level === 2 ? withoutSmall(told, SEEN_FROM_AFAR_M) : told, moved: { positions: new Float32Array(0), normals: new Int8Array(0) } };

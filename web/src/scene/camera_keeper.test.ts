@@ -32,7 +32,7 @@ test("a frame shows all bodies, and is no wider than it has to be", () => {
   assert.ok(bodies.some((one) => !isInside(one, one.place, view, LENS, 0.7)));
 });
 
-test("bodies are framed in what boxes over the picture leave free", () => {
+test("bodies are framed in the area that boxes over the picture leave free", () => {
   const free = freeOf([{ left: 10, top: 10, width: 300, height: 110 }], 500, 400), lens = { ...LENS, free };
   assert.deepEqual(free, { left: 1, right: 1, top: 1 - 2 * 0.3, bottom: 1 });
   const bodies = [body([-6, 0, -6]), body([6, 0, 6]), body([-6, 0, 6]), body([6, 0, -6])], view = framingView(bodies, 0, 1, lens);
@@ -40,7 +40,7 @@ test("bodies are framed in what boxes over the picture leave free", () => {
   assert.deepEqual(freeOf([{ left: 0, top: 0, width: 500, height: 400 }], 500, 400), ALL_FREE, "what covers everything wants it so");
 });
 
-test("from the first picture on everybody is in it, wherever a script put the camera", () => {
+test("everybody is in the picture from the beginning, wherever a script put the camera", () => {
   const all = Array.from({ length: 20 }, (_one, i) => body([i % 5, 0.9, -30 - i]));
   for (const turn of [[0, 0, 0, 1], [0, 1, 0, 0]] as const) {
     const rig = rigWith(all, { ...far, turn });
@@ -49,7 +49,7 @@ test("from the first picture on everybody is in it, wherever a script put the ca
   }
 });
 
-test("it rests while nobody is about to leave the picture", () => {
+test("the camera rests while no agent is about to leave the picture", () => {
   const rig = rigWith([body([-6, 0.9, 0]), body([6, 0.9, 0])]), before = placeOf(rig);
   for (let i = 0; i < 300; ++i) {
     rig.keep(shown([body([-6 + 0.4 * Math.sin(0.1 * i), 0.9, 0]), body([6, 0.9, 0])]), PICTURE_S);
@@ -58,7 +58,7 @@ test("it rests while nobody is about to leave the picture", () => {
   assert.deepEqual(placeOf(rig), before);
 });
 
-test("it goes along with a runner, and comes near again once all are together", () => {
+test("the camera follows a runner, and comes nearer again once all are together", () => {
   const other = body([1, 0.9, 0]), rig = rigWith([body([0, 0.9, 0]), other]), awayOf = (place: Vec3): number => length(minus(placeOf(rig), place)), near = awayOf([0, 0.9, 0]);
   let x = 0;
   for (let i = 0; i < 240; ++i) {
@@ -76,7 +76,7 @@ test("it goes along with a runner, and comes near again once all are together", 
   assert.ok(awayOf([x, 0.9, 0]) < 1.3 * near);
 });
 
-test("it is the user's once it is moved, and comes back when asked", () => {
+test("the user controls the camera after moving it, until asking for the automatic one", () => {
   const all = shown([body([0, 0.9, 0])]), rig = rigWith(all.bodies);
   for (const move of [() => rig.turn(5, 0), () => rig.pan(5, 0), () => rig.zoom(0.9)]) {
     rig.frameAll(all);
@@ -96,7 +96,7 @@ test("it is the user's once it is moved, and comes back when asked", () => {
   assert.ok(!rig.keeps, "a script has moved it");
 });
 
-test("a board is shown whole, in the middle of what is free, as its script looks at it", () => {
+test("a board is shown completely, in the middle of the free area, from its script's direction", () => {
   const corners = [[-8, -8], [8, -8], [-8, 8], [8, 8]].map(([x, z]): FramedBody => ({ place: [x!, 0, z!], velocity: [0, 0, 0], radius: 0, height: 0 })), rig = new CameraRig();
   rig.setSize(535, 430);
   rig.free = freeOf([{ left: 16, top: 16, width: 260, height: 60 }], 535, 430);
@@ -107,7 +107,7 @@ test("a board is shown whole, in the middle of what is free, as its script looks
   assert.ok(Math.max(...ys) < rig.free.top && Math.min(...ys) > -1 && Math.max(...xs) < 1);
 });
 
-test("over ground on which a fast world runs about it stays where it is", () => {
+test("in a fast world the camera stays if all recent positions are in the picture", () => {
   const ground = new RecentGround(), rig = rigWith([body([10, 0.9, 0])]);
   let settled: Vec3 = [0, 0, 0];
   for (let i = 0; i < 300; ++i) {
@@ -123,7 +123,7 @@ test("over ground on which a fast world runs about it stays where it is", () => 
   }
 });
 
-test("places join in while agents stay large; stragglers are left out where all together would be specks", () => {
+test("places are included while agents stay large; distant agents are left out if all would be too small", () => {
   assert.equal(withPlaces([body([0, 0.9, 0])], [[0, 0, -12], [10, 0, 0], [0, 0, 400]], 0, 0.9, LENS).length, 3);
   const crowd = Array.from({ length: 20 }, (_one, i) => body([i, 0.9, 0])), kept = withinReach([...crowd, body([9000, 0.9, 0])], 0, 0.9, LENS);
   assert.equal(kept.length, 20);

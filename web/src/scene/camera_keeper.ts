@@ -14,9 +14,8 @@ const RECENT_S = 3, RECENT_STEP_S = 0.25;
 
 const later = (body: FramedBody, seconds: number): Vec3 => plus(body.place, times([body.velocity[0], 0, body.velocity[2]], seconds));
 
-/**
- * Decides where the camera has to go so that all agents stay in the picture, and otherwise lets it rest: small movements move
- * nothing. It never turns the camera. The window has the same rules (src/viewer/camera_keeper.h).
+/** Determines where the camera must go so that all agents stay in the picture. Small movements of agents do not move the
+ * camera. It never turns the camera. The window has the same rules (src/viewer/camera_keeper.h).
  */
 export class CameraKeeper {
   private wideS = 0;

@@ -18,11 +18,11 @@ const SMALLEST_SHARE = 0.07;
 const OTHER_SHAPE = 0.05;
 const TURN_PER_PX = 0.006, EASE_PER_S = 9, PULL_PER_S = 2.6;
 
-/** Where the picture is taken from: around a point (orbit), around an agent that it goes with (follow), or from above (map). */
+/** The camera mode: around a point (orbit), around an agent that it goes with (follow), or from above (map). */
 export class CameraRig {
   readonly camera = new PerspectiveCamera(45, 1, 0.1, 2000);
   mode: CameraMode = "orbit";
-  /** What lies over the edges of the picture. */
+  /** The areas that cover the edges of the picture. */
   free: Free = ALL_FREE;
   private wanted: View = { target: [0, 1, 0], heading: 0.5, tilt: 0.5, away: 25 };
   private shown: View = copy(this.wanted);

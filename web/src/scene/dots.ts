@@ -23,7 +23,7 @@ void main() {
 }`;
 const SIZE_PX = 11;
 
-/** Who has no room for a name: a dot over the head, in one draw call for all. */
+/** Dots over the heads of agents without space for a name, in one draw call. */
 export class Dots {
   readonly points = new Points(new BufferGeometry(), new ShaderMaterial({
     vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, depthTest: false, depthWrite: false, uniforms: { size: { value: SIZE_PX } },

@@ -6,7 +6,7 @@ import { clamp, dot, length, minus, plus, rotate, times } from "./vectors";
 export interface FramedBody { readonly place: Vec3; readonly velocity: Vec3; readonly radius: number; readonly height: number }
 /** A camera at `target` plus `away` metres against the direction of view. `heading` 0 looks north, `tilt` 0 looks along the ground. In rad. */
 export interface View { target: [number, number, number]; heading: number; tilt: number; away: number }
-/** What of the picture is free, from its middle to each edge: 1 is all of that half. */
+/** The free part of the picture, from its middle to each edge: 1 is the complete half. */
 export interface Free { readonly left: number; readonly right: number; readonly top: number; readonly bottom: number }
 /** The picture: `slope` is the tangent of half its vertical angle. */
 export interface Lens { readonly slope: number; readonly aspect: number; readonly free: Free }
@@ -86,7 +86,7 @@ export function withPlaces(agents: readonly FramedBody[], places: readonly Vec3[
     if (!place.every(Number.isFinite)) continue;
     all.push({ place: [place[0], place[1] + PLACE_HEIGHT_M / 2, place[2]], velocity: NO_MOVE, radius: PLACE_RADIUS_M, height: PLACE_HEIGHT_M });
     if (awayOf(all) > PLACES_WITHIN_M) {
-      // Those that come now are further still.
+      // The remaining places are further away.
       all.pop();
       break;
     }
@@ -174,7 +174,7 @@ export function hasWalls(scene: Scene): boolean {
   return count > MANY_PIECES;
 }
 
-/** Half of the picture at most is given to what lies over it. */
+/** At most half of the picture may be taken by areas over it. */
 const MOST_INSET = 0.45;
 
 /** The free rectangle of a picture under boxes. Each box takes a strip along the edge where this costs least. */

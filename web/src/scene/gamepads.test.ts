@@ -8,7 +8,7 @@ function pad(pressed: readonly number[], axes: readonly number[]): { index: numb
   return { index: 0, connected: true, buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: pressed.includes(i), value: pressed.includes(i) ? 1 : 0 })), axes };
 }
 
-test("only what changed at a gamepad is told", () => {
+test("only changes at a gamepad are reported", () => {
   const told: WorldEvent[] = [], pads = new Gamepads((event) => told.push(event));
   pads.look([null, pad([], [0, 0.05, 0, 0])]);
   assert.deepEqual(told, []);
@@ -17,7 +17,7 @@ test("only what changed at a gamepad is told", () => {
   assert.deepEqual(told, [{ kind: "pad", pad: 1, name: "a_button", value: 1 }, { kind: "pad", pad: 1, name: "left_y", value: -0.5 }]);
 });
 
-test("a gamepad that is unplugged lets go of everything", () => {
+test("a disconnected gamepad releases all buttons", () => {
   const told: WorldEvent[] = [], pads = new Gamepads((event) => told.push(event));
   pads.look([pad([9, 7], [1, 0, 0, 0])]);
   told.length = 0;

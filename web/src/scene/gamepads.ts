@@ -8,10 +8,10 @@ const BUTTONS = [
 ] as const;
 const AXES = ["left_x", "left_y", "right_x", "right_y"] as const;
 const MOST_PADS = 8;
-/** Sticks rest near 0, not at it; the same in the window. */
+/** Centred sticks report values near 0; the same threshold as in the window. */
 const DEAD_ZONE = 0.12;
 
-/** What a script hears of an axis: two digits, and nothing near 0. */
+/** The value of an axis for scripts: two digits, and 0 near the centre. */
 export function axisValue(value: number): number {
   if (!Number.isFinite(value) || Math.abs(value) < DEAD_ZONE) return 0;
   return Math.round(Math.min(1, Math.max(-1, value)) * 100) / 100;
@@ -40,7 +40,7 @@ export class Gamepads {
       });
       AXES.forEach((name, i) => note(name, axisValue(pad.axes[i] ?? 0)));
     }
-    // One that was unplugged lets go of everything.
+    // A disconnected gamepad releases all its buttons.
     for (const key of [...this.values.keys()]) {
       if (seen.has(key)) continue;
       const [index = "0", name = ""] = key.split(" ");
@@ -56,7 +56,7 @@ export class Gamepads {
   }
 }
 
-/** Looks at the gamepads of the browser once for each picture, while the page has the focus. */
+/** Polls the browser's gamepads once per picture, while the page has the focus. */
 export function listenToGamepads(tell: (event: WorldEvent) => void): void {
   const pads = new Gamepads(tell);
   let listens = false;

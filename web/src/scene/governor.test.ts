@@ -9,7 +9,7 @@ const draw = (governor: Governor, pictures: number, seconds: number): number => 
   return changes;
 };
 
-test("slow pictures are drawn with less, step by step, and no further than the cheapest", () => {
+test("slow pictures reduce the detail step by step, down to the cheapest", () => {
   const governor = new Governor(FIRST_OF_PROCESSOR);
   assert.equal(draw(governor, 19, 0.1), 0);
   assert.equal(draw(governor, 1, 0.1), 1);
@@ -18,13 +18,13 @@ test("slow pictures are drawn with less, step by step, and no further than the c
   assert.equal(governor.quality, QUALITIES.at(-1));
 });
 
-test("a card that is no match for the world is soon treated as a processor", () => {
+test("a graphics card that is too slow for the world is soon treated like a processor", () => {
   const governor = new Governor();
   assert.equal(draw(governor, 4, 0.2), 1);
   assert.equal(governor.quality, QUALITIES[FIRST_OF_PROCESSOR]);
 });
 
-test("with room there is more again, but a card's ways are not tried on a processor", () => {
+test("with time to spare the detail grows again, but a processor never gets a card's detail", () => {
   const governor = new Governor(FIRST_OF_PROCESSOR);
   draw(governor, 60, 0.1);
   draw(governor, 2000, 0.066);
@@ -32,7 +32,7 @@ test("with room there is more again, but a card's ways are not tried on a proces
   assert.ok(governor.quality.isSlow);
 });
 
-test("who tries more and fails waits longer before the next try", () => {
+test("after a failed try, the next try waits longer", () => {
   const governor = new Governor(FIRST_OF_PROCESSOR), between: number[] = [];
   let pictures = 0;
   for (let tries = 0; tries < 3; pictures = 0) {
@@ -49,7 +49,7 @@ test("now and then a slow picture changes nothing", () => {
   for (let i = 0; i < 300; ++i) assert.equal(governor.note(i % 5 === 0 ? 0.5 : 0.072), false);
 });
 
-test("who wants full detail gets it, however long pictures take", () => {
+test("full detail is kept on request, however long pictures take", () => {
   const governor = new Governor(0, true);
   assert.equal(draw(governor, 200, 1), 0);
   assert.equal(governor.quality, QUALITIES[0]);

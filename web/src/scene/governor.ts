@@ -26,7 +26,7 @@ export const QUALITIES: readonly Quality[] = [
 export const FIRST_OF_PROCESSOR = 3;
 
 const FRAMES_TO_JUDGE = 20, FEW_FRAMES = 4, VERY_SLOW = 2;
-/** So many good pictures in a row before more is tried; twice as many after each try that failed. */
+/** Number of consecutive fast pictures before more detail is tried; it doubles after each failed try. */
 const FIRST_PATIENCE = 100, MOST_PATIENCE = 3200, SOON = 3 * FRAMES_TO_JUDGE;
 
 /** Chooses the detail by the time of pictures: less if they are slow, and more again if there is time. */

@@ -10,7 +10,7 @@ function paper(): { out: LineBatch; lines: unknown[][]; fills: unknown[][] } {
   return { lines, fills, out: { line: (...all: unknown[]) => lines.push(all), fill: (...all: unknown[]) => fills.push(all) } as unknown as LineBatch };
 }
 
-test("shapes are drawn as wire and skin, with a name over what the world did not feed", () => {
+test("shapes are drawn as wire and surface, with a name over nodes that the world does not update", () => {
   const { out, lines, fills } = paper(), box = { state: "S1", points: [0, 0, 0, 2, 0, 0, 0, 3, 0], edges: [0, 1, 1, 2], faces: [0, 1, 2] };
   const shown = paintImagined(out, { ghosts: [], shapes: [{ ...box, name: "lair", kind: "made-up" }, { ...box, name: "wall", kind: "sensed" }], answer: { text: "", lines: [] } });
   assert.equal(lines.length, 4);

@@ -12,7 +12,7 @@ const ANSWER: Rgb = [1, 0.88, 0.3], CROSSED: Rgb = [1, 0.32, 0.2], NOBODY: Rgb =
 const MOST_NAMES = 40;
 const END_M = 0.12;
 
-/** A name with a thing below it that others draw, or a figure: see BelievedBody. */
+/** A name for an object that is drawn elsewhere, or a figure: see BelievedBody. */
 const nameOver = (name: string, place: Vec3, height: number, color: Rgb): BelievedBody => ({ name, place, color, opacity: 0.4, radius: 0, height });
 
 function middleOf(shape: ImaginedShape): { place: Vec3; height: number } {
@@ -35,7 +35,7 @@ export function paintImagined(out: LineBatch, { ghosts, shapes, answer }: Ghosts
     const wire = WIRE[shape.kind], skin = ink([wire[0], wire[1], wire[2]], SKIN[shape.kind]), at = (number: number): Vec3 => [shape.points[3 * number] ?? 0, shape.points[3 * number + 1] ?? 0, shape.points[3 * number + 2] ?? 0];
     for (let i = 0; i + 1 < shape.edges.length; i += 2) out.line(at(shape.edges[i]!), at(shape.edges[i + 1]!), wire);
     for (let i = 0; i + 2 < shape.faces.length; i += 3) out.fill(at(shape.faces[i]!), at(shape.faces[i + 1]!), at(shape.faces[i + 2]!), skin);
-    // What the world feeds has a name there already.
+    // Nodes that the world updates already have a name there.
     if (shape.kind === "sensed" || ++names > MOST_NAMES) continue;
     const { place, height } = middleOf(shape);
     shown.push(nameOver(`${shape.name} · ${shape.state}`, place, height, [wire[0], wire[1], wire[2]]));

@@ -3,7 +3,7 @@
 /** Boxes on the picture, in pixels. */
 export interface Box { left: number; top: number; width: number; height: number }
 
-/** So far below a head a body ends, more or less. */
+/** Approximate distance from the head to the end of the body. */
 const BODY_PX = 44;
 
 const overlaps = (a: Box, b: Box): boolean => a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height && b.top < a.top + a.height;

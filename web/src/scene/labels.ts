@@ -8,11 +8,11 @@ import type { BelievedBody, OverlayWord, Placed } from "./overlays";
 import { DOING_FONT, NAME_FONT, SPEECH_FONT, textWidth } from "./text_width";
 
 const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GONE_M = 90;
-/** So long is a text over its speaker's head. */
+/** Duration of a text over its speaker's head. */
 export const SPEECH_S = 3.5;
 /** Names are shown up to this multiple of the distance to the camera's target. */
 const FURTHER = 2, MOST_COVERED = 0.5;
-/** More agents than these have a name alone, but for the one that is selected. */
+/** With more agents than this, labels show only names, except for the selected agent. */
 const MOST_WHOLE = 24;
 /** Border, padding and height of a name alone. */
 const COMPACT_EDGES_PX = 12, COMPACT_PX = 20;
@@ -29,7 +29,7 @@ export function healthColor(share: number): Rgb {
 const headOf = (one: Placed): Vec3 => [one.place[0], one.place[1] + one.agent.height / 2 + 0.15, one.place[2]];
 const shortened = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
-/** What an agent is about in a word or two. */
+/** A short description of what an agent is doing. */
 export function doingOf(scene: Scene, id: number): string {
   const agent = scene.agents.get(id), mind = scene.minds.get(id);
   if (agent === undefined) return "";
@@ -51,7 +51,7 @@ export interface LabelScene {
   width: number;
   height: number;
   camera: PerspectiveCamera;
-  /** What lies over the picture: no label is put under it. */
+  /** The areas over the picture; labels are not placed under them. */
   covered: readonly Box[];
   /** Distance from the camera to its target, in m. */
   away: number;
@@ -61,7 +61,7 @@ export interface LabelScene {
 
 interface Point { x: number; y: number; away: number }
 
-/** Names, health, what agents do and say: elements over the picture. */
+/** HTML elements over the picture: names, health, actions and speech of agents. */
 export class Labels {
   private readonly at = new Vector3();
   private dots: { place: Vec3; color: Rgb }[] = [];
@@ -72,7 +72,7 @@ export class Labels {
     patch(this.layer, []);
   }
 
-  /** Gives back the heads of those that have no room for a name. */
+  /** Draws the labels. Returns a dot for each agent without space for a name. */
   draw(view: LabelScene): { place: Vec3; color: Rgb }[] {
     this.dots = [];
     patch(this.layer, this.labels(view));
@@ -97,7 +97,7 @@ export class Labels {
       if (point !== null && point.away < Math.max(GONE_M, FURTHER * view.away)) heads.push({ one, point });
     }
     heads.sort((a, b) => (a.one.id === selected ? -1 : b.one.id === selected ? 1 : a.point.away - b.point.away));
-    // Who covers most of the picture wants it so.
+    // Areas over the picture block labels, unless they cover most of it.
     for (const box of view.covered) if (box.width * box.height < MOST_COVERED * view.width * view.height) layout.block(box);
     for (const { point } of heads.slice(0, 24)) {
       const size = Math.min(600 / point.away, 60);

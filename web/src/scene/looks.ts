@@ -92,7 +92,7 @@ export function agentColor(agent: Pick<Agent, "team" | "kind">): Rgb {
   return agent.team === "" ? kindColor(agent.kind) : teamColor(agent.team);
 }
 
-/** Lines want brighter colours than cloth. */
+/** Lines need brighter colours than cloth. */
 export const bright = (color: Rgb): Rgb => [0.3 + 0.7 * color[0], 0.3 + 0.7 * color[1], 0.3 + 0.7 * color[2]];
 
 export function cssColor(color: readonly number[], alpha = 1): string {
@@ -103,7 +103,7 @@ export function cssColor(color: readonly number[], alpha = 1): string {
 /** The kind of agents that another simulation moves; they are marked by a hollow lozenge. */
 export const FOREIGN = "foreign";
 
-/** Materials that mean no more than "some texture" on an agent's body. */
+/** Generic material names of an agent's body, which do not select a colour. */
 export function isJustSomeTexture(material: string): boolean {
   return ["", "Ground", "Ground2", "White", "NobiaxModular", "base_material", "base_animated_material"].includes(material);
 }

@@ -194,7 +194,7 @@ function paintBelief(pen: Pen, self: Placed, mind: Mind, others: ReadonlyMap<num
 /** 10 m/s² are two metres long; collisions and impulses do not fill the picture. */
 const METRES_PER_PUSH = 0.2, LONGEST_PUSH_M = 4, LEAST_PUSH_M = 0.04, MOST_PUSHES = 12, METRES_PER_SPEED = 0.6;
 
-/** How fast bodies move and what pushes them; of several pushes their sum is the bright one. */
+/** Velocities of bodies and the forces on them; the sum of several forces is drawn brighter. */
 function paintForces(pen: Pen, scene: Scene, placed: ReadonlyMap<number, Placed>, trails: Trails): void {
   for (const one of placed.values()) {
     const [x, , z] = trails.velocityOf(one.id), from = lifted(one.place, 0.1);

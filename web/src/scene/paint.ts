@@ -4,7 +4,7 @@ import type { Paint, Rgb } from "./looks";
 import { fractal2, latticeValue, noise2 } from "./noise";
 import { paintLater } from "./painter";
 
-/** What bodies are made of: cells of one picture, as their shapes name them. */
+/** Surface materials of bodies: cells of one picture, by the names that shapes use. */
 enum Cloth { Camouflage, Webbing, Skin, Leather, Metal, Glass, Helmet, Rubber, Steel, Team, DarkCamouflage, DarkWebbing, DarkHelmet }
 const CLOTHS = 13;
 
@@ -154,7 +154,7 @@ export function plainTexture(base: Rgb, grass: Rgb | null, sideM: number): DataT
       const wrap = (value: number): number => ((Math.floor(value * 256) % 256) + 256) % 256;
       return (grain.image.data as Uint8Array)[4 * (wrap(y) * 256 + wrap(x)) + channel]! / 255;
     };
-    // The grain is painted by then: it was asked for before.
+    // The grain was requested before, so it is already painted.
     const texture = painted(size, grass ?? base, (u, v) => {
       const x = (u - 0.5) * sideM, z = (v - 0.5) * sideM, bx = z * 0.0061 + 0.11, by = x * 0.0061 + 0.11;
       const broad = noise(bx, by, 1), dry = noise(bx, by, 2), grains = 0.45 * noise(x * 0.31, z * 0.31, 0) + 0.3 * broad + 0.25 * dry;

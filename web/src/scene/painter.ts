@@ -27,9 +27,8 @@ function work(): void {
   setTimeout(work, 0);
 }
 
-/**
- * A texture of one row that stands for the picture until that is painted, in the order of the calls: to paint takes longer than to
- * draw, and nobody should wait for it to see something.
+/** A texture of one row that is shown until the picture is painted, in the order of the calls. Painting takes longer than
+ * drawing, and the first frame must not wait for it.
  */
 export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, canvas: Canvas): DataTexture {
   const { width, height } = canvas, texture = new DataTexture(first, first.length / 4 / firstHeight, firstHeight);

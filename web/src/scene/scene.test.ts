@@ -39,7 +39,7 @@ function triangle(hasSkin: boolean, indices: readonly number[] = [0, 1, 2]): Arr
   return Uint8Array.from(bytes).buffer;
 }
 
-test("a shape is read as it was told", () => {
+test("a shape is decoded as it was sent", () => {
   const mesh = readShape(triangle(true), "White");
   assert.deepEqual([...mesh.positions], [-1, 0, 5, 1, 0, 5, -1, 2, 5]);
   assert.deepEqual([...mesh.normals], [0, 0, 1, 0, 0, 1, 0, 0, -1]);
@@ -50,19 +50,19 @@ test("a shape is read as it was told", () => {
   assert.deepEqual([...mesh.skin!.shares].map((one) => Math.round(one * 100)), [100, 0, 0, 0, 100, 0, 0, 0, 40, 60, 0, 0]);
 });
 
-test("triangles that cover nothing are not drawn, nor small ones of what is far away", () => {
+test("degenerate triangles are not drawn, nor small ones of distant shapes", () => {
   const mesh = readShape(triangle(true, [0, 1, 2, 0, 0, 2, 2, 1, 2]), "White");
   assert.deepEqual([...mesh.indices], [0, 1, 2]);
   assert.deepEqual([...withoutSmall(mesh, 2.5).indices], [0, 1, 2]);
   assert.deepEqual([...withoutSmall(mesh, 3).indices], []);
 });
 
-test("what is cut off or names no corner is no shape", () => {
+test("truncated data, or an index without a corner, is not a shape", () => {
   assert.throws(() => readShape(triangle(false).slice(0, 50), "White"), /cut off/);
   assert.throws(() => readShape(triangle(false, [0, 1, 7]), "White"), /no such corner/);
 });
 
-test("a shape is called as the run calls it", () => {
+test("a shape has the same name as in the run", () => {
   // As app/shape_contents_test.cpp has it.
   assert.equal(shapeKey(box(), false), "1.0.3f800000.40000000.40400000.3f800000.3f800000.");
   assert.equal(shapeKey(box({ shape: Shape.Capsule, size: [Math.fround(0.3), 1, 0], material: "Soarbox/Sheep" }), true), "2.1.3e99999a.3f800000.0.3f800000.3f800000.Soarbox/Sheep");
@@ -77,7 +77,7 @@ test("a capsule of an agent is its body unless it is much smaller", () => {
   assert.equal(looksLikeABody(capsule(1), undefined), false);
 });
 
-test("bodies are known by their meshes, and what comes later is drawn then", async () => {
+test("bodies are recognized by their meshes, and drawn as soon as these arrive", async () => {
   let changes = 0;
   const library = new ShapeLibrary(() => (changes += 1)), soldier = box({ shape: Shape.Mesh, mesh: "s.mesh" });
   assert.equal(library.bodyOf(soldier), null);
@@ -92,7 +92,7 @@ test("bodies are known by their meshes, and what comes later is drawn then", asy
   assert.equal(changes, 2);
 });
 
-test("colours follow teams and kinds; unknown materials are seen", () => {
+test("colours follow teams and kinds; unknown materials are conspicuous", () => {
   assert.deepEqual(teamColor("blue"), [0.05, 0.36, 0.88]);
   assert.deepEqual(kindColor("soar"), [0.5, 0.3, 0.72]);
   assert.equal(lookOf("__proto__").paint, "missing");

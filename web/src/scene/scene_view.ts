@@ -30,9 +30,9 @@ import { length, minus, times } from "./vectors";
 
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
-/** Seconds by which a picture may be older than what is printed in it. */
+/** Maximum age of a picture, in seconds, relative to the printed texts in it. */
 const JUST_NOW_S = 0.1;
-/** A body that goes further between two moments was put there. */
+/** A body that moves further than this between two moments was teleported. */
 const JUMP_M = 3;
 /** In a world that runs faster than this, past positions predict future ones better than velocities. */
 const FAST_PACE = 4;
@@ -103,7 +103,7 @@ export class SceneView {
     this.isProcessor = isDrawnByProcessor(context);
     this.governor = this.newGovernor();
     this.renderer = new WebGLRenderer({ canvas, context });
-    // Errors of shaders are looked for while they are written; to ask costs time at each first look.
+    // Shader errors are checked during development only, because the check delays the first frame.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
@@ -406,7 +406,7 @@ export class SceneView {
     }
     this.showGhosts(ghosts.filter((one) => one.radius > 0));
     this.lines.end(this.canvas.width, this.canvas.height, this.renderer.getPixelRatio());
-    // Also with the last one before the picture rests.
+    // Also for the last frame before the picture stops changing.
     if (this.restless <= 0 || this.pictures % this.governor.quality.shadowsEvery === 0) this.renderer.shadowMap.needsUpdate = true;
     this.pictures += 1;
     this.tellFramed();
@@ -466,7 +466,7 @@ export class SceneView {
     return this.isFull;
   }
 
-  /** Smooth edges come, or go, when the page is loaded again. */
+  /** Antialiasing changes when the page is loaded again. */
   setFullDetail(isFull: boolean): void {
     this.isFull = isFull;
     this.governor = this.newGovernor();
@@ -477,7 +477,7 @@ export class SceneView {
     return this.isFull ? new Governor(0, true) : new Governor(this.isProcessor ? FIRST_OF_PROCESSOR : 0);
   }
 
-  /** As well as the governor says. */
+  /** Sets the level of detail that the governor chose. */
   private drawAs(): void {
     const { shadowSide, isSlow } = this.governor.quality, { shadow } = this.sun;
     if (shadow.mapSize.x !== shadowSide) {
@@ -497,7 +497,7 @@ export class SceneView {
   }
 }
 
-/** Antialiasing only with a graphics card. A context that fails on software rendering tells whether there is one. */
+/** Antialiasing only with a graphics card. A context that refuses software rendering shows whether there is one. */
 function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const wanted: WebGLContextAttributes = { alpha: false, depth: true, stencil: false, powerPreference: "high-performance" };
   const context = canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true }) ?? canvas.getContext("webgl2", { ...wanted, antialias: false });

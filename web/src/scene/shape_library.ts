@@ -58,7 +58,7 @@ class Columns {
     for (let i = 0, value = 0; i < count; ++i) into[i] = value = (value + this.view.getUint32(at + 4 * i, true)) >>> 0;
     return into;
   }
-  /** 16 bits between the least and the greatest, as differences; into every `step`-th place from `first` on. */
+  /** Reads 16-bit differences scaled between minimum and maximum, into every `step`-th element from `first` on. */
   scaled(into: Float32Array, first: number, step: number, count: number): void {
     const head = this.room(8), low = this.view.getFloat32(head, true), high = this.view.getFloat32(head + 4, true), at = this.room(2 * count), scale = (high - low) / 65535;
     for (let i = 0, value = 0; i < count; ++i) {

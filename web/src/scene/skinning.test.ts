@@ -29,12 +29,12 @@ function corners(now: Drawable, old?: Drawable, share = 1): { places: number[]; 
   return { places: rounded(moved.positions.subarray(9)), normals: [...moved.normals.subarray(12)] };
 }
 
-test("in the bind pose corners are where the body stands", () => {
+test("in the bind pose, vertices are at the body's place", () => {
   assert.deepEqual(corners(body({ place: [5, 0, 2] })).places, [5, 1, 2, 6, 1, 2, 7, 1, 2]);
   assert.deepEqual(corners(body({ scale: [2, 2, 2] })).places, [0, 2, 0, 2, 2, 0, 4, 2, 0]);
 });
 
-test("a bone that turns takes along what hangs on it, and half of what hangs on it by half", () => {
+test("a turning bone moves its vertices according to their weights", () => {
   const { places, normals } = corners(body({ bones: [BONES[0]!.bind, { place: [1, 0, 0], turn: QUARTER }] }));
   assert.deepEqual(places, [0, 1, 0, 1, 1, 0, 1, 1, -1]);
   assert.deepEqual(normals.slice(8, 11), [0, 0, -127]);
@@ -42,12 +42,12 @@ test("a bone that turns takes along what hangs on it, and half of what hangs on 
   assert.deepEqual(normals.slice(4, 7), [89, 0, 89]);
 });
 
-test("a body that turns turns all of it, and children follow their parents", () => {
+test("a turning body turns all its bones, and children follow their parents", () => {
   assert.deepEqual(corners(body({ turn: QUARTER })).places, [0, 1, 0, 0, 1, -1, 0, 1, -2]);
   assert.deepEqual(corners(body({ bones: [{ place: [0, 1, 0], turn: QUARTER }, BONES[1]!.bind] })).places, [0, 1, 0, 0, 1, -1, 0, 1, -2]);
 });
 
-test("between two moments a body is between its places, and bones that are not told stay as they are built", () => {
+test("between two moments a body is interpolated, and bones without data keep their bind pose", () => {
   assert.deepEqual(corners(body({ place: [4, 0, 0] }), body({}), 0.25).places, [1, 1, 0, 2, 1, 0, 3, 1, 0]);
   assert.deepEqual(corners(body({ bones: [] })).places, [0, 1, 0, 1, 1, 0, 2, 1, 0]);
 });

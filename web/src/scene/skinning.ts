@@ -2,7 +2,7 @@
 import type { Bone, Drawable, Quat, Vec3 } from "../format/scene";
 import type { BoneAt, ShapeMesh } from "./shape_library";
 
-/** A bone's way from the bind pose into the world: three rows of four numbers. */
+/** A bone's transformation from the bind pose into the world: three rows of four numbers. */
 export const BONE_NUMBERS = 12;
 
 /** Where the corners of several bodies are, one body after the other. Normals are bytes (127 is 1), with one to spare. */
@@ -35,7 +35,7 @@ function multiply(a: Rows, aAt: number, b: Rows, bAt: number, into: Rows, at: nu
   }
 }
 
-/** The way back from each bone's bind pose in the model. */
+/** The inverse of each bone's bind pose in the model. */
 const inverses = new WeakMap<readonly BoneAt[], Float32Array>();
 function inversesOf(bones: readonly BoneAt[]): Float32Array {
   let known = inverses.get(bones);
@@ -56,7 +56,7 @@ function inversesOf(bones: readonly BoneAt[]): Float32Array {
 const turn = [0, 0, 0, 1], place = [0, 0, 0], local = new Float32Array(BONE_NUMBERS), root = new Float32Array(BONE_NUMBERS);
 let models = new Float32Array(0);
 
-/** Between two turns and places, the shorter way; they are near each other. */
+/** Interpolates between two poses that are near each other, along the shorter rotation. */
 function blend(from: { turn: Quat; place: Vec3 }, to: { turn: Quat; place: Vec3 }, share: number): void {
   const a = from.turn, b = to.turn, side = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] < 0 ? -share : share;
   let size = 0;
@@ -69,7 +69,7 @@ function blend(from: { turn: Quat; place: Vec3 }, to: { turn: Quat; place: Vec3 
   for (let i = 0; i < 3; ++i) place[i] = from.place[i]! + (to.place[i]! - from.place[i]!) * share;
 }
 
-/** Where the bones of a body are between two moments, as ways from the bind pose into the world. */
+/** The interpolated poses of a body's bones between two moments, as transformations from the bind pose into the world. */
 export function poseBones(bones: readonly BoneAt[], now: Drawable, old: Drawable | undefined, share: number, into: Float32Array): void {
   const from = old !== undefined && share < 1 ? old : now, back = inversesOf(bones);
   if (models.length < bones.length * BONE_NUMBERS) models = new Float32Array(bones.length * BONE_NUMBERS);

@@ -73,7 +73,7 @@ export class Things {
     return { shape: key.shape, whole: `${key.whole}|${isJustSomeTexture(d.material) ? agent.kind : ""}|${agent.alive ? 1 : 0}${agent.failed ? 1 : 0}` };
   }
 
-  /** Draws nothing of a shape that is still to come. */
+  /** Does not draw shapes that have not arrived yet. */
   private add(d: Drawable, agent: Agent | undefined, matrix: Matrix4): void {
     const key = this.keyOf(d, agent);
     let batch = this.batches.get(key.whole);
@@ -106,7 +106,7 @@ export class Things {
     // A model from a file has colours of its own.
     const isModel = mesh.material === "Soarbox/Model";
     const ownColor = agent !== undefined && isJustSomeTexture(d.material) && !isModel;
-    // "NobiaxModular" is what the pieces of the kit wear anyway.
+    // "NobiaxModular" is the default material of the kit's pieces.
     const fromMesh = d.material === "" || isModel || (d.shape === Shape.Mesh && d.material === "NobiaxModular");
     const name = ownColor ? `agent|${agent.kind}|${agent.alive}${agent.failed}` : fromMesh ? mesh.material : d.material;
     const look = ownColor ? agentLook(agent) : lookOf(name);

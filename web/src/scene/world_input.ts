@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { isTyping } from "../app/keys";
 
-/** What scripts of a world hear of: an `input` request without its name (docs/serve.md). */
+/** The events that scripts of a world receive: an `input` request without its name (docs/serve.md). */
 export type WorldEvent = { readonly kind: "key" | "button" | "pointer" | "wheel" | "panel" | "pad" } & Readonly<Record<string, string | number | boolean>>;
 
 /** Minimum interval between two pointer events for scripts. */
@@ -31,7 +31,7 @@ export function buttonName(button: number): string {
   return ["left_button", "middle_button", "right_button"][button] ?? (button <= 7 ? `mouse_button_${button}` : "unknown_button");
 }
 
-/** Keys and mouse over the picture, for the scripts of the world. Keys that are typed into panels are none of theirs. */
+/** Keys and mouse over the picture, for the scripts of the world. Keys that are typed into panels are not sent. */
 export class WorldInput {
   private readonly held = new Set<string>();
   private last: { x: number; y: number } | null = null;
