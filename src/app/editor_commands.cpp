@@ -18,7 +18,7 @@
 #include "editors/lsp_server.h"
 #include "editors/mcp_server.h"
 #include "language/datamap.h"
-#include "language/format.h"
+#include "language/format_rules.h"
 #include "language/workspace.h"
 
 namespace soarbox::app {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "diagnostics/problem.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 
 namespace soarbox::app {
 namespace {

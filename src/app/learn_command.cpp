@@ -17,7 +17,7 @@
 #include "app/run_session.h"
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/read_text.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 
 namespace soarbox::app {
 namespace {

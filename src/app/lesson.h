@@ -10,7 +10,7 @@
 #include "app/own_world.h"
 #include "diagnostics/result.h"
 #include "mission/account.h"
-#include "mission/test_missions.h"
+#include "mission/missions_test_support.h"
 
 namespace soarbox::app {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
-#include "mission/test_missions.h"
+#include "mission/missions_test_support.h"
 
 namespace soarbox::app {
 

@@ -16,11 +16,11 @@
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "debugger/json.h"
-#include "debugger/lesson.h"
+#include "debugger/learned_rule.h"
 #include "debugger/why.h"
 #include "diagnostics/read_text.h"
 #include "explain/learning_facts.h"
-#include "mission/cast.h"
+#include "mission/scenario_names.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
@@ -123,7 +123,7 @@ void PrintOrigins(const sim::Simulation& world, const std::string& agent, const 
   const std::unique_ptr<explain::Inspector> mind = world.Inspect(agent);
   auto* const source = dynamic_cast<explain::LearningSource*>(mind.get());
   if (source == nullptr) return;
-  for (const explain::LessonFact& lesson : source->Lessons()) {
+  for (const explain::LearnedRuleFact& lesson : source->Lessons()) {
     if (!Names(account, lesson.rule)) continue;
     const std::optional<debugger::WhyNode> origin = debugger::OriginOf(*mind, lesson.rule);
     if (origin) std::cout << "  " << lesson.rule << " was\n" << debugger::ToText(*origin, 2);

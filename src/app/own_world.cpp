@@ -12,10 +12,10 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "explain/rule_text.h"
-#include "mission/cast.h"
+#include "mission/check_sentences.h"
+#include "mission/missions_test_support.h"
 #include "mission/read_mission.h"
-#include "mission/sentences.h"
-#include "mission/test_missions.h"
+#include "mission/scenario_names.h"
 #include "sim/check.h"
 #include "sim/scenario_file.h"
 

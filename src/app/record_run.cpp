@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "mission/test_missions.h"
+#include "mission/missions_test_support.h"
 #include "record/recorder.h"
 #include "world/world.h"
 

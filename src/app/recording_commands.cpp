@@ -27,7 +27,7 @@
 #include "record/reader.h"
 #include "record/recorder.h"
 #include "record/rerun.h"
-#include "sweep/tidy.h"
+#include "sweep/tidy_files.h"
 
 namespace soarbox::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "picture/png.h"
 #include "record/reader.h"
 #include "report/page.h"
-#include "report/plots.h"
+#include "report/report_plots.h"
 
 namespace soarbox::app {
 namespace {

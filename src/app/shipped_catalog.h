@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 #include "sim/scenario.h"
 
 namespace soarbox::app {

@@ -19,11 +19,11 @@
 #include "app/run_session.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "record/header.h"
-#include "sweep/manifest.h"
 #include "sweep/run_sweep.h"
 #include "sweep/slurm.h"
+#include "sweep/sweep_manifest.h"
 #include "sweep/verify_sweep.h"
 
 namespace soarbox::app {

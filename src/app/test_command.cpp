@@ -19,11 +19,11 @@
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/problem.h"
-#include "dis/settings.h"
+#include "dis/dis_settings.h"
+#include "mission/check_sentences.h"
+#include "mission/missions_test_support.h"
 #include "mission/read_mission.h"
-#include "mission/sentences.h"
 #include "mission/statistics.h"
-#include "mission/test_missions.h"
 #include "sim/replaced_rules.h"
 
 namespace soarbox::app {

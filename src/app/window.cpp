@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/other_program.h"
+#include "app/sibling_program.h"
 
 namespace soarbox::app {
 namespace {

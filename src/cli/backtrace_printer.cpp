@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "cli/session.h"
 #include "cli/trace_printer.h"
 #include "kernel/rules/print_production.h"

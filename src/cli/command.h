@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "cli/tokens.h"
 
 namespace soarbox::kernel {

@@ -5,7 +5,7 @@
 #include "cli/knowledge_printer.h"
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "cli/session.h"
 #include "cli/stack_printer.h"
 #include "cli/wme_pattern.h"

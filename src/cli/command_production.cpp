@@ -12,8 +12,8 @@
 #include "cli/interpreter.h"
 #include "cli/lookup.h"
 #include "cli/matches_printer.h"
+#include "cli/printed_rule.h"
 #include "cli/rule_crowds.h"
-#include "cli/rule_text.h"
 #include "cli/source_run.h"
 #include "cli/summary.h"
 

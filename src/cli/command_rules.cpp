@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/generate_rules.h"
 #include "cli/interpreter.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "cli/source_run.h"
 
 namespace soarbox::cli {

@@ -10,7 +10,7 @@
 #include "cli/knowledge_printer.h"
 #include "cli/load_image.h"
 #include "cli/percepts.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "cli/setting_store.h"
 #include "cli/summary.h"
 #include "kernel/decide/exploration.h"

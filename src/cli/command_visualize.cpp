@@ -15,7 +15,7 @@
 #include "cli/interpreter.h"
 #include "cli/knowledge_printer.h"
 #include "cli/lookup.h"
-#include "cli/other_program.h"
+#include "cli/run_program.h"
 #include "cli/session.h"
 #include "cli/setting_store.h"
 #include "cli/settings_command.h"

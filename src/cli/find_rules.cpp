@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "kernel/rules/parser.h"
 
 namespace soarbox::cli {

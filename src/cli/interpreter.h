@@ -12,7 +12,7 @@
 #include "cli/aliases.h"
 #include "cli/fence.h"
 #include "cli/host.h"
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "cli/session.h"
 
 namespace soarbox::cli {

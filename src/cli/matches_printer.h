@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/print_stream.h"
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "cli/trace_settings.h"
 #include "kernel/agent.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/print_stream.h"
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "kernel/agent.h"
 
 namespace soarbox::cli {

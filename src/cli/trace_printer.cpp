@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "cli/object_printer.h"
+#include "cli/printed_rule.h"
 #include "cli/rl_update_log.h"
-#include "cli/rule_text.h"
 #include "cli/session.h"
 #include "cli/stack_printer.h"
 #include "diagnostics/name_table.h"

@@ -15,7 +15,7 @@
 #include "diagnostics/problem.h"
 #include "diagnostics/wildcard.h"
 #include "explain/command_text.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 #include "world/world.h"
 
 namespace soarbox::debugger {
@@ -95,13 +95,13 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
     case BreakKind::kImpasse: {
       const auto* made = std::get_if<mind::StateMade>(&event);
       if (made == nullptr || made->level <= 1) return std::nullopt;
-      const std::string impasse = tell::ImpasseText(made->reason, made->on_operator);
+      const std::string impasse = wording::ImpasseText(made->reason, made->on_operator);
       if (impasse.find(point.what) == std::string::npos) return std::nullopt;
-      return "impasse: " + tell::DecisionLine(event);
+      return "impasse: " + wording::DecisionLine(event);
     }
     case BreakKind::kCommand: {
       const auto* said = std::get_if<mind::CommandSaid>(&event);
-      return said != nullptr && IsNamed(point, said->name) ? Cause("command " + tell::CommandText(*said))
+      return said != nullptr && IsNamed(point, said->name) ? Cause("command " + wording::CommandText(*said))
                                                            : std::nullopt;
     }
     case BreakKind::kFailed: {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "debugger/lesson.h"
+#include "debugger/learned_rule.h"
 #include "debugger/recorded_mind.h"
 
 namespace soarbox::debugger {
@@ -77,9 +77,9 @@ LearningView LookAtLearning(explain::Inspector& mind, std::string_view text, con
     std::ranges::stable_sort(view.numbers, std::ranges::greater(), &explain::NumberFact::value);
     return view;
   }
-  std::map<std::string, const explain::LessonFact*, std::less<>> lessons;
-  const std::vector<explain::LessonFact> told = source->Lessons();
-  for (const explain::LessonFact& lesson : told) lessons[lesson.rule] = &lesson;
+  std::map<std::string, const explain::LearnedRuleFact*, std::less<>> lessons;
+  const std::vector<explain::LearnedRuleFact> told = source->Lessons();
+  for (const explain::LearnedRuleFact& lesson : told) lessons[lesson.rule] = &lesson;
   const auto add = [&](LearnedRuleRow row) {
     if (const auto lesson = lessons.find(row.name); lesson != lessons.end()) {
       row.source = lesson->second->state + ": " + ImpasseOf(*lesson->second);
@@ -96,7 +96,7 @@ LearningView LookAtLearning(explain::Inspector& mind, std::string_view text, con
     row.firings = rule.firings;
     add(std::move(row));
   }
-  for (const explain::LessonFact& lesson : told) {
+  for (const explain::LearnedRuleFact& lesson : told) {
     if (!lessons.contains(lesson.rule)) continue;
     LearnedRuleRow row;
     row.name = lesson.rule;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -49,7 +49,7 @@ void LearningLog::Add(std::uint64_t tick, const record::MindRecord& mind) {
       LearnedRule& rule = rules_.emplace_back();
       rule.name = learned->rule;
       rule.tick = tick;
-      rule.reason = tell::ReasonText(event);
+      rule.reason = wording::ReasonText(event);
       numbers_[rule.name] = forgotten_ + rules_.size() - 1;
     } else if (const auto* update = std::get_if<mind::ValueUpdated>(&event)) {
       AddPoint(values_[std::string(update->rule)], tick, update->value);

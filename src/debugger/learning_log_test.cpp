@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "debugger/learned_rule.h"
 #include "debugger/learning.h"
-#include "debugger/lesson.h"
 #include "debugger/mind_fixture.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
@@ -213,7 +213,7 @@ TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
 }
 
 TEST(PurposeOf, PutsActionsIntoWords) {
-  explain::LessonFact lesson;
+  explain::LearnedRuleFact lesson;
   const auto action = [](const char* id, const char* attribute, const char* value, const char* sign,
                          const char* other) {
     explain::TripleFact fact;

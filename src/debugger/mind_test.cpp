@@ -6,8 +6,7 @@
 #include "debugger/agents.h"
 #include "debugger/breakpoints.h"
 #include "debugger/console.h"
-#include "debugger/goal_stack.h"
-#include "debugger/links.h"
+#include "debugger/io_rows.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
 #include "debugger/operators.h"
@@ -15,6 +14,7 @@
 #include "debugger/rule_edit.h"
 #include "debugger/rules.h"
 #include "debugger/run_models.h"
+#include "debugger/stack_rows.h"
 #include "debugger/views.h"
 #include "debugger/why.h"
 

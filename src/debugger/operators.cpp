@@ -11,15 +11,15 @@
 
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
-#include "tell/decision_text.h"
-#include "tell/sentences.h"
+#include "wording/decision_text.h"
+#include "wording/sentences.h"
 
 namespace soarbox::debugger {
 namespace {
 
 using explain::PreferenceFact;
-using tell::Say;
-using tell::Situation;
+using wording::Say;
+using wording::Situation;
 
 std::string Who(const OperatorRow& row) {
   return NameAndId(row.name, row.id);
@@ -44,9 +44,9 @@ class Account {
     const std::uint32_t op = decision_.Find(row.id);
     if (op == mind::Decision::kNoOperator) return;
     if (const mind::Decision::Drop* drop = decision_.DropOf(op)) {
-      row.verdict = tell::WhyDropped(decision_, op);
+      row.verdict = wording::WhyDropped(decision_, op);
       DroppedBy& dropped = row.dropped.emplace();
-      dropped.stage = tell::StageName(drop->stage);
+      dropped.stage = wording::StageName(drop->stage);
       if (drop->decisive != mind::Decisive::kUnknown) dropped.is_decisive = drop->decisive == mind::Decisive::kYes;
       for (std::uint32_t i = drop->first; i < drop->first + drop->count; ++i) {
         const std::string& rule = decision_.preferences[decision_.by[i]].rule;
@@ -81,7 +81,7 @@ class Account {
              ".";
     }
     if (decision_.impasse == mind::Impasse::kNone && !decision_.left.empty()) return OfNext();
-    std::string text = tell::WhyNothing(decision_) + ".";
+    std::string text = wording::WhyNothing(decision_) + ".";
     if (decision_.impasse == mind::Impasse::kTie) {
       std::string advice = Say(Situation::kTieAdvice);
       advice[0] = 'I';
@@ -93,14 +93,14 @@ class Account {
   std::string OfSelected(const OperatorRow& row) const {
     const std::uint32_t op = decision_.Find(row.id);
     if (!decision_.is_forced && (decision_.impasse != mind::Impasse::kNone || !IsLeft(op))) {
-      std::string why = tell::WhyDropped(decision_, op);
-      if (why.empty()) why = row.proposed ? tell::WhyNothing(Undecided()) : Say(Situation::kNoLongerProposed);
+      std::string why = wording::WhyDropped(decision_, op);
+      if (why.empty()) why = row.proposed ? wording::WhyNothing(Undecided()) : Say(Situation::kNoLongerProposed);
       return Say(Situation::kGoesNext, {{"op", Who(row)}, {"why", why}});
     }
     if (decision_.has_changed && !decision_.is_forced) {
-      return Say(Situation::kHasChanged, {{"op", Who(row)}, {"why", tell::WhySelected(decision_)}});
+      return Say(Situation::kHasChanged, {{"op", Who(row)}, {"why", wording::WhySelected(decision_)}});
     }
-    return Say(Situation::kWasSelected, {{"op", Who(row)}, {"why", tell::WhySelected(decision_)}});
+    return Say(Situation::kWasSelected, {{"op", Who(row)}, {"why", wording::WhySelected(decision_)}});
   }
 
   mind::Decision Undecided() const {
@@ -115,7 +115,7 @@ class Account {
     mind::Decision decided = decision_;
     decided.selected = decision_.left.front().op;
     return Say(Situation::kNext,
-               {{"op", tell::OperatorText(decided, decided.selected)}, {"why", tell::WhySelected(decided)}});
+               {{"op", wording::OperatorText(decided, decided.selected)}, {"why", wording::WhySelected(decided)}});
   }
 
   const mind::Decision& decision_;

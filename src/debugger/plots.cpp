@@ -13,7 +13,7 @@
 #include "diagnostics/number_from_chars.h"
 #include "explain/learning_facts.h"
 #include "explain/rule_text.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -109,7 +109,7 @@ std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view a
       has_firings |= mind::IsDetail(event);
       const auto* firing = std::get_if<mind::RuleFired>(&event);
       fired += firing != nullptr && !firing->retracts ? 1 : 0;
-      decided += !tell::DecisionLine(event).empty() && !tell::IsOfReward(event) ? 1 : 0;
+      decided += !wording::DecisionLine(event).empty() && !wording::IsOfReward(event) ? 1 : 0;
     }
     if (what == "fired" && !has_firings) return std::nullopt;
     return what == "fired" ? fired : decided;

@@ -7,9 +7,9 @@
 #include "debugger/facts_text.h"
 #include "debugger/memory.h"
 #include "mind/decision_codec.h"
-#include "tell/decision_text.h"
-#include "tell/mind_words.h"
-#include "tell/sentences.h"
+#include "wording/decision_text.h"
+#include "wording/mind_words.h"
+#include "wording/sentences.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -36,7 +36,7 @@ class MindReader {
     explain::StateFact state;
     state.level = made.level;
     state.id = made.id;
-    state.impasse = tell::ReasonName(made.reason);
+    state.impasse = wording::ReasonName(made.reason);
     if (made.level > 1) state.attribute = made.on_operator ? "operator" : "state";
     mind_.stack.push_back(std::move(state));
     // The decision of a no-change impasse is about the state above.
@@ -45,23 +45,23 @@ class MindReader {
   void operator()(const mind::StateGone& gone) { Keep(gone.level - 1); }
   void operator()(const mind::Halted&) { mind_.halted = true; }
   void operator()(const mind::Remark& remark) {
-    if (last_level_ > 0) mind_.accounts[last_level_].remark = tell::ReasonText(remark);
+    if (last_level_ > 0) mind_.accounts[last_level_].remark = wording::ReasonText(remark);
   }
   void operator()(const mind::CommandSaid& said) {
     RecordedMind::Command command;
     command.name = said.name;
-    command.parameters = tell::ParametersText(said.parameters);
+    command.parameters = wording::ParametersText(said.parameters);
     for (std::size_t i = 0; i < said.parameters.size(); ++i) {
       const mind::Parameter& parameter = said.parameters[i];
       if (parameter.depth > 0) continue;
       std::size_t end = i + 1;
       while (end < said.parameters.size() && said.parameters[end].depth > 0) ++end;
-      std::string value = tell::ValueText(parameter.value);
+      std::string value = wording::ValueText(parameter.value);
       if (parameter.is_object) {
         std::vector<mind::Parameter> below(said.parameters.begin() + static_cast<std::ptrdiff_t>(i + 1),
                                            said.parameters.begin() + static_cast<std::ptrdiff_t>(end));
         for (mind::Parameter& one : below) --one.depth;
-        value = "(" + tell::ParametersText(below) + ")";
+        value = "(" + wording::ParametersText(below) + ")";
       }
       command.values.emplace_back(parameter.attribute, std::move(value));
     }
@@ -80,7 +80,7 @@ class MindReader {
     const auto said =
         std::ranges::find_if(mind_.commands, [&](const RecordedMind::Command& c) { return c.name == ended.name; });
     if (said == mind_.commands.end()) return;
-    said->status = tell::StatusName(ended.status);
+    said->status = wording::StatusName(ended.status);
     said->reason = ended.fault;
   }
   void operator()(const mind::RuleFired& fired) {
@@ -152,7 +152,7 @@ explain::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decis
     fact.referent = decision.operators[preference.referent].id;
     fact.other_name = decision.operators[preference.referent].name;
   }
-  if (preference.kind == mind::PreferenceKind::kNumeric) fact.referent = tell::ValueText(preference.number);
+  if (preference.kind == mind::PreferenceKind::kNumeric) fact.referent = wording::ValueText(preference.number);
   fact.maker.kind = preference.rule.empty() ? explain::MakerFact::Kind::kArchitecture : explain::MakerFact::Kind::kRule;
   fact.maker.rule = preference.rule;
   return fact;
@@ -394,8 +394,8 @@ void TellRecorded(const explain::Inspector& mind, OperatorsView& view) {
     if (!row.selected) continue;
     const std::string op = NameAndId(row.name, row.id);
     view.sentence = account != nullptr && !account->remark.empty()
-                        ? tell::Say(tell::Situation::kWasSelected, {{"op", op}, {"why", account->remark}})
-                        : tell::Say(tell::Situation::kIsSelected, {{"op", op}});
+                        ? wording::Say(wording::Situation::kWasSelected, {{"op", op}, {"why", account->remark}})
+                        : wording::Say(wording::Situation::kIsSelected, {{"op", op}});
   }
 }
 
@@ -409,17 +409,17 @@ WhyNode NodeOf(const RecordedMind::Command& command) {
   WhyNode node{std::move(text), WhyKind::kCommand, command.name, {}};
   if (!command.rule.empty())
     node.below.push_back(
-        {tell::Say(tell::Situation::kSaidBy, {{"rule", command.rule}}), WhyKind::kRule, command.rule, {}});
+        {wording::Say(wording::Situation::kSaidBy, {{"rule", command.rule}}), WhyKind::kRule, command.rule, {}});
   for (const RecordedMind::Selected& selected : command.selected) {
     const std::optional<mind::Decision> decision =
         selected.decision.empty() ? std::nullopt : mind::Unpack(selected.decision);
-    const std::string why = decision ? tell::WhySelected(*decision) : std::string();
-    node.below.push_back(
-        {tell::Say(why.empty() ? tell::Situation::kSelectedWhenGiven : tell::Situation::kSelectedWhenGivenBecause,
-                   {{"op", NameAndId(selected.name, selected.id)}, {"why", why}}),
-         WhyKind::kOperator,
-         "",
-         {}});
+    const std::string why = decision ? wording::WhySelected(*decision) : std::string();
+    node.below.push_back({wording::Say(why.empty() ? wording::Situation::kSelectedWhenGiven
+                                                   : wording::Situation::kSelectedWhenGivenBecause,
+                                       {{"op", NameAndId(selected.name, selected.id)}, {"why", why}}),
+                          WhyKind::kOperator,
+                          "",
+                          {}});
   }
   return node;
 }
@@ -442,7 +442,7 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     if (state.operator_id.empty()) {
       // Impasses have reasons, too.
       if (!decision) continue;
-      if (std::string why = tell::WhyNothing(*decision); !why.empty())
+      if (std::string why = wording::WhyNothing(*decision); !why.empty())
         root.below.push_back({"no operator is selected in " + state.id + ": " + why, WhyKind::kReason, "", {}});
       continue;
     }
@@ -455,10 +455,10 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     if (account == nullptr) continue;
     if (!account->remark.empty()) node.below.push_back({account->remark, WhyKind::kReason, "", {}});
     if (!decision) continue;
-    node.below.push_back({tell::WhyDecided(*decision), WhyKind::kReason, "", {}});
+    node.below.push_back({wording::WhyDecided(*decision), WhyKind::kReason, "", {}});
     for (const mind::Decision::Drop& drop : decision->drops) {
       node.below.push_back(
-          {"also there: " + tell::OperatorText(*decision, drop.op) + ", " + tell::WhyDropped(*decision, drop.op),
+          {"also there: " + wording::OperatorText(*decision, drop.op) + ", " + wording::WhyDropped(*decision, drop.op),
            WhyKind::kReason,
            "",
            {}});

@@ -14,7 +14,7 @@
 #include "debugger/operators.h"
 #include "debugger/why.h"
 #include "explain/inspector.h"
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 #include "record/header.h"
 #include "record/percept_values.h"
 #include "record/tick_record.h"

@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
-#include "debugger/goal_stack.h"
-#include "debugger/links.h"
+#include "debugger/io_rows.h"
 #include "debugger/memory.h"
 #include "debugger/mind_fixture.h"
+#include "debugger/stack_rows.h"
 
 namespace soarbox::debugger {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "debugger/facts_text.h"
 #include "sim/input_text.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -65,20 +65,20 @@ struct Writer {
     mind::Event event;
     for (std::size_t at = 0; mind.events.Next(at, event);) {
       if (const auto* percept = std::get_if<mind::PerceptChanged>(&event)) {
-        Write(
-            TraceKind::kPercept, mind.agent,
-            tell::PerceptPath(percept->path, percept->attribute, percept->key) + " " + tell::ValueText(percept->value));
+        Write(TraceKind::kPercept, mind.agent,
+              wording::PerceptPath(percept->path, percept->attribute, percept->key) + " " +
+                  wording::ValueText(percept->value));
       } else if (const auto* gone = std::get_if<mind::PerceptGone>(&event)) {
-        Write(TraceKind::kPercept, mind.agent, "-" + tell::PerceptPath(gone->path, gone->attribute, gone->key));
+        Write(TraceKind::kPercept, mind.agent, "-" + wording::PerceptPath(gone->path, gone->attribute, gone->key));
       } else if (const auto* said = std::get_if<mind::CommandSaid>(&event)) {
-        Write(TraceKind::kCommand, mind.agent, tell::CommandText(*said));
+        Write(TraceKind::kCommand, mind.agent, wording::CommandText(*said));
       } else if (mind::IsDetail(event)) {
         const bool is_element = std::holds_alternative<mind::ElementChanged>(event);
-        Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, tell::DetailLine(event));
-      } else if (std::string line = tell::DecisionLine(event); !line.empty()) {
+        Write(is_element ? TraceKind::kElement : TraceKind::kRule, mind.agent, wording::DetailLine(event));
+      } else if (std::string line = wording::DecisionLine(event); !line.empty()) {
         // Changes of learned values are not decisions.
-        const TraceKind kind = tell::IsOfReward(event) ? TraceKind::kRule : TraceKind::kDecision;
-        Write(kind, mind.agent, std::move(line), tell::LevelOf(event));
+        const TraceKind kind = wording::IsOfReward(event) ? TraceKind::kRule : TraceKind::kDecision;
+        Write(kind, mind.agent, std::move(line), wording::LevelOf(event));
       }
     }
   }
@@ -86,7 +86,7 @@ struct Writer {
   /// Adds the results of commands, which come from events of the world.
   void WriteOutcomes(const record::MindRecord& mind) {
     mind.events.ForEachOf<mind::CommandEnded>(
-        [&](const mind::CommandEnded& ended) { Write(TraceKind::kCommand, mind.agent, tell::CommandText(ended)); });
+        [&](const mind::CommandEnded& ended) { Write(TraceKind::kCommand, mind.agent, wording::CommandText(ended)); });
   }
 };
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/imagery.h"
+#include "debugger/imagery_rows.h"
 
 namespace soarbox::debugger {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -107,13 +107,13 @@ void Timeline::Open(TimelineTrack& track, TimelineSpan span) {
 
 void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_t tick) {
   TimelineSpan span;
-  span.level = tell::LevelOf(event);
+  span.level = wording::LevelOf(event);
   span.first_tick = span.last_tick = tick;
   if (const auto* gone = std::get_if<mind::StateGone>(&event)) return Close(track, gone->level, tick, true);
   if (const auto* made = std::get_if<mind::StateMade>(&event)) {
     span.is_state = true;
     span.id = made->id;
-    if (made->level > 1) span.text = tell::ImpasseText(made->reason, made->on_operator);
+    if (made->level > 1) span.text = wording::ImpasseText(made->reason, made->on_operator);
     // A waiting state is reported repeatedly. Any operator that was selected in it is not selected any more.
     const auto is_same = [&](const TimelineSpan& open) {
       return open.is_state && open.level == span.level && open.id == span.id && open.text == span.text;
@@ -130,10 +130,10 @@ void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_
   } else {
     // Recorded minds list all commands; events list only changes.
     if (const auto* said = std::get_if<mind::CommandSaid>(&event))
-      track.marks.push_back({tick, MarkKind::kCommand, tell::CommandText(*said)});
+      track.marks.push_back({tick, MarkKind::kCommand, wording::CommandText(*said)});
     if (const auto* ended = std::get_if<mind::CommandEnded>(&event))
-      track.marks.push_back({tick, MarkKind::kOutcome, tell::CommandText(*ended)});
-    if (std::string line = tell::DecisionLine(event); !line.empty() && !tell::IsOfReward(event))
+      track.marks.push_back({tick, MarkKind::kOutcome, wording::CommandText(*ended)});
+    if (std::string line = wording::DecisionLine(event); !line.empty() && !wording::IsOfReward(event))
       track.marks.push_back({tick, MarkKind::kEvent, std::move(line)});
     return;
   }

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <vector>
 
-#include "debugger/goal_stack.h"
 #include "debugger/memory.h"
 #include "debugger/operators.h"
 #include "debugger/rules.h"
+#include "debugger/stack_rows.h"
 #include "explain/rule_text.h"
 
 namespace soarbox::debugger {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "debugger/facts_text.h"
-#include "debugger/imagery.h"
-#include "debugger/lesson.h"
-#include "debugger/links.h"
+#include "debugger/imagery_rows.h"
+#include "debugger/io_rows.h"
+#include "debugger/learned_rule.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
 #include "explain/origin_tree.h"

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <random>
 
+#include "dis/dis_settings.h"
 #include "dis/earth.h"
 #include "dis/pdu_codec.h"
-#include "dis/settings.h"
 
 namespace soarbox::dis {
 namespace {

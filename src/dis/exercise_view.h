@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dis/settings.h"
+#include "dis/dis_settings.h"
 #include "sim/input.h"
 
 namespace soarbox::dis {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "dis/dis_settings.h"
 #include "dis/exercise_view.h"
 #include "dis/pdu_codec.h"
-#include "dis/settings.h"
 
 namespace soarbox::sim {
 class Simulation;

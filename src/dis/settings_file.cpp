@@ -6,7 +6,7 @@
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "dis/settings.h"
+#include "dis/dis_settings.h"
 #include "sim/table_reader.h"
 
 namespace soarbox::dis {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "dis/dis_settings.h"
 #include "dis/earth.h"
 #include "dis/pdu.h"
-#include "dis/settings.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::sim {
 class Actor;

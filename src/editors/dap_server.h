@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "editors/debuggee.h"
-#include "editors/json.h"
+#include "editors/json_type.h"
 #include "language/workspace.h"
 #include "script/script_debugger.h"
 #include "sim/scenario.h"

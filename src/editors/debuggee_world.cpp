@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "debugger/breakpoints.h"
-#include "debugger/goal_stack.h"
+#include "debugger/stack_rows.h"
 #include "debugger/why.h"
 #include "diagnostics/problem.h"
 #include "editors/debuggee.h"

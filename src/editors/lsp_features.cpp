@@ -8,7 +8,7 @@
 #include "editors/lsp_json.h"
 #include "editors/lsp_server.h"
 #include "language/complete.h"
-#include "language/format.h"
+#include "language/format_rules.h"
 #include "language/soar_help.h"
 #include "record/reader.h"
 #include "record/rerun.h"

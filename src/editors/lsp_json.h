@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
-#include "editors/json.h"
+#include "editors/json_type.h"
 #include "language/complete.h"
-#include "language/document.h"
+#include "language/text_document.h"
 
 namespace soarbox::editors {
 

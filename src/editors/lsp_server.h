@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "editors/json.h"
+#include "editors/json_type.h"
 #include "language/hover.h"
 #include "language/workspace.h"
 #include "sim/scenario.h"

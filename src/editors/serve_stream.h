@@ -6,7 +6,7 @@
 
 #include "diagnostics/json_text.h"
 #include "editors/byte_pipe.h"
-#include "editors/json.h"
+#include "editors/json_type.h"
 #include "editors/message_stream.h"
 
 namespace soarbox::editors {

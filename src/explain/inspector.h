@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "explain/origin_tree.h"
-#include "mind/facts.h"
+#include "mind/inspection_facts.h"
 #include "mind/origin.h"
 
 namespace sml {

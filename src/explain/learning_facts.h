@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mind/facts.h"
+#include "mind/inspection_facts.h"
 
 namespace soarbox::explain {
 
 using mind::FiringFact;
+using mind::LearnedRuleFact;
 using mind::LearningFacts;
-using mind::LessonFact;
 using mind::NumberFact;
 using mind::TripleFact;
 
@@ -25,9 +25,9 @@ class LearningSource {
   /// How rules were learned, oldest first; at most the last 1,000. They are recorded while decisions are observed
   /// (MindDetail). Conditions and firings are reduced to the conditions that name something; Lesson returns everything.
   /// Empty if the kernel does not report it.
-  virtual std::vector<LessonFact> Lessons() { return {}; }
+  virtual std::vector<LearnedRuleFact> Lessons() { return {}; }
   /// Everything about how one rule was learned.
-  virtual std::optional<LessonFact> Lesson(std::string_view rule) {
+  virtual std::optional<LearnedRuleFact> Lesson(std::string_view rule) {
     (void)rule;
     return std::nullopt;
   }

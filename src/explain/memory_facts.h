@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mind/facts.h"
+#include "mind/inspection_facts.h"
 
 namespace soarbox::explain {
 

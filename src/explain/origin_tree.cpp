@@ -9,16 +9,16 @@
 #include <string>
 #include <utility>
 
-#include "tell/decision_text.h"
-#include "tell/sentences.h"
+#include "wording/decision_text.h"
+#include "wording/sentences.h"
 
 namespace soarbox::explain {
 namespace {
 
 using mind::OriginElementFact;
 using mind::OriginFact;
-using tell::Say;
-using tell::Situation;
+using wording::Say;
+using wording::Situation;
 
 constexpr int kDeepest = 5;
 constexpr std::size_t kMostBelow = 12;
@@ -50,7 +50,7 @@ class OriginTeller {
 
   WhyNode Operator(std::uint32_t place, int depth) {
     const OriginFact& origin = facts_.origins[place];
-    const std::string why = origin.decided ? tell::WhySelected(*origin.decided) : std::string();
+    const std::string why = origin.decided ? wording::WhySelected(*origin.decided) : std::string();
     WhyNode node{Say(why.empty() ? Situation::kSelectedThen : Situation::kSelectedThenBecause,
                      {{"op", OperatorText(origin)}, {"when", When(origin)}, {"why", why}}),
                  WhyKind::kOperator,

@@ -12,9 +12,9 @@
 #include "explain/rule_makers.h"
 #include "explain/rule_slips.h"
 #include "explain/rule_text.h"
-#include "tell/decision_text.h"
-#include "tell/sentences.h"
 #include "vocabulary/vocabulary.h"
+#include "wording/decision_text.h"
+#include "wording/sentences.h"
 
 namespace soarbox::explain {
 namespace {
@@ -31,9 +31,9 @@ constexpr std::size_t kMostRulesTold = 3;
 constexpr std::size_t kMostValuesShown = 4;
 constexpr std::size_t kLongestCircle = 6;
 
-using tell::Listed;
-using tell::Say;
-using tell::Situation;
+using wording::Listed;
+using wording::Say;
+using wording::Situation;
 
 /// Removes trailing zeros, because kernels print six decimals.
 std::string WithoutZeros(std::string number) {
@@ -504,7 +504,7 @@ std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, 
   const Situation situation = is_conflict ? Situation::kConflictIn : Situation::kConstraintFailureIn;
   mind::Decision decision = DecisionOf(state);
   decision.selected = mind::Decision::kNoOperator;
-  if (const std::string why = tell::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
+  if (const std::string why = wording::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
     return {Say(situation, {{"state", state}, {"why", why}})};
   // For another kernel: the preferences of that kind among the candidates.
   const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
@@ -521,7 +521,7 @@ std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, 
 std::string MindReasons::WhyAllDropped(const std::string& state) {
   if (state.empty()) return {};
   const mind::Decision decision = DecisionOf(state);
-  if (!decision.empty()) return tell::WhyNothing(decision);
+  if (!decision.empty()) return wording::WhyNothing(decision);
   // For another kernel, the drops are not known. Lists its preferences against operators, if there are proposals.
   std::string against;
   bool is_proposed = false;
@@ -566,7 +566,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     if (applied_by == nullptr) applied_by = &rule;
   }
   std::vector<std::string> reasons;
-  const std::initializer_list<tell::Slot> op = {{"op", shown}, {"state", state}};
+  const std::initializer_list<wording::Slot> op = {{"op", shown}, {"state", state}};
   if (pending != nullptr) {
     const std::uint64_t firings = view_.Firings(pending->name).value_or(0);
     reasons.push_back(

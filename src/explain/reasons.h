@@ -13,11 +13,11 @@
 #include "explain/mind_view.h"
 #include "explain/origin_tree.h"
 #include "explain/why_node.h"
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 
 namespace soarbox::explain {
 
-/// Explains in sentences (tell/sentences.h) why a Soar program does something or does not. Costs nothing until it is
+/// Explains in sentences (wording/sentences.h) why a Soar program does something or does not. Costs nothing until it is
 /// asked.
 class MindReasons {
  public:

@@ -14,9 +14,9 @@
 
 #include "explain/inspector.h"
 #include "explain/reasons.h"
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 #include "sml_Client.h"
-#include "tell/decision_text.h"
+#include "wording/decision_text.h"
 
 namespace soarbox::explain {
 namespace {
@@ -104,14 +104,14 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
     SCOPED_TRACE(std::to_string(i) + ":\n" + all);
     if (decision.impasse != mind::Impasse::kNone) {
       ++impasses;
-      EXPECT_FALSE(tell::WhyNothing(decision).empty());
+      EXPECT_FALSE(wording::WhyNothing(decision).empty());
       // What a report says of it is what the procedure says.
       const std::vector<std::string> reasons = MindReasons(*agent_).WhyIdle({});
       ASSERT_FALSE(reasons.empty());
       for (const mind::Decision::Chance& chance : decision.left)
         EXPECT_NE(reasons.front().find(decision.operators[chance.op].name), std::string::npos) << reasons.front();
     } else if (decision.selected != mind::Decision::kNoOperator) {
-      EXPECT_FALSE(tell::WhySelected(decision).empty());
+      EXPECT_FALSE(wording::WhySelected(decision).empty());
     }
     const TrialResult outcome = OutcomeOf(decision);
     for (const mind::Decision::Drop& drop : decision.drops) {
@@ -120,7 +120,7 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
         named.insert(decision.preferences[decision.by[k]].rule);
       ASSERT_FALSE(named.empty());
       ASSERT_NE(drop.decisive, mind::Decisive::kUnknown);
-      const std::string why = tell::WhyDropped(decision, drop.op);
+      const std::string why = wording::WhyDropped(decision, drop.op);
       const bool says_because = why.find("would still lose") == std::string::npos;
       EXPECT_EQ(says_because, drop.decisive == mind::Decisive::kYes) << why;
       EXPECT_EQ(OutcomeOf(Decide(rules, named)) != outcome, says_because) << why;

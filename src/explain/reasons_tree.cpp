@@ -8,7 +8,7 @@
 #include "explain/reasons.h"
 #include "explain/rule_makers.h"
 #include "sml_Client.h"
-#include "tell/sentences.h"
+#include "wording/sentences.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
 #endif
@@ -133,7 +133,7 @@ void MindReasons::TellCommand(const std::string& command, Told& told, std::vecto
   if (was_given) {
     into = CommandTree(command, {});
   } else {
-    into.push_back({tell::Say(tell::Situation::kNeverGiven, {{"command", command}}), WhyKind::kReason, "", {}});
+    into.push_back({wording::Say(wording::Situation::kNeverGiven, {{"command", command}}), WhyKind::kReason, "", {}});
   }
   for (const RuleText& rule : rules()) {
     if (!rule.says.contains(command)) continue;
@@ -198,12 +198,16 @@ std::vector<WhyNode> MindReasons::CommandTree(const std::string& command, const 
   for (const RuleText& rule : rules())
     if (rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
   if (speakers.size() == 1)
-    nodes.push_back(
-        {tell::Say(tell::Situation::kSaidBy, {{"rule", speakers.front()}}), WhyKind::kRule, speakers.front(), {}});
+    nodes.push_back({wording::Say(wording::Situation::kSaidBy, {{"rule", speakers.front()}}),
+                     WhyKind::kRule,
+                     speakers.front(),
+                     {}});
   if (speakers.size() > 1)
-    nodes.push_back(
-        {tell::Say(tell::Situation::kSaidByOneOf, {{"rules", tell::Listed(speakers)}}), WhyKind::kReason, "", {}});
-  nodes.push_back({tell::Say(facts.noted ? tell::Situation::kOriginNotNoted : tell::Situation::kOriginUnknown),
+    nodes.push_back({wording::Say(wording::Situation::kSaidByOneOf, {{"rules", wording::Listed(speakers)}}),
+                     WhyKind::kReason,
+                     "",
+                     {}});
+  nodes.push_back({wording::Say(facts.noted ? wording::Situation::kOriginNotNoted : wording::Situation::kOriginUnknown),
                    WhyKind::kReason,
                    "",
                    {}});

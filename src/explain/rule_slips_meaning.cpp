@@ -10,9 +10,9 @@
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
-#include "tell/sentences.h"
 #include "vocabulary/command_check.h"
 #include "vocabulary/vocabulary.h"
+#include "wording/sentences.h"
 
 namespace soarbox::explain {
 namespace {
@@ -215,7 +215,7 @@ class MeaningChecker {
         const std::string_view near = Suggest(name, {proposed.begin(), proposed.end()});
         Tell(rule, name, false,
              "rule " + rule.name + " looks for a proposed operator with the name " + name + ", which no rule proposes",
-             near.empty() ? "operators here are called " + tell::Listed(names) +
+             near.empty() ? "operators here are called " + wording::Listed(names) +
                                 "; what they are about is another attribute, which the rule that proposes them makes"
                           : "did you mean " + std::string(near) + "?");
       }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 #include "kernel/decide/invariants.h"
 #include "kernel/imagery/imagery.h"
 
@@ -22,20 +22,20 @@ Diagnostic Refusal(std::string message) {
 
 }  // namespace
 
-Agent::Agent(std::string name) : engine_(std::make_unique<Engine>(*this, std::move(name))) {
-  engine_->Initialize(false);
+Agent::Agent(std::string name) : core_(std::make_unique<AgentCore>(*this, std::move(name))) {
+  core_->Initialize(false);
 }
 Agent::~Agent() = default;
 
 const std::string& Agent::name() const {
-  return engine_->name;
+  return core_->name;
 }
 
 // Rules ---------------------------------------------------------------------------------------------------------------
 
 LoadOutcome Agent::LoadProduction(std::string_view body, const SourcePlace& place) {
-  const RuleLanguage language = {engine_->settings.like, engine_->is_user_function};
-  ParseOutcome parsed = ParseProduction(body, place, engine_->symbols, engine_->expected_values, language);
+  const RuleLanguage language = {core_->settings.like, core_->is_user_function};
+  ParseOutcome parsed = ParseProduction(body, place, core_->symbols, core_->expected_values, language);
   LoadOutcome outcome;
   outcome.name = std::move(parsed.name);
   outcome.printed = std::move(parsed.messages);
@@ -80,70 +80,70 @@ void Agent::ExciseNamed(std::string_view name, LoadOutcome& outcome) {
 void Agent::Enter(ProductionPtr production, LoadOutcome& outcome, bool ignore_number) {
   Rete::AddOptions options;
   options.ignore_rl_value = ignore_number || settings().ignore_numbers_of_duplicates;
-  const Rete::Added added = engine_->rete.AddProduction(production, engine_->memory.goal_view(), options);
+  const Rete::Added added = core_->rete.AddProduction(production, core_->memory.goal_view(), options);
   outcome.production = added.production;
   if (added.result == Rete::AddResult::kDuplicate) {
-    outcome.duplicate_of = engine_->rete.production(added.production)->name;
+    outcome.duplicate_of = core_->rete.production(added.production)->name;
     return;
   }
   outcome.loaded = true;
-  engine_->rule_changes.NoteAdded(added.production, production);
+  core_->rule_changes.NoteAdded(added.production, production);
 }
 
 void Agent::Excise(ProductionId id) {
-  engine_->rule_changes.Excise(id);
+  core_->rule_changes.Excise(id);
 }
 
 ProductionId Agent::FindProduction(std::string_view name) const {
-  return engine_->rule_changes.Find(name);
+  return core_->rule_changes.Find(name);
 }
 
 const Production& Agent::production(ProductionId id) const {
-  return *engine_->rete.production(id);
+  return *core_->rete.production(id);
 }
 const ProductionPtr& Agent::production_ptr(ProductionId id) const {
-  return engine_->rete.production(id);
+  return core_->rete.production(id);
 }
 ProductionPtr Agent::ProductionAsLearned(ProductionId id) const {
-  return engine_->reinforcement.values().AsLearned(id, engine_->rete.production(id));
+  return core_->reinforcement.values().AsLearned(id, core_->rete.production(id));
 }
 const RlValue* Agent::LearnedValue(ProductionId id) const {
-  return engine_->reinforcement.values().Find(id);
+  return core_->reinforcement.values().Find(id);
 }
 std::vector<ProductionId> Agent::Productions() const {
-  return engine_->rules.loading_order();
+  return core_->rules.loading_order();
 }
 
 std::uint32_t Agent::CountProductions(ProductionType type) const {
-  if (type == ProductionType::kJustification) return static_cast<std::uint32_t>(engine_->justifier.Live().size());
-  return engine_->rules.count(type);
+  if (type == ProductionType::kJustification) return static_cast<std::uint32_t>(core_->justifier.Live().size());
+  return core_->rules.count(type);
 }
 
 std::uint64_t Agent::FiringCount(ProductionId id) const {
-  return engine_->productions[Index(id)].firings();
+  return core_->productions[Index(id)].firings();
 }
 
 void Agent::ResetFiringCounts() {
-  for (ProductionRecord& record : engine_->productions) record.ResetFirings();
+  for (ProductionRecord& record : core_->productions) record.ResetFirings();
 }
 
 void Agent::SetBreak(ProductionId id, bool on) {
-  engine_->productions[Index(id)].Set(ProductionRecord::kBreaks, on);
-  engine_->rete.matches().SetInterrupts(Index(id), on);
-  engine_->interrupts.erase(id);
+  core_->productions[Index(id)].Set(ProductionRecord::kBreaks, on);
+  core_->rete.matches().SetInterrupts(Index(id), on);
+  core_->interrupts.erase(id);
 }
 
 bool Agent::HasBreak(ProductionId id) const {
-  return engine_->productions[Index(id)].Is(ProductionRecord::kBreaks);
+  return core_->productions[Index(id)].Is(ProductionRecord::kBreaks);
 }
 
 // Running -------------------------------------------------------------------------------------------------------------
 
 /// Passes the settings that the match needs to it.
 void Agent::PrepareMatch() {
-  engine_->rete.LimitPartialMatches(settings().max_partial_matches);
-  engine_->symbols.LimitTexts(settings().most_memory_bytes);
-  engine_->rete.MixedSupportIsO(!settings().warn_of_mixed_support);
+  core_->rete.LimitPartialMatches(settings().max_partial_matches);
+  core_->symbols.LimitTexts(settings().most_memory_bytes);
+  core_->rete.MixedSupportIsO(!settings().warn_of_mixed_support);
 }
 
 template <typename Work>
@@ -161,7 +161,7 @@ bool Agent::Guarded(Work work) {
 template <typename Work>
 RunResult Agent::RunGuarded(Work work) {
   RunResult result;
-  if (Guarded([&] { result = work(engine_->run); })) return result;
+  if (Guarded([&] { result = work(core_->run); })) return result;
   RunResult broken;
   broken.reason = StopReason::kHalted;
   return broken;
@@ -177,7 +177,7 @@ RunResult Agent::RunToPhase(Phase phase) {
   return RunGuarded([&](RunControl& run) { return run.RunToPhase(phase); });
 }
 bool Agent::out_of_memory() const {
-  return engine_->run.broken();
+  return core_->run.broken();
 }
 
 std::string_view Agent::breakdown() const {
@@ -186,20 +186,20 @@ std::string_view Agent::breakdown() const {
 
 void Agent::BreakDown(std::string_view rule) {
   if (out_of_memory()) return;
-  engine_->run.BreakDown();
+  core_->run.BreakDown();
   // The rule with the most partial matches is reported as the cause if they fill a large part of the memory. (If rules
   // share conditions, the first of them is named.)
   ProductionId heaviest = ProductionId::kNone;
   std::size_t most = MemoryBytes() / 4 / Rete::kTokenBytes;
-  for (const ProductionId id : engine_->rules.loading_order()) {
-    const std::size_t tokens = engine_->rete.CountTokens(id);
+  for (const ProductionId id : core_->rules.loading_order()) {
+    const std::size_t tokens = core_->rete.CountTokens(id);
     if (tokens <= most) continue;
     most = tokens;
     heaviest = id;
   }
-  const bool at_limit = engine_->rete.at_limit();
+  const bool at_limit = core_->rete.at_limit();
   // This frees memory, also for other agents.
-  engine_->rete.Abandon();
+  core_->rete.Abandon();
   try {
     if (!rule.empty()) {
       breakdown_ = "there is no room for the matches of rule " + std::string(rule);
@@ -216,120 +216,120 @@ void Agent::BreakDown(std::string_view rule) {
     }
     const std::string text =
         "Error: agent " + name() + " ran out of memory and is halted for good: " + breakdown_ + ".  Destroy it.\n";
-    engine_->observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(*this, text); });
+    core_->observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(*this, text); });
   } catch (const std::bad_alloc&) {
     // There is no memory to report it; halted() and out_of_memory() return it.
   }
 }
 Phase Agent::next_phase() const {
-  return engine_->run.phase();
+  return core_->run.phase();
 }
 bool Agent::in_middle_of_phase() const {
-  return engine_->run.in_middle();
+  return core_->run.in_middle();
 }
 void Agent::RequestStop(std::string_view reason) {
-  engine_->run.RequestStop(reason);
+  core_->run.RequestStop(reason);
 }
 void Agent::ClearStopRequest() {
-  engine_->run.ClearStop();
+  core_->run.ClearStop();
 }
 bool Agent::halted() const {
-  return engine_->run.halted();
+  return core_->run.halted();
 }
 bool Agent::running() const {
-  return engine_->run.running() && !out_of_memory();
+  return core_->run.running() && !out_of_memory();
 }
 void Agent::SetGoalToWatch(Symbol goal) {
-  engine_->run.WatchGoal(goal);
+  core_->run.WatchGoal(goal);
 }
 
 void Agent::InitSoar() {
-  if (engine_->run.running()) return;
-  engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
-  ++engine_->counters.inits;
+  if (core_->run.running()) return;
+  core_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnBeforeInit(*this); });
+  ++core_->counters.inits;
   ResetFiringCounts();
-  if (!Guarded([&] { engine_->Initialize(true); })) return;
-  engine_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
+  if (!Guarded([&] { core_->Initialize(true); })) return;
+  core_->observers.Notify(Event::kRun, [&](Observer& o) { o.OnAfterInit(*this); });
 }
 
 // Settings ------------------------------------------------------------------------------------------------------------
 
 const AgentSettings& Agent::settings() const {
-  return engine_->settings;
+  return core_->settings;
 }
 AgentSettings& Agent::mutable_settings() {
-  return engine_->settings;
+  return core_->settings;
 }
 const ExplorationSettings& Agent::exploration() const {
-  return engine_->exploration;
+  return core_->exploration;
 }
 ExplorationSettings& Agent::mutable_exploration() {
-  return engine_->exploration;
+  return core_->exploration;
 }
 const ExpectedValues& Agent::expected_values() const {
-  return engine_->expected_values;
+  return core_->expected_values;
 }
 ExpectedValues& Agent::mutable_expected_values() {
-  return engine_->expected_values;
+  return core_->expected_values;
 }
 const RlSettings& Agent::reinforcement() const {
-  return engine_->reinforcement.settings();
+  return core_->reinforcement.settings();
 }
 void Agent::SetReinforcement(const RlSettings& settings) {
-  if (!out_of_memory()) engine_->reinforcement.Set(settings);
+  if (!out_of_memory()) core_->reinforcement.Set(settings);
 }
 ChoiceGraph& Agent::choice_graph() {
-  return engine_->reinforcement.choices();
+  return core_->reinforcement.choices();
 }
 const RlStatistics& Agent::reward() const {
-  return engine_->reinforcement.statistics();
+  return core_->reinforcement.statistics();
 }
 RandomStream& Agent::random() {
-  return engine_->random;
+  return core_->random;
 }
 
 void Agent::SelectOperator(std::string_view identifier) {
-  engine_->forced_operator = identifier;
-  if (!engine_->forced_operator.empty()) {
-    char& letter = engine_->forced_operator.front();
+  core_->forced_operator = identifier;
+  if (!core_->forced_operator.empty()) {
+    char& letter = core_->forced_operator.front();
     letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   }
 }
 
 std::string_view Agent::selected_operator() const {
-  return engine_->forced_operator;
+  return core_->forced_operator;
 }
 std::string Agent::PredictDecision() {
-  return engine_->decision.Predict();
+  return core_->decision.Predict();
 }
 void Agent::SetAgentWrites(bool on) {
-  engine_->agent_writes = on;
+  core_->agent_writes = on;
 }
 
 // Learning ------------------------------------------------------------------------------------------------------------
 
 const LearnSettings& Agent::learning() const {
-  return engine_->chunker.settings();
+  return core_->chunker.settings();
 }
 void Agent::ChangeLearning(const std::function<void(LearnSettings&)>& change) {
-  change(engine_->chunker.mutable_settings());
-  engine_->chunker.ModeChanged();
+  change(core_->chunker.mutable_settings());
+  core_->chunker.ModeChanged();
 }
 std::uint32_t Agent::instantiation_count() const {
-  return engine_->instantiations.last_serial();
+  return core_->instantiations.last_serial();
 }
 
 const LearnStatistics& Agent::learn_statistics() const {
-  return engine_->chunker.statistics();
+  return core_->chunker.statistics();
 }
 std::string_view Agent::FiringRule() const {
-  const InstantiationId firing = engine_->context.firing();
+  const InstantiationId firing = core_->context.firing();
   if (firing == InstantiationId::kNone) return {};
-  const ProductionId rule = engine_->instantiations[firing].production;
+  const ProductionId rule = core_->instantiations[firing].production;
   return rule == ProductionId::kNone ? std::string_view() : std::string_view(production(rule).name);
 }
 std::string_view Agent::NextRule() const {
-  const MatchSet& matches = engine_->rete.matches();
+  const MatchSet& matches = core_->rete.matches();
   for (const MatchSet::List list :
        {MatchSet::List::kOAssertions, MatchSet::List::kIAssertions, MatchSet::List::kRetractions}) {
     const std::vector<PendingMatch> pending = matches.Pending(list);
@@ -339,100 +339,100 @@ std::string_view Agent::NextRule() const {
   return {};
 }
 std::size_t Agent::learned_rule_count() const {
-  return engine_->chunker.learned_count();
+  return core_->chunker.learned_count();
 }
 LearnedRules Agent::LearnedBySource() const {
-  return engine_->chunker.LearnedBySource();
+  return core_->chunker.LearnedBySource();
 }
 const Singletons& Agent::singletons() const {
-  return engine_->chunker.singletons();
+  return core_->chunker.singletons();
 }
 Singletons& Agent::mutable_singletons() {
-  return engine_->chunker.singletons();
+  return core_->chunker.singletons();
 }
 const ExplanationLog& Agent::explanations() const {
-  return engine_->chunker.explanations();
+  return core_->chunker.explanations();
 }
 ExplanationLog& Agent::mutable_explanations() {
-  return engine_->chunker.explanations();
+  return core_->chunker.explanations();
 }
 std::vector<Symbol> Agent::StatesForcedToLearn() const {
-  return engine_->chunker.forced_states();
+  return core_->chunker.forced_states();
 }
 std::vector<Symbol> Agent::StatesNotToLearn() const {
-  return engine_->chunker.excluded_states();
+  return core_->chunker.excluded_states();
 }
 
 // Observing -----------------------------------------------------------------------------------------------------------
 
 void Agent::AddObserver(Observer& observer, EventMask events) {
-  engine_->observers.Add(observer, events);
+  core_->observers.Add(observer, events);
 }
 void Agent::RemoveObserver(Observer& observer) {
-  engine_->observers.Remove(observer);
+  core_->observers.Remove(observer);
 }
 EventMask Agent::observed() const {
-  return engine_->observers.mask();
+  return core_->observers.mask();
 }
 
 // Inspecting ----------------------------------------------------------------------------------------------------------
 
 const SymbolTable& Agent::symbols() const {
-  return engine_->symbols;
+  return core_->symbols;
 }
 SymbolTable& Agent::mutable_symbols() {
-  return engine_->symbols;
+  return core_->symbols;
 }
 const WorkingMemory& Agent::memory() const {
-  return engine_->memory;
+  return core_->memory;
 }
 const GoalStack& Agent::goals() const {
-  return engine_->goals;
+  return core_->goals;
 }
 const Rete& Agent::rete() const {
-  return engine_->rete;
+  return core_->rete;
 }
 const AgentCounters& Agent::counters() const {
-  return engine_->counters;
+  return core_->counters;
 }
 std::string_view Agent::ProductionName(InstantiationId id) const {
-  return engine_->descriptions.ProductionName(id);
+  return core_->descriptions.ProductionName(id);
 }
 
 std::span<const WmeId> Agent::MatchedWmes(InstantiationId id) const {
-  const Instantiation& instantiation = engine_->instantiations[id];
+  const Instantiation& instantiation = core_->instantiations[id];
   if (instantiation.match == MatchId::kNone) return {};
-  return engine_->rete.Wmes(instantiation.match);
+  return core_->rete.Wmes(instantiation.match);
 }
 
 std::vector<ProductionPtr> Agent::Justifications() const {
   std::vector<ProductionPtr> rules;
-  for (const std::uint32_t index : engine_->justifier.Live()) rules.push_back(engine_->justifier.AsRule(index, true));
+  for (const std::uint32_t index : core_->justifier.Live()) rules.push_back(core_->justifier.AsRule(index, true));
   return rules;
 }
 
 ProductionPtr Agent::JustificationOf(InstantiationId id) const {
-  const std::uint32_t index = engine_->instantiations[id].justification;
-  return index == 0xFFFFFFFFu ? nullptr : engine_->justifier.AsRule(index, true);
+  const std::uint32_t index = core_->instantiations[id].justification;
+  return index == 0xFFFFFFFFu ? nullptr : core_->justifier.AsRule(index, true);
 }
 
 bool Agent::ExciseJustification(std::string_view name) {
-  return !engine_->run.running() && engine_->justifier.Excise(name);
+  return !core_->run.running() && core_->justifier.Excise(name);
 }
 
 WmeInfo Agent::Describe(WmeId id) const {
-  return engine_->descriptions.Describe(id);
+  return core_->descriptions.Describe(id);
 }
 GoalInfo Agent::Describe(const Goal& goal) const {
-  return engine_->descriptions.Describe(goal);
+  return core_->descriptions.Describe(goal);
 }
 Symbol Agent::OperatorOf(const Goal& goal) const {
-  return engine_->descriptions.OperatorOf(goal);
+  return core_->descriptions.OperatorOf(goal);
 }
 
 std::vector<PreferenceId> Agent::PreferencesOf(SlotId slot, PreferenceType type) const {
   std::vector<PreferenceId> found;
-  const WorkingMemory& memory = engine_->memory;
+  const WorkingMemory& memory = core_->memory;
   const Slot& record = memory.slot(slot);
   for (PreferenceId p = type == PreferenceType::kAcceptable ? record.acceptable : record.others;
        p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
@@ -443,65 +443,65 @@ std::vector<PreferenceId> Agent::PreferencesOf(SlotId slot, PreferenceType type)
 
 std::vector<Agent::CandidateChance> Agent::SelectionProbabilities(const Goal& goal) const {
   std::vector<CandidateChance> chances;
-  const PreferenceSemantics::Outcome outcome = engine_->decision.Evaluate(goal);
+  const PreferenceSemantics::Outcome outcome = core_->decision.Evaluate(goal);
   if (outcome.impasse != ImpasseType::kNone || outcome.candidates.empty()) return chances;
   const std::vector<double> probabilities = outcome.candidates.size() == 1
                                                 ? std::vector<double>{1.0}
-                                                : SelectionChances(outcome.candidates, engine_->exploration);
+                                                : SelectionChances(outcome.candidates, core_->exploration);
   for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
     const Candidate& candidate = outcome.candidates[n];
     chances.push_back(
-        {candidate.preference, candidate.value, NumericValue(candidate, engine_->exploration), probabilities[n]});
+        {candidate.preference, candidate.value, NumericValue(candidate, core_->exploration), probabilities[n]});
   }
   return chances;
 }
 
 DecisionReport Agent::ExplainDecision(const Goal& goal) const {
-  return engine_->decision.Explain(goal);
+  return core_->decision.Explain(goal);
 }
 
 // Input and output ----------------------------------------------------------------------------------------------------
 
 InputLink& Agent::input() {
   // Rules must be offered for sharing before input creates constants.
-  if (engine_->rules_changed && !engine_->run.running()) [[unlikely]]
-    engine_->OfferRules();
-  return engine_->input;
+  if (core_->rules_changed && !core_->run.running()) [[unlikely]]
+    core_->OfferRules();
+  return core_->input;
 }
 const InputLink& Agent::input() const {
-  return engine_->input;
+  return core_->input;
 }
 const OutputLink& Agent::output() const {
-  return engine_->output;
+  return core_->output;
 }
 Symbol Agent::InputLinkIdentifier() const {
-  return engine_->goal_changes.input_link();
+  return core_->goal_changes.input_link();
 }
 Symbol Agent::OutputLinkIdentifier() const {
-  return engine_->goal_changes.output_link();
+  return core_->goal_changes.output_link();
 }
 
 Result<WmeId> Agent::AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable) {
-  if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
-  if (!id.IsIdentifier() || !engine_->memory.identifier(id).live) {
+  if (core_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
+  if (!id.IsIdentifier() || !core_->memory.identifier(id).live) {
     return Refusal("the element's identifier is not in working memory");
   }
   WmeId wme = WmeId::kNone;
   const bool added = Guarded([&] {
-    wme = engine_->changes.AddInput(id, attribute, value, acceptable);
-    engine_->elaboration.ApplyBufferedChanges();
+    wme = core_->changes.AddInput(id, attribute, value, acceptable);
+    core_->elaboration.ApplyBufferedChanges();
   });
   if (!added) return Refusal("there is no memory for the matches of the element: the agent is halted for good");
   return wme;
 }
 
 Symbol Agent::NewIdentifier(char letter) {
-  return engine_->memory.NewIdentifier(letter, 1);
+  return core_->memory.NewIdentifier(letter, 1);
 }
 
 Symbol Agent::NewIdentifier(char letter, std::uint64_t number, Symbol parent) {
-  return engine_->memory.NewIdentifier(engine_->symbols.NewIdentifier(letter, number),
-                                       engine_->memory.identifier(parent).level);
+  return core_->memory.NewIdentifier(core_->symbols.NewIdentifier(letter, number),
+                                     core_->memory.identifier(parent).level);
 }
 
 /// The preferences for a value that rules made stay: its element comes back when the slot is decided again. Then all
@@ -514,20 +514,20 @@ static void NoteLostByHand(WorkingMemory& memory, SlotId id) {
 }
 
 Result<void> Agent::RemoveWme(WmeId wme) {
-  if (engine_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
-  WorkingMemory& memory = engine_->memory;
+  if (core_->run.running()) return Refusal("working memory cannot be changed while the agent runs");
+  WorkingMemory& memory = core_->memory;
   if (Index(wme) >= memory.wmes().size() || !memory.wme(wme).live) {
     return Refusal("there is no such element");
   }
   const WmeRecord& record = memory.record(wme);
   const bool removed = Guarded([&] {
     if (record.kind == WmeKind::kSlot && memory.slot(record.slot()).is_operator) {
-      engine_->preferences.RemoveSelected(record.slot());  // The states below stay.
+      core_->preferences.RemoveSelected(record.slot());  // The states below stay.
     } else {
       if (record.preference != PreferenceId::kNone) NoteLostByHand(memory, record.slot());
-      engine_->changes.Lose(wme);
+      core_->changes.Lose(wme);
     }
-    engine_->elaboration.ApplyWorkingMemoryChanges();
+    core_->elaboration.ApplyWorkingMemoryChanges();
   });
   if (!removed) return Refusal("there is no memory for the matches without the element: the agent is halted for good");
   return {};
@@ -535,47 +535,47 @@ Result<void> Agent::RemoveWme(WmeId wme) {
 
 void Agent::SetUserFunctions(std::function<Result<Symbol>(Agent&, std::string_view, std::span<const Symbol>)> function,
                              std::function<bool(std::string_view)> is_there) {
-  engine_->user_functions = std::move(function);
-  engine_->is_user_function = std::move(is_there);
+  core_->user_functions = std::move(function);
+  core_->is_user_function = std::move(is_there);
 }
 
 void Agent::SetCommandRunner(std::function<std::string(Agent&, std::string_view)> runner) {
-  engine_->command_runner = std::move(runner);
+  core_->command_runner = std::move(runner);
 }
 
 LongTerm& Agent::long_term() {
-  return engine_->long_term;
+  return core_->long_term;
 }
 const LongTerm& Agent::long_term() const {
-  return engine_->long_term;
+  return core_->long_term;
 }
 
 Imagery& Agent::imagery() {
-  if (engine_->imagery == nullptr) {
-    engine_->imagery = std::make_unique<Imagery>(
-        Imagery::Uses{engine_->symbols, engine_->memory, engine_->goals, engine_->changes, engine_->preferences,
-                      engine_->elaboration, engine_->modules, engine_->observers, *this});
+  if (core_->imagery == nullptr) {
+    core_->imagery = std::make_unique<Imagery>(Imagery::Uses{core_->symbols, core_->memory, core_->goals,
+                                                             core_->changes, core_->preferences, core_->elaboration,
+                                                             core_->modules, core_->observers, *this});
   }
-  return *engine_->imagery;
+  return *core_->imagery;
 }
 const Imagery* Agent::find_imagery() const {
-  return engine_->imagery.get();
+  return core_->imagery.get();
 }
 
 // Memory --------------------------------------------------------------------------------------------------------------
 
 std::size_t Agent::MemoryBytes() const {
-  return sizeof(Engine) + engine_->symbols.MemoryBytes() + engine_->memory.MemoryBytes() +
-         engine_->links.MemoryBytes() + engine_->instantiations.MemoryBytes() + engine_->rete.MemoryBytes() +
-         engine_->modules.MemoryBytes() + engine_->learned_rule_bytes;
+  return sizeof(AgentCore) + core_->symbols.MemoryBytes() + core_->memory.MemoryBytes() + core_->links.MemoryBytes() +
+         core_->instantiations.MemoryBytes() + core_->rete.MemoryBytes() + core_->modules.MemoryBytes() +
+         core_->learned_rule_bytes;
 }
 
 std::size_t Agent::SharedMemoryBytes() const {
-  return engine_->rete.NetworkBytes();
+  return core_->rete.NetworkBytes();
 }
 std::string Agent::CheckInvariants() const {
-  const std::string violation = FindViolation(*engine_);
-  return violation.empty() ? FindDanglingHandle(*engine_) : violation;
+  const std::string violation = FindViolation(*core_);
+  return violation.empty() ? FindDanglingHandle(*core_) : violation;
 }
 
 }  // namespace soarbox::kernel

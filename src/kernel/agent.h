@@ -32,7 +32,7 @@
 /// returns for reading.
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 struct ExplorationSettings;
 class LongTerm;
 class ChoiceGraph;
@@ -304,7 +304,7 @@ class Agent {
   void BreakDown(std::string_view rule = {});
   void Replace(ProductionPtr production, LoadOutcome& outcome, bool ignore_number);
 
-  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<AgentCore> core_;
   std::string breakdown_;
 };
 

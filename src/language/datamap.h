@@ -11,7 +11,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "explain/rule_text.h"
-#include "language/document.h"
+#include "language/text_document.h"
 
 namespace soarbox::language {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "language/document.h"
+#include "language/text_document.h"
 
 namespace soarbox::language {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
-#include "language/document.h"
+#include "language/text_document.h"
 #include "language/visual_soar.h"
 #include "sim/source_graph.h"
 

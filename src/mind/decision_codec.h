@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 
 namespace soarbox::mind {
 

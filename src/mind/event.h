@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 
 namespace soarbox::mind {
 

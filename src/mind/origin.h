@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mind/decision.h"
-#include "mind/facts.h"
+#include "mind/decision_facts.h"
+#include "mind/inspection_facts.h"
 
 namespace soarbox::mind {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "explain/inspector.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "sim/simulation.h"
 
 namespace soarbox::mission {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "mission/check_news.h"
 
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 
 namespace soarbox::mission {
 

@@ -7,7 +7,7 @@
 
 #include "diagnostics/number_from_chars.h"
 #include "diagnostics/wildcard.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 
 namespace soarbox::mission {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "mission/facts.h"
+#include "mission/event_facts.h"
 #include "mission/mission.h"
 
 namespace soarbox::mission {

@@ -2,7 +2,7 @@
 #include "mission/endless_rules.h"
 
 #include "explain/inspector.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "sim/simulation.h"
 
 namespace soarbox::mission {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "diagnostics/name_table.h"
+#include "mission/check_sentences.h"
 #include "mission/conditions.h"
-#include "mission/sentences.h"
 
 namespace soarbox::mission {
 namespace {

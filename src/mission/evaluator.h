@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mission/facts.h"
+#include "mission/event_facts.h"
 #include "mission/mission.h"
 
 namespace soarbox::mission {

@@ -8,10 +8,10 @@
 #include <functional>
 #include <random>
 
-#include "mission/cast.h"
+#include "mission/check_sentences.h"
 #include "mission/child_pool.h"
 #include "mission/read_mission.h"
-#include "mission/sentences.h"
+#include "mission/scenario_names.h"
 #include "mission/statistics.h"
 
 namespace soarbox::mission {

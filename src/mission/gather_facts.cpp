@@ -7,10 +7,10 @@
 #include "explain/inspector.h"
 #include "explain/learning_facts.h"
 #include "mind/decision_codec.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "sim/arena.h"
-#include "tell/decision_text.h"
-#include "tell/mind_words.h"
+#include "wording/decision_text.h"
+#include "wording/mind_words.h"
 #include "world/world.h"
 
 namespace soarbox::mission {
@@ -28,13 +28,13 @@ constexpr double kPlacedElsewhere = 2;
 
 std::string ImpasseName(const mind::StateMade& state) {
   if (state.reason == mind::StateReason::kNoChange) return state.on_operator ? "operator-no-change" : "state-no-change";
-  return std::string(tell::ReasonName(state.reason));
+  return std::string(wording::ReasonName(state.reason));
 }
 
 void TellDecision(std::string_view packed, OperatorFact& selected) {
   const std::optional<mind::Decision> decision = mind::Unpack(packed);
   if (!decision || decision->empty()) return;
-  selected.why = tell::WhySelected(*decision);
+  selected.why = wording::WhySelected(*decision);
   // If preferences left several operators, the choice among these is attributed to preferences.
   selected.selected_by = decision->operators.size() < 2                        ? "only"
                          : decision->left.size() == decision->operators.size() ? "chance"
@@ -52,7 +52,7 @@ void TellImpasse(std::string_view packed, EventFact& impasse) {
   if (decision->left.empty()) std::ranges::for_each(decision->operators, add);
   for (const mind::Decision::Chance& left : decision->left)
     if (left.op < decision->operators.size()) add(decision->operators[left.op]);
-  impasse.reason = tell::WhyNothing(*decision);
+  impasse.reason = wording::WhyNothing(*decision);
 }
 
 std::string ValueText(const world::Message::Value& value) {
@@ -71,7 +71,7 @@ std::vector<std::pair<std::string, std::string>> ParametersOf(const mind::Comman
     if (parameter.is_object) {
       path.push_back(std::move(name));
     } else {
-      with.emplace_back(std::move(name), tell::ValueText(parameter.value));
+      with.emplace_back(std::move(name), wording::ValueText(parameter.value));
     }
   }
   return with;
@@ -301,7 +301,7 @@ void FactGatherer::ReadEvents(const mind::EventLog& events, std::size_t agent) {
                     EventFact event{Key::kCommand,
                                     std::string(ended.name),
                                     {},
-                                    std::string(tell::StatusName(ended.status)),
+                                    std::string(wording::StatusName(ended.status)),
                                     std::string(ended.fault)};
                     if (const auto said = memory.last_said.find(event.word); said != memory.last_said.end())
                       event.with = said->second;

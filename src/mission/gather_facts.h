@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mission/facts.h"
+#include "mission/event_facts.h"
 #include "mission/mission.h"
 #include "sim/simulation.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mission/keys.h"
+#include "mission/check_keys.h"
 #include "mission/rule_pattern.h"
 
 namespace soarbox::mission {

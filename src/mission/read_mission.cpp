@@ -9,7 +9,7 @@
 #include <set>
 
 #include "diagnostics/plain_text.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "sim/table_reader.h"
 
 namespace soarbox::mission {

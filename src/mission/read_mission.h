@@ -14,7 +14,7 @@ namespace soarbox::mission {
 
 /// Parses the checks in a text: a scenario file ([mission] and [[check]]) or a mission file, which names a scenario at
 /// the top. Adds all errors with their lines to `problems`. Does not check whether names exist (see CheckNames in
-/// cast.h). docs/missions.md describes the language.
+/// scenario_names.h). docs/missions.md describes the language.
 Mission ParseMission(std::string_view text, const std::filesystem::path& file, bool is_scenario_file,
                      std::vector<Diagnostic>& problems);
 

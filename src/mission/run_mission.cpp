@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "mission/check_news.h"
+#include "mission/check_sentences.h"
 #include "mission/endless_rules.h"
 #include "mission/gather_facts.h"
-#include "mission/sentences.h"
 #include "record/header.h"
 #include "record/manifest.h"
 #include "record/recorder.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "record/format.h"
+#include "record/file_format.h"
 #include "record/tick_record.h"
 
 namespace soarbox::record {

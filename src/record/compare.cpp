@@ -7,7 +7,7 @@
 
 #include "diagnostics/problem.h"
 #include "mind/decision_codec.h"
-#include "tell/decision_text.h"
+#include "wording/decision_text.h"
 
 namespace soarbox::record {
 namespace {
@@ -33,7 +33,7 @@ std::string WhyDecided(const TickRecord& tick, std::string_view agent, bool& by_
   const auto take = [&](const mind::OperatorSelected& selected) {
     const std::optional<mind::Decision> decision = mind::Unpack(selected.decision);
     if (!decision || decision->empty()) return;
-    why = tell::WhySelected(*decision);
+    why = wording::WhySelected(*decision);
     by_chance |= decision->left.size() > 1;
   };
   for (const MindRecord& mind : tick.minds)

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -27,11 +27,11 @@ std::string Text(const std::vector<std::string>& lines) {
 std::string Exact(const mind::EventLog& events) {
   std::vector<std::string> lines;
   events.ForEachOf<mind::PerceptChanged>([&](const mind::PerceptChanged& percept) {
-    std::string line = tell::PerceptPath(percept.path, percept.attribute, percept.key) + " ";
+    std::string line = wording::PerceptPath(percept.path, percept.attribute, percept.key) + " ";
     if (const auto* number = std::get_if<double>(&percept.value)) {
       line += fmt::format("{}", *number);
     } else {
-      line += tell::ValueText(percept.value);
+      line += wording::ValueText(percept.value);
     }
     lines.push_back(std::move(line));
   });
@@ -83,13 +83,13 @@ std::optional<Difference> DifferenceOf(const MindRecord& a, const MindRecord& b,
   const mind::EventLog was = WithoutDetails(a), is = WithoutDetails(b);
   if (a.agent == b.agent && was == is) return std::nullopt;
   const std::string& agent = a.agent.empty() ? b.agent : a.agent;
-  const tell::MindWords old_words = tell::Words(was), new_words = tell::Words(is);
-  const std::pair<const char*, std::vector<std::string> tell::MindWords::*> parts[] = {
-      {"percepts", &tell::MindWords::percepts},
-      {"decisions", &tell::MindWords::decisions},
-      {"commands", &tell::MindWords::commands},
-      {"reasons", &tell::MindWords::reasons},
-      {"commands' rules", &tell::MindWords::command_rules}};
+  const wording::MindWords old_words = wording::Words(was), new_words = wording::Words(is);
+  const std::pair<const char*, std::vector<std::string> wording::MindWords::*> parts[] = {
+      {"percepts", &wording::MindWords::percepts},
+      {"decisions", &wording::MindWords::decisions},
+      {"commands", &wording::MindWords::commands},
+      {"reasons", &wording::MindWords::reasons},
+      {"commands' rules", &wording::MindWords::command_rules}};
   for (const auto& [element, part] : parts) {
     if (a.agent != b.agent || old_words.*part != new_words.*part)
       return Difference{tick, agent, element, Text(old_words.*part), Text(new_words.*part)};
@@ -145,8 +145,8 @@ std::optional<Difference> DecisionThatDiffers(const TickRecord& a, const TickRec
     const MindRecord* in_a = FindMind(a, agent);
     const MindRecord* in_b = FindMind(b, agent);
     if (in_a != nullptr && in_b != nullptr && in_a->events == in_b->events) return std::nullopt;
-    const tell::MindWords x = tell::Words((in_a != nullptr ? *in_a : kNothing).events, false);
-    const tell::MindWords y = tell::Words((in_b != nullptr ? *in_b : kNothing).events, false);
+    const wording::MindWords x = wording::Words((in_a != nullptr ? *in_a : kNothing).events, false);
+    const wording::MindWords y = wording::Words((in_b != nullptr ? *in_b : kNothing).events, false);
     if (x.decisions != y.decisions)
       return Difference{a.tick, agent, "decision", Joined(x.decisions), Joined(y.decisions)};
     if (x.commands != y.commands) return Difference{a.tick, agent, "command", Joined(x.commands), Joined(y.commands)};

@@ -8,7 +8,7 @@
 
 #include "record/export.h"
 #include "record/percept_values.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -28,7 +28,7 @@ std::string LastDecision(const mind::EventLog& events) {
   std::string last;
   mind::Event event;
   for (std::size_t at = 0; events.Next(at, event);)
-    if (std::string line = tell::DecisionLine(event); !line.empty()) last = std::move(line);
+    if (std::string line = wording::DecisionLine(event); !line.empty()) last = std::move(line);
   return last;
 }
 

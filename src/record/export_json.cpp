@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "record/export.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -50,7 +50,7 @@ Json OfEvent(const sim::RunEvent& event) {
 Json OfMind(const MindRecord& mind) {
   Json json;
   json["agent"] = mind.agent;
-  const tell::MindWords words = tell::Words(mind.events);
+  const wording::MindWords words = wording::Words(mind.events);
   if (!words.percepts.empty()) json["percepts"] = words.percepts;
   if (!words.decisions.empty()) json["decisions"] = words.decisions;
   if (!words.reasons.empty()) json["reasons"] = words.reasons;

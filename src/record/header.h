@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "record/format.h"
+#include "record/file_format.h"
 #include "record/kept_files.h"
 #include "record/tick_record.h"
 #include "sim/scenario.h"
@@ -42,7 +42,7 @@ struct Header {
 /// scenario's name, and `extra_folders` stays empty; a caller that has the user's input sets both.
 Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& settings, double step_s, Level level);
 
-/// The payload of the header's block (format.h).
+/// The payload of the header's block (file_format.h).
 std::string EncodeHeader(const Header& header);
 Result<Header> DecodeHeader(std::string_view bytes);
 

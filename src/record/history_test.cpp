@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "record/test_ticks.h"
+#include "record/ticks_test_support.h"
 
 namespace soarbox::record {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "record/format.h"
+#include "record/file_format.h"
 #include "record/header.h"
 #include "sim/scenario.h"
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "record/percept_values.h"
 
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
 
 void Apply(const mind::PerceptChanged& percept, PerceptValues& values) {
-  std::string path = tell::PerceptPath(percept.path, percept.attribute, percept.key);
+  std::string path = wording::PerceptPath(percept.path, percept.attribute, percept.key);
   std::visit(mind::Cases{[&](std::string_view word) { values.insert_or_assign(std::move(path), std::string(word)); },
                          [&](auto number) { values.insert_or_assign(std::move(path), number); }},
              percept.value);
 }
 
 void Apply(const mind::PerceptGone& gone, PerceptValues& values) {
-  const std::string path = tell::PerceptPath(gone.path, gone.attribute, gone.key);
+  const std::string path = wording::PerceptPath(gone.path, gone.attribute, gone.key);
   const auto is_below = [&](std::string_view key) {
     return key.starts_with(path) && (key.size() == path.size() || key[path.size()] == '.');
   };
@@ -25,7 +25,7 @@ void Apply(const mind::PerceptGone& gone, PerceptValues& values) {
 }  // namespace
 
 std::string TextOf(const PerceptValue& value) {
-  return std::visit([](const auto& constant) { return tell::ValueText(constant); }, value);
+  return std::visit([](const auto& constant) { return wording::ValueText(constant); }, value);
 }
 
 void ApplyPercepts(const mind::EventLog& events, PerceptValues& values) {

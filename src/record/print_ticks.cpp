@@ -3,7 +3,7 @@
 
 #include "record/export.h"
 #include "sim/input_text.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -14,14 +14,14 @@ std::string Aside(const std::string& remark) {
 }
 
 void PrintMind(const MindRecord& mind, std::ostream& out) {
-  const tell::MindWords words = tell::Words(mind.events, false);
+  const wording::MindWords words = wording::Words(mind.events, false);
   for (const std::string& percept : words.percepts) out << "    " << mind.agent << "  perceives " << percept << '\n';
   std::size_t decided = 0;
   mind::Event event;
   for (std::size_t at = 0; mind.events.Next(at, event);) {
     if (mind::IsDetail(event)) {
-      out << "    " << mind.agent << "    " << tell::DetailLine(event) << '\n';
-    } else if (!tell::DecisionLine(event).empty()) {
+      out << "    " << mind.agent << "    " << wording::DetailLine(event) << '\n';
+    } else if (!wording::DecisionLine(event).empty()) {
       out << "    " << mind.agent << "  " << words.decisions[decided] << Aside(words.reasons[decided]) << '\n';
       ++decided;
     }

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "record/recorder.h"
-#include "record/test_run.h"
-#include "record/test_ticks.h"
+#include "record/run_test_support.h"
+#include "record/ticks_test_support.h"
 #include "sim/simulation.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::record {
 namespace {
@@ -23,7 +23,7 @@ mind::EventLog MindOf(const TickRecord& record) {
 }
 
 /// The first decisions of an agent with these rules, optionally after a command.
-tell::MindWords FirstDecisions(const std::string& rules, const std::string& command) {
+wording::MindWords FirstDecisions(const std::string& rules, const std::string& command) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "scout.soar") << rules;
   const sim::Scenario scenario = sim::FindScenario((scratch.path() / "scout.soar").string(), Data()).value();
@@ -33,11 +33,11 @@ tell::MindWords FirstDecisions(const std::string& rules, const std::string& comm
   const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
   if (!command.empty()) simulation->Submit(sim::CommandInput{simulation->AgentOfMind(0), command});
   TickRecord record;
-  for (int i = 0; i < 5 && tell::Words(MindOf(record)).decisions.empty(); ++i) {
+  for (int i = 0; i < 5 && wording::Words(MindOf(record)).decisions.empty(); ++i) {
     simulation->Tick();
     Observe(*simulation, simulation->TakeEvents(), Level::kDecisions, record);
   }
-  return tell::Words(MindOf(record));
+  return wording::Words(MindOf(record));
 }
 
 constexpr const char* kEither = R"(sp {scout*either
@@ -73,7 +73,7 @@ sp {scout*ba
 })";
 
 TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
-  const tell::MindWords free = FirstDecisions(kEither, "");
+  const wording::MindWords free = FirstDecisions(kEither, "");
   ASSERT_FALSE(free.decisions.empty());
   EXPECT_EQ(
       free.reasons[0],
@@ -84,7 +84,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
   int forced = 0;
   for (const int other : {number - 1, number + 1}) {
     const std::string id = "O" + std::to_string(other);
-    const tell::MindWords decided = FirstDecisions(kEither, "decide select " + id);
+    const wording::MindWords decided = FirstDecisions(kEither, "decide select " + id);
     ASSERT_FALSE(decided.decisions.empty());
     if (decided.decisions == free.decisions) {
       EXPECT_EQ(decided.reasons, free.reasons);
@@ -98,7 +98,7 @@ TEST(Reasons, AnOperatorThatSelectForcedSaysSo) {
 }
 
 TEST(Reasons, TwoThatAreEachBetterThanTheOtherLeaveTheThird) {
-  const tell::MindWords record = FirstDecisions(kCircle, "");
+  const wording::MindWords record = FirstDecisions(kCircle, "");
   ASSERT_FALSE(record.decisions.empty());
   EXPECT_EQ(record.decisions[0].substr(record.decisions[0].find('(')), "(c)");
   EXPECT_THAT(record.reasons[0],
@@ -108,14 +108,14 @@ TEST(Reasons, TwoThatAreEachBetterThanTheOtherLeaveTheThird) {
 }
 
 TEST(Reasons, AnImpasseSaysBetweenWhat) {
-  const tell::MindWords record = FirstDecisions(R"(sp {scout*either
+  const wording::MindWords record = FirstDecisions(R"(sp {scout*either
    (state <s> ^superstate nil ^io.input-link.self)
 -->
    (<s> ^operator <one> + ^operator <other> +)
    (<one> ^name one)
    (<other> ^name other)
 })",
-                                                "");
+                                                   "");
   ASSERT_FALSE(record.decisions.empty());
   EXPECT_THAT(record.decisions[0], testing::HasSubstr("(operator tie)"));
   EXPECT_THAT(record.reasons[0], MatchesRegex("no preference decides among (one|other) \\([A-Z][0-9]+\\) and "
@@ -136,7 +136,7 @@ TEST(Reasons, AMindThatWaitsSaysSoOnce) {
   std::vector<std::string> decisions;
   for (int i = 0; i < 20; ++i) {
     simulation->Tick();
-    for (const std::string& line : tell::Words(simulation->Mind(0).events).decisions) decisions.push_back(line);
+    for (const std::string& line : wording::Words(simulation->Mind(0).events).decisions) decisions.push_back(line);
   }
   EXPECT_EQ(decisions, std::vector<std::string>{"==>S: S1"});
 }

@@ -18,7 +18,7 @@
 #include "mind/decision_codec.h"
 #include "record/reader.h"
 #include "record/recorder.h"
-#include "record/test_ticks.h"
+#include "record/ticks_test_support.h"
 #include "record/writer.h"
 #include "world/animation/pose.h"
 #include "world/animation/rig.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bytes/byte_stream.h"
-#include "record/format.h"
+#include "record/file_format.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::record {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bytes/byte_stream.h"
-#include "record/format.h"
+#include "record/file_format.h"
 #include "record/tick_record.h"
 
 namespace soarbox::record {

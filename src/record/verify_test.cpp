@@ -8,8 +8,8 @@
 #include "record/reader.h"
 #include "record/recorder.h"
 #include "record/rerun.h"
-#include "record/test_run.h"
-#include "record/test_ticks.h"
+#include "record/run_test_support.h"
+#include "record/ticks_test_support.h"
 #include "sim/simulation.h"
 #include "world/world.h"
 

@@ -5,14 +5,14 @@
 #include <set>
 
 #include "diagnostics/read_text.h"
+#include "mission/check_sentences.h"
 #include "mission/gather_facts.h"
-#include "mission/sentences.h"
-#include "mission/test_missions.h"
+#include "mission/missions_test_support.h"
 #include "record/manifest.h"
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "report/page.h"
-#include "report/thin.h"
+#include "report/thin_events.h"
 #include "sim/simulation.h"
 #include "world/world.h"
 

@@ -9,8 +9,8 @@
 
 #include "mission/statistics.h"
 #include "report/page.h"
-#include "sweep/manifest.h"
 #include "sweep/run_sweep.h"
+#include "sweep/sweep_manifest.h"
 #include "sweep/tournament.h"
 
 namespace soarbox::report {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 struct lua_State;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 #include "script/lua_machine.h"
 #include "script/lua_values.h"
 #include "script/script_path.h"

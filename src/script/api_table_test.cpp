@@ -4,7 +4,7 @@
 #include <set>
 
 #include "picture/png.h"
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Compares the table of the API with the registered functions, and runs its examples in a world.
 

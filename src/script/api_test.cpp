@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // The sandbox's API as seen from scripts: snippets with their output.
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "script/api_table.h"
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Checks what the API does with values that it does not accept: tries each function of its table.
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "script/lua_machine.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/ui.h"
 
 namespace soarbox::script {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "script/script_error.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::script {
 

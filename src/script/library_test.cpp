@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Runs the tests of the Lua library (media/scripts) that are written in Lua (tests/lua).
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "script/script_path.h"
-#include "world/random.h"
+#include "world/world_random.h"
 
 namespace soarbox::script {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 struct lua_State;

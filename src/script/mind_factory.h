@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "diagnostics/result.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::script {
 

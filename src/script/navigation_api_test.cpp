@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <cmath>
 
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Navigation meshes and influence maps as seen from scripts.
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "picture/png.h"
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 #include "world/asset_store.h"
 
 // Buttons, bars and images of panels, and files that scripts use.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Scripts remove agents, objects and panels; what they keep of them then gives errors that say so.
 namespace soarbox::script {

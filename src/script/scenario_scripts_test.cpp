@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 
 // Entire scenarios: the thesis' world in the dialect of its scripts with minds that always give the same command, and
 // agents that only scripts control, with our Lua library.

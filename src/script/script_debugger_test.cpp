@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/script_debugger.h"
 
-#include "script/host_fixture.h"
+#include "script/host_test_support.h"
 #include "script/script_profiler.h"
 
 namespace soarbox::script {

@@ -8,7 +8,7 @@
 #include "script/failure_ledger.h"
 #include "script/lua_machine.h"
 #include "script/script_error.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::script {
 

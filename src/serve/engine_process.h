@@ -16,7 +16,7 @@
 
 #include "diagnostics/result.h"
 #include "serve/frames.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::serve {
 

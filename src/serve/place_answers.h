@@ -10,7 +10,7 @@
 
 #include "diagnostics/result.h"
 #include "serve/place.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::serve {
 

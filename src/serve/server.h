@@ -6,7 +6,7 @@
 #include <string>
 
 #include "diagnostics/result.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::serve {
 

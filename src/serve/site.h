@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "serve/arena.h"
 #include "serve/class_desk.h"
 #include "serve/class_list.h"
+#include "serve/class_tournaments.h"
 #include "serve/lti/tool.h"
+#include "serve/page_session.h"
 #include "serve/place_answers.h"
-#include "serve/session.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 #include "serve/static_files.h"
 #include "serve/watch_links.h"
 #include "serve/work.h"

@@ -8,7 +8,7 @@
 #include "sim/arena.h"
 #include "sim/conduct.h"
 #include "sim/directions.h"
-#include "tell/sentences.h"
+#include "wording/sentences.h"
 #include "world/state_hash.h"
 
 namespace soarbox::sim {
@@ -141,7 +141,7 @@ std::string Actor::WhichPlaces(const Running& command, std::string_view reason) 
   if (more > 0) names.push_back(std::to_string(more) + " more");
   if (names.empty()) return text + "; the scenario has no " + kind + "s";
   if (!text.ends_with('?')) text += '.';
-  return text + (names.size() == 1 ? " The only " + kind + " is " : " The " + kind + "s are ") + tell::Listed(names);
+  return text + (names.size() == 1 ? " The only " + kind + " is " : " The " + kind + "s are ") + wording::Listed(names);
 }
 
 void Actor::End(const Running& command, Outcome::Status status, std::string_view reason, std::string text) {

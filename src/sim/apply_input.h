@@ -8,7 +8,7 @@
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/result.h"
 #include "sim/input.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::world {
 class World;

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "world/animation/locomotion.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::world {
 class Animator;

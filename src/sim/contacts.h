@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::sim {

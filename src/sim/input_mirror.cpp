@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "sml_Client.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::sim {
 

@@ -9,7 +9,7 @@
 #include "explain/reasons.h"
 #include "sim/directions.h"
 #include "sim/senses.h"
-#include "tell/sentences.h"
+#include "wording/sentences.h"
 
 namespace soarbox::sim {
 namespace {
@@ -484,7 +484,7 @@ void Minds::TellWritten(Mind& mind, const world::Agent& body) {
 void Minds::TellHalt(Mind& mind, const world::Agent& body) {
   if (std::exchange(mind.told_halt, true)) return;
   const std::string why = explain::MindReasons(mind.soar.agent()).WhyHalted();
-  Tell(EventKind::kGap, body, tell::Say(tell::Situation::kHalted) + (why.empty() ? "" : ": " + why));
+  Tell(EventKind::kGap, body, wording::Say(wording::Situation::kHalted) + (why.empty() ? "" : ": " + why));
 }
 
 /// Reports why the mind of a scripted agent has no command.

@@ -8,14 +8,14 @@
 #include "sim/minds.h"
 #include "sim/senses.h"
 #include "sml_Client.h"
-#include "tell/sentences.h"
+#include "wording/sentences.h"
 
 namespace soarbox::sim {
 namespace {
 
 using explain::WhyKind;
-using tell::Say;
-using tell::Situation;
+using wording::Say;
+using wording::Situation;
 
 constexpr std::string_view kHaltedForMemory = "was halted: the minds of this world needed too much memory";
 

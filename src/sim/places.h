@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::sim {

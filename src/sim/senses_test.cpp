@@ -13,7 +13,7 @@
 #include "sim/soar_mind.h"
 #include "sml_Client.h"
 #include "vocabulary/vocabulary_percepts.h"
-#include "world/random.h"
+#include "world/world_random.h"
 
 namespace soarbox::sim {
 namespace {

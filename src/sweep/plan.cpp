@@ -12,8 +12,8 @@
 
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "mission/cast.h"
 #include "mission/read_mission.h"
+#include "mission/scenario_names.h"
 #include "record/header.h"
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"

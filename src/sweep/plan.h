@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "mission/test_missions.h"
+#include "mission/missions_test_support.h"
 
 namespace soarbox::sweep {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "mission/statistics.h"
 #include "sweep/rows.h"
 #include "sweep/tournament.h"

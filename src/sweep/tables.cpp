@@ -9,10 +9,10 @@
 #include <variant>
 
 #include "diagnostics/lower_case.h"
-#include "mission/sentences.h"
+#include "mission/check_sentences.h"
 #include "record/manifest.h"
-#include "sweep/manifest.h"
 #include "sweep/rows.h"
+#include "sweep/sweep_manifest.h"
 #include "sweep/table_files.h"
 
 namespace soarbox::sweep {

@@ -4,8 +4,8 @@
 #include "model/model.h"
 #include "viewer/backdrop_meshes.h"
 #include "viewer/figure_meshes.h"
-#include "viewer/modular_meshes.h"
-#include "viewer/scenery_meshes.h"
+#include "viewer/modular_mesh_shapes.h"
+#include "viewer/scenery_mesh_shapes.h"
 #include "viewer/shape_meshes.h"
 
 namespace soarbox::viewer {

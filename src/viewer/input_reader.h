@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "viewer/camera_rig.h"
-#include "viewer/input_event.h"
 #include "viewer/pad_reader.h"
 #include "viewer/picking.h"
 #include "viewer/viewer_command.h"
+#include "viewer/window_input.h"
 
 struct SDL_Window;
 union SDL_Event;

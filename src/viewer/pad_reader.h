@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/input_event.h"
+#include "viewer/window_input.h"
 
 union SDL_Event;
 

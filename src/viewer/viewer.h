@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "viewer/input_event.h"
 #include "viewer/panels/layout.h"
 #include "viewer/viewer_command.h"
+#include "viewer/window_input.h"
 #include "workbench/contents.h"
 #include "workbench/requests.h"
 #include "world/overlay_snapshot.h"

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "sim/simulation.h"
-#include "viewer/demo_scene.h"
+#include "viewer/demo_scene_test_support.h"
 #include "viewer/viewer.h"
 
 namespace {

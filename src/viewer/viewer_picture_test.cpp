@@ -14,7 +14,7 @@
 #include <fstream>
 #include <optional>
 
-#include "viewer/demo_scene.h"
+#include "viewer/demo_scene_test_support.h"
 #include "viewer/picking.h"
 #include "viewer/viewer.h"
 #include "world/body_meshes.h"

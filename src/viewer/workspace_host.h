@@ -13,8 +13,8 @@
 #include "viewer/labels.h"
 #include "viewer/panel_host.h"
 #include "viewer/panels/panel_input.h"
+#include "viewer/panels/panel_layout.h"
 #include "viewer/panels/ui_script.h"
-#include "viewer/panels/workspace.h"
 #include "viewer/render_engine.h"
 
 namespace soarbox::viewer {

@@ -4,7 +4,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "debugger/imagery.h"
+#include "debugger/imagery_rows.h"
 #include "debugger/learning.h"
 #include "debugger/recall.h"
 #include "debugger/revision.h"

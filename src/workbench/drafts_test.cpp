@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "record/test_ticks.h"
+#include "record/ticks_test_support.h"
 #include "workbench/recent.h"
 
 namespace soarbox::workbench {

@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "explain/inspector.h"
-#include "tell/mind_words.h"
+#include "wording/mind_words.h"
 
 namespace soarbox::workbench {
 
 std::string LastCommand(const mind::EventLog& events) {
   std::string last;
-  events.ForEach(mind::Cases{[&](const mind::CommandSaid& said) { last = tell::CommandText(said); },
-                             [&](const mind::CommandEnded& ended) { last = tell::CommandText(ended); },
+  events.ForEach(mind::Cases{[&](const mind::CommandSaid& said) { last = wording::CommandText(said); },
+                             [&](const mind::CommandEnded& ended) { last = wording::CommandText(ended); },
                              [](const auto&) {}});
   return last;
 }

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "world/agent_motion.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 #include "world/path.h"
-#include "world/random.h"
-#include "world/settings.h"
 #include "world/shown_state.h"
 #include "world/steer_wander.h"
+#include "world/world_random.h"
+#include "world/world_settings.h"
 
 namespace soarbox::world {
 

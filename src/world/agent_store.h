@@ -11,8 +11,8 @@
 #include "world/agent_motion.h"
 #include "world/physics_world.h"
 #include "world/scene.h"
-#include "world/settings.h"
 #include "world/steer_avoid_objects.h"
+#include "world/world_settings.h"
 
 namespace soarbox::world {
 

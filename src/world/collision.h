@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::world {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 
 namespace soarbox::world {
 

@@ -11,7 +11,7 @@
 #include "world/math.h"
 #include "world/navigation_config.h"
 #include "world/navigation_geometry.h"
-#include "world/random.h"
+#include "world/world_random.h"
 
 namespace soarbox::world {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::world {

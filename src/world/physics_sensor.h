@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/physics_trees.h"
 
 // For the physics_*.cpp files only.

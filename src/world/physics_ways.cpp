@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/limits.h"
 
 namespace soarbox::world {

@@ -10,14 +10,14 @@
 
 #include "world/bodies_around.h"
 #include "world/collision.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 #include "world/media_catalog.h"
 #include "world/scene_snapshot.h"
-#include "world/settings.h"
 #include "world/steer_avoid_objects.h"
 #include "world/ways_around.h"
 #include "world/workers.h"
+#include "world/world_settings.h"
 
 namespace soarbox::world {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "world/animation/bone_pose.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 #include "world/media_catalog.h"
 #include "world/scene_snapshot.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "world/random.h"
 #include "world/shared.h"
+#include "world/world_random.h"
 
 namespace soarbox::world {
 namespace {

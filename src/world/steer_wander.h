@@ -2,7 +2,7 @@
 #pragma once
 
 #include "world/agent_motion.h"
-#include "world/random.h"
+#include "world/world_random.h"
 
 namespace soarbox::world {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/scene_snapshot.h"
 
 namespace soarbox::world {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::world {

@@ -7,9 +7,9 @@
 
 #include "world/agent.h"
 #include "world/bodies_around.h"
-#include "world/random.h"
 #include "world/state_hash.h"
 #include "world/world.h"
+#include "world/world_random.h"
 
 namespace soarbox::world {
 namespace {

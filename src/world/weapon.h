@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/math.h"
 
 namespace soarbox::world {

@@ -15,18 +15,18 @@
 #include "world/camera.h"
 #include "world/collision.h"
 #include "world/debug_draw.h"
-#include "world/ids.h"
+#include "world/entity_ids.h"
 #include "world/influence_map.h"
 #include "world/media_catalog.h"
 #include "world/navigation.h"
 #include "world/object.h"
-#include "world/random.h"
 #include "world/scene.h"
 #include "world/scene_snapshot.h"
-#include "world/settings.h"
 #include "world/ui.h"
 #include "world/ways_around.h"
 #include "world/workers.h"
+#include "world/world_random.h"
+#include "world/world_settings.h"
 
 namespace soarbox::world {
 

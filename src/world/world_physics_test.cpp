@@ -10,9 +10,9 @@
 
 #include "world/modular_meshes.h"
 #include "world/overlay_snapshot.h"
-#include "world/random.h"
 #include "world/rotation.h"
 #include "world/world.h"
+#include "world/world_random.h"
 
 // The numbers were measured in the sandbox (spec 6 and 18).
 namespace soarbox::world {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "world/limits.h"
-#include "world/random.h"
 #include "world/rotation.h"
 #include "world/sight.h"
 #include "world/weapon.h"
 #include "world/world.h"
+#include "world/world_random.h"
 
 // The fast queries for crowds must give exactly the same results as rays through the trees of the broadphase.
 namespace soarbox::world {

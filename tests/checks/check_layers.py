@@ -6,7 +6,7 @@ usage: check_layers.py SOURCE_DIR
 
 Every module may include itself and the modules listed for it; libraries that belong to one module only
 (Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script; SQLite: journal and sweep) may be included nowhere else.
-Inside the kernel the folders have an order, too, and a list that only shrinks says who may include the engine. Exit status 1 names each offence.
+Inside the kernel the folders have an order, too, and a list that only shrinks says who may include the core. Exit status 1 names each offence.
 """
 import pathlib
 import re
@@ -23,7 +23,7 @@ ALLOWED = {
     "kernel": {"bytes", "diagnostics"},
     # Data about minds as types, and their sentences: neither depends on the kernel.
     "mind": {"bytes"},
-    "tell": {"diagnostics", "mind"},
+    "wording": {"diagnostics", "mind"},
     # Rules as plain data, from the kernel's own parser: only here explain uses the kernel's parser.
     "rule_reading": {"kernel", "mind"},
     # Percepts and commands, as data.
@@ -32,29 +32,29 @@ ALLOWED = {
     "cli": {"bytes", "diagnostics", "kernel", "journal"},
     "sml": {"diagnostics", "kernel", "mind", "cli", "rule_reading"},
     # explain reaches the kernel through the public client API only, so that an official Soar can replace it.
-    "explain": {"diagnostics", "mind", "rule_reading", "tell", "vocabulary"},
+    "explain": {"diagnostics", "mind", "rule_reading", "wording", "vocabulary"},
     "world": {"diagnostics"},
     # Models from files, as triangles.
     "model": {"diagnostics", "picture", "world"},
     "stream": {"bytes", "world"},
     "script": {"diagnostics", "picture", "world", "model"},
     # So does sim.
-    "sim": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script"},
+    "sim": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script"},
     "dis": {"diagnostics", "world", "sim"},
-    "record": {"bytes", "diagnostics", "mind", "tell", "world", "model", "script", "sim"},
-    "mission": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
+    "record": {"bytes", "diagnostics", "mind", "wording", "world", "model", "script", "sim"},
+    "mission": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "picture", "world", "sim", "record", "mission", "sweep"},
-    "debugger": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "sim", "record"},
+    "debugger": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "sim", "record"},
     # Editors use the kernel's own parser; a build with an official Soar has neither module.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
-    "editors": {"diagnostics", "mind", "tell", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
+    "editors": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
     # Contents and requests for all views of a run: it draws nothing.
-    "workbench": {"diagnostics", "mind", "tell", "explain", "world", "sim", "record", "debugger"},
+    "workbench": {"diagnostics", "mind", "wording", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and does not depend on panels or worlds.
     "serve": {"diagnostics"},
     "viewer": {"diagnostics", "picture", "world", "model", "sim", "record", "debugger", "workbench"},
-    "app": {"diagnostics", "picture", "kernel", "mind", "tell", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
+    "app": {"diagnostics", "picture", "kernel", "mind", "wording", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
@@ -62,15 +62,15 @@ KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "
 # The files in src/kernel itself, and the folders that may include them: the events, and the library's interface.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
 # Engine contains the parts of an agent: only it depends on all of them.
-ENGINE = "kernel/decide/engine.h"
-ASSEMBLY = re.compile(r"^kernel/decide/engine\.(h|cpp)$")
+ENGINE = "kernel/decide/agent_core.h"
+ASSEMBLY = re.compile(r"^kernel/decide/agent_core\.(h|cpp)$")
 # Files that reach other parts through Engine. All other files get what they use from their creator. Do not add files to this list.
 USERS_OF_ENGINE = {"kernel/agent.cpp"} | {
     f"kernel/decide/{name}.cpp"
-    for name in ("agent_rules", "decision", "elaboration", "engine", "firing", "goal_changes", "handle_check", "invariants",
+    for name in ("agent_rules", "decision", "agent_core", "elaboration", "firing", "goal_changes", "handle_check", "invariants",
                  "preference_changes", "rule_context", "run_control")
 }
-TEST = re.compile(r"(_test|_fixture|/random_agents|/random_rules)\.(h|cpp)$")
+TEST = re.compile(r"(_test|_test_support)\.(h|cpp)$")
 ONLY_IN = {
     re.compile(r"^(Ogre|OGRE/|imgui|SDL)"): {"viewer"},
     re.compile(r"^(bt[A-Z]|bullet/|Bullet|LinearMath/)"): {"world"},
@@ -94,8 +94,8 @@ def goes_up(file, target):
     return KERNEL_FOLDERS.index(targets[1]) > KERNEL_FOLDERS.index(places[1])
 
 
-def strangers_to_engine(root):
-    """Files of the list that do not use the engine: they must be removed from the list, so that it only shrinks."""
+def strangers_to_core(root):
+    """Files of the list that do not use the core: they must be removed from the list, so that it only shrinks."""
     for file in sorted(USERS_OF_ENGINE):
         path = root / file
         includes = INCLUDE_LINE.findall(path.read_text(encoding="utf-8")) if path.exists() else []
@@ -130,7 +130,7 @@ def main(arguments):
         print(__doc__)
         return 2
     root = pathlib.Path(arguments[0])
-    found = [*offences(root), *strangers_to_engine(root)]
+    found = [*offences(root), *strangers_to_core(root)]
     print("\n".join(found) or "all includes follow the module order")
     return 1 if found else 0
 

@@ -27,7 +27,7 @@ class TheCheckOfLayers(unittest.TestCase):
 
     def test_folders_of_the_kernel(self):
         self.assert_passes("kernel/memory/links.cpp", "kernel/base/ids.h", "kernel/match/rete.h", "kernel/memory/links.h")
-        self.assertEqual(len(self.found("kernel/memory/links.cpp", "kernel/decide/engine.h")), 2)
+        self.assertEqual(len(self.found("kernel/memory/links.cpp", "kernel/decide/agent_core.h")), 2)
         self.assert_finds("kernel/io/input_link.cpp", "kernel/decide/firing.h")
         self.assert_finds("kernel/match/rete.h", "kernel/memory/working_memory.h")
         self.assert_finds("kernel/decide/firing.cpp", "kernel/learn/chunker.h")
@@ -38,15 +38,15 @@ class TheCheckOfLayers(unittest.TestCase):
         self.assert_passes("kernel/decide/observers.h", "kernel/observer.h")
 
     def test_what_an_agent_consists_of_knows_all_parts(self):
-        self.assert_passes("kernel/decide/engine.h", "kernel/learn/chunker.h")
+        self.assert_passes("kernel/decide/agent_core.h", "kernel/learn/chunker.h")
 
     def test_only_a_list_of_files_may_use_the_engine(self):
-        self.assert_passes("kernel/decide/firing.cpp", "kernel/decide/engine.h")
-        self.assert_finds("kernel/learn/chunker.cpp", "kernel/decide/engine.h")
-        self.assert_finds("kernel/longterm/installer.cpp", "kernel/decide/engine.h")
-        self.assert_finds("kernel/decide/goal_stack.cpp", "kernel/decide/engine.h")
-        self.assert_finds("kernel/decide/firing.h", "kernel/decide/engine.h")
-        self.assert_finds("kernel/learn/chunking_test.cpp", "kernel/decide/engine.h")
+        self.assert_passes("kernel/decide/firing.cpp", "kernel/decide/agent_core.h")
+        self.assert_finds("kernel/learn/chunker.cpp", "kernel/decide/agent_core.h")
+        self.assert_finds("kernel/longterm/installer.cpp", "kernel/decide/agent_core.h")
+        self.assert_finds("kernel/decide/goal_stack.cpp", "kernel/decide/agent_core.h")
+        self.assert_finds("kernel/decide/firing.h", "kernel/decide/agent_core.h")
+        self.assert_finds("kernel/learn/chunking_test.cpp", "kernel/decide/agent_core.h")
 
     def test_the_list_of_those_who_use_the_engine_never_grows(self):
         self.assertLessEqual(len(check_layers.USERS_OF_ENGINE), 16)
@@ -54,7 +54,7 @@ class TheCheckOfLayers(unittest.TestCase):
             root = pathlib.Path(folder)
             for file in check_layers.USERS_OF_ENGINE:
                 (root / file).parent.mkdir(parents=True, exist_ok=True)
-                (root / file).write_text('#include "kernel/decide/engine.h"\n', encoding="utf-8")
+                (root / file).write_text('#include "kernel/decide/agent_core.h"\n', encoding="utf-8")
             self.assertEqual(list(check_layers.strangers_to_engine(root)), [])
             (root / "kernel/decide/firing.cpp").write_text('#include "kernel/decide/firing.h"\n', encoding="utf-8")
             self.assertEqual(len(list(check_layers.strangers_to_engine(root))), 1)

@@ -9,7 +9,7 @@
 #include "editors/dap_server.h"
 #include "editors/lsp_server.h"
 #include "editors/message_stream.h"
-#include "language/format.h"
+#include "language/format_rules.h"
 
 using namespace soarbox;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bytes/byte_stream.h"
-#include "record/format.h"
+#include "record/file_format.h"
 #include "record/header.h"
 #include "record/percept_values.h"
 #include "record/tick_codec.h"

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/imagery/imagery_scene.h"
 #include "kernel/imagery/measures.h"
-#include "kernel/imagery/scene.h"
 #include "kernel/imagery/scene_lines.h"
 
 namespace {

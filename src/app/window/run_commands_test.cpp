@@ -17,7 +17,7 @@
 #include "record/compare.h"
 #include "record/reader.h"
 #include "record/rerun.h"
-#include "record/test_ticks.h"
+#include "record/ticks_test_support.h"
 #include "sim/scenario.h"
 #include "workbench/pace.h"
 #include "workbench/time_machine.h"

@@ -6,28 +6,28 @@
 namespace soarbox::kernel {
 
 RandomStream::RandomStream(const RandomStream& other)
-    : seed_(other.seed_), engine_(other.engine_ ? std::make_unique<Engine>(*other.engine_) : nullptr) {}
+    : seed_(other.seed_), core_(other.core_ ? std::make_unique<AgentCore>(*other.core_) : nullptr) {}
 
 RandomStream& RandomStream::operator=(const RandomStream& other) {
   if (this != &other) {
     seed_ = other.seed_;
-    engine_ = other.engine_ ? std::make_unique<Engine>(*other.engine_) : nullptr;
+    core_ = other.core_ ? std::make_unique<AgentCore>(*other.core_) : nullptr;
   }
   return *this;
 }
 
 void RandomStream::Seed(std::uint32_t seed) {
   seed_ = seed;
-  if (engine_) {
-    engine_->seed(seed);
+  if (core_) {
+    core_->seed(seed);
   }
 }
 
 std::uint32_t RandomStream::Next32() {
-  if (!engine_) {
-    engine_ = std::make_unique<Engine>(seed_);
+  if (!core_) {
+    core_ = std::make_unique<AgentCore>(seed_);
   }
-  return (*engine_)();
+  return (*core_)();
 }
 
 std::uint32_t RandomStream::Integer(std::uint32_t limit) {

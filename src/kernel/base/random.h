@@ -32,10 +32,10 @@ class RandomStream {
   std::uint32_t Integer(std::uint32_t limit);
 
  private:
-  using Engine = std::mersenne_twister_engine<std::uint32_t, 32, 624, 397, 31, 0x9908b0dfu, 11, 0xffffffffu, 7,
-                                              0x9d2c5680u, 15, 0xefc60000u, 18, 1812433253u>;
+  using AgentCore = std::mersenne_twister_engine<std::uint32_t, 32, 624, 397, 31, 0x9908b0dfu, 11, 0xffffffffu, 7,
+                                                 0x9d2c5680u, 15, 0xefc60000u, 18, 1812433253u>;
   std::uint32_t seed_ = kDefaultSeed;
-  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<AgentCore> core_;
 };
 
 }  // namespace soarbox::kernel

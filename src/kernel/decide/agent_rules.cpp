@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 
 namespace soarbox::kernel {
 namespace {
@@ -18,55 +18,55 @@ std::size_t LearnedBytes(const Production& rule) {
 }  // namespace
 
 ProductionId AgentRules::Find(std::string_view name) const {
-  const Symbol symbol = engine_.symbols.FindString(name);
-  return symbol ? engine_.rules.Named(symbol) : ProductionId::kNone;
+  const Symbol symbol = core_.symbols.FindString(name);
+  return symbol ? core_.rules.Named(symbol) : ProductionId::kNone;
 }
 
 AgentRules::Outcome AgentRules::Add(const ProductionPtr& rule) {
-  const LoadOutcome outcome = engine_.agent.AddProduction(rule, true);
-  engine_.run.StopIfBroken();
+  const LoadOutcome outcome = core_.agent.AddProduction(rule, true);
+  core_.run.StopIfBroken();
   return {outcome.production, outcome.loaded};
 }
 
 void AgentRules::NoteAdded(ProductionId id, const ProductionPtr& production) {
-  const bool running = engine_.agent.running();
+  const bool running = core_.agent.running();
   const std::uint32_t index = Index(id);
-  if (engine_.productions.size() <= index) engine_.productions.resize(index + 1u);
+  if (core_.productions.size() <= index) core_.productions.resize(index + 1u);
   ProductionRecord record;
   record.Set(ProductionRecord::kLive, true);
   record.Set(ProductionRecord::kHasNegations, std::ranges::any_of(production->conditions, [](const Condition& c) {
                return c.kind != ConditionKind::kPositive;
              }));
   record.Set(ProductionRecord::kLearned, running);
-  if (running) engine_.learned_rule_bytes += LearnedBytes(*production);
-  engine_.productions[index] = record;
-  engine_.rules.Add(id, engine_.NameOf(*production), production->type);
-  if (!running) engine_.rules_changed = true;  // Rules that an agent learns are not shared.
-  engine_.interrupts.erase(id);
-  engine_.modules.RuleAdded(id, *production);
-  if (engine_.rete.matches().HasInterrupting()) engine_.run.TellInterrupts();
-  engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(engine_.agent, id); });
+  if (running) core_.learned_rule_bytes += LearnedBytes(*production);
+  core_.productions[index] = record;
+  core_.rules.Add(id, core_.NameOf(*production), production->type);
+  if (!running) core_.rules_changed = true;  // Rules that an agent learns are not shared.
+  core_.interrupts.erase(id);
+  core_.modules.RuleAdded(id, *production);
+  if (core_.rete.matches().HasInterrupting()) core_.run.TellInterrupts();
+  core_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionAdded(core_.agent, id); });
 }
 
 void AgentRules::Excise(ProductionId id) {
-  if (Index(id) >= engine_.productions.size() || !engine_.productions[Index(id)].Is(ProductionRecord::kLive)) return;
-  engine_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(engine_.agent, id); });
-  const ProductionPtr rule = engine_.rete.production(id);
-  engine_.modules.RuleExcised(id);
-  ProductionRecord& record = engine_.productions[Index(id)];
-  if (record.Is(ProductionRecord::kLearned)) engine_.learned_rule_bytes -= LearnedBytes(*rule);
+  if (Index(id) >= core_.productions.size() || !core_.productions[Index(id)].Is(ProductionRecord::kLive)) return;
+  core_.observers.Notify(Event::kProduction, [&](Observer& o) { o.OnProductionExcised(core_.agent, id); });
+  const ProductionPtr rule = core_.rete.production(id);
+  core_.modules.RuleExcised(id);
+  ProductionRecord& record = core_.productions[Index(id)];
+  if (record.Is(ProductionRecord::kLearned)) core_.learned_rule_bytes -= LearnedBytes(*rule);
   record.Set(ProductionRecord::kLive, false);
-  engine_.rules.Remove(id, engine_.NameOf(*rule), rule->type);
-  engine_.rules_changed = true;
-  if (engine_.run.running()) {
+  core_.rules.Remove(id, core_.NameOf(*rule), rule->type);
+  core_.rules_changed = true;
+  if (core_.run.running()) {
     LeaveMatch(id);
   } else {
-    engine_.rete.ExciseProduction(id);
+    core_.rete.ExciseProduction(id);
   }
 }
 
 void AgentRules::LeaveMatch(ProductionId production) {
-  engine_.excisions.push_back(production);
+  core_.excisions.push_back(production);
 }
 
 }  // namespace soarbox::kernel

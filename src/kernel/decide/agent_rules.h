@@ -8,13 +8,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// Adds and excises the rules of one agent. Keeps the agent's records, its directory and the data of learning
 /// consistent with the match, and informs observers.
 class AgentRules final : public RuleChanges {
  public:
-  explicit AgentRules(Engine& engine) : engine_(engine) {}
+  explicit AgentRules(AgentCore& core) : core_(core) {}
 
   ProductionId Find(std::string_view name) const override;
   Outcome Add(const ProductionPtr& rule) override;
@@ -23,7 +23,7 @@ class AgentRules final : public RuleChanges {
   void LeaveMatch(ProductionId production) override;
 
  private:
-  Engine& engine_;
+  AgentCore& core_;
 };
 
 }  // namespace soarbox::kernel

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 #include "kernel/decide/exploration.h"
 
 namespace soarbox::kernel {
@@ -14,7 +14,7 @@ namespace soarbox::kernel {
 // The same steps as PreferenceSemantics::Decide, with sets of candidates as bits: bit n is the n-th candidate in the
 // list of acceptable preferences.
 bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   std::uint32_t count = 0;
   const auto find = [&](Symbol value) {
     std::uint32_t at = 0;
@@ -50,7 +50,7 @@ bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outco
         if (at == count) break;
         indifferent |= bit;
         named_[at].is_numeric = true;
-        named_[at].number_sum += engine_.symbols.NumberValue(preference.referent);
+        named_[at].number_sum += core_.symbols.NumberValue(preference.referent);
         ++named_[at].number_count;
         break;
       default:
@@ -70,7 +70,7 @@ bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outco
 }
 
 PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced, DecisionTrace* trace) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   const Slot& slot = memory.slot(goal.operator_slot);
   if (PreferenceSemantics::Outcome outcome; !forced && trace == nullptr && EvaluateFew(slot, outcome)) return outcome;
   slot_preferences_.clear();
@@ -92,26 +92,26 @@ PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced,
       view.value = preference.value;
       view.referent = preference.referent;
       view.preference = p;
-      if (preference.referent.IsNumber()) view.number = engine_.symbols.NumberValue(preference.referent);
+      if (preference.referent.IsNumber()) view.number = core_.symbols.NumberValue(preference.referent);
       slot_preferences_.push_back(view);
     }
   }
-  return engine_.semantics.Decide(slot_preferences_, forced, trace);
+  return core_.semantics.Decide(slot_preferences_, forced, trace);
 }
 
 DecisionReport Decision::Explain(const Goal& goal) {
   const PreferenceSemantics::Outcome outcome = Evaluate(goal, {}, &trace_);
-  const Symbol selected = engine_.descriptions.OperatorOf(goal);
+  const Symbol selected = core_.descriptions.OperatorOf(goal);
   const bool is_forced = selected && goal.level < forced_at_.size() && forced_at_[goal.level] == selected;
   return {goal.id, goal.level, outcome.impasse, selected, is_forced, slot_preferences_, outcome.candidates, trace_};
 }
 
 Symbol Decision::ForcedOperator(const Goal& goal) const {
-  if (engine_.forced_operator.size() < 2) return {};
-  const WorkingMemory& memory = engine_.memory;
+  if (core_.forced_operator.size() < 2) return {};
+  const WorkingMemory& memory = core_.memory;
   for (PreferenceId p = memory.slot(goal.operator_slot).acceptable; p != PreferenceId::kNone;
        p = memory.preference(p).next_in_slot) {
-    if (ToString(engine_.symbols, memory.preference(p).value) == engine_.forced_operator) {
+    if (ToString(core_.symbols, memory.preference(p).value) == core_.forced_operator) {
       return memory.preference(p).value;
     }
   }
@@ -121,27 +121,27 @@ Symbol Decision::ForcedOperator(const Goal& goal) const {
 // The decide phase ----------------------------------------------------------------------------------------------------
 
 void Decision::Decide() {
-  if (foretold_seed_ != 0) engine_.random.Seed(std::exchange(foretold_seed_, 0));
-  if (engine_.goals.empty()) return;
-  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
+  if (foretold_seed_ != 0) core_.random.Seed(std::exchange(foretold_seed_, 0));
+  if (core_.goals.empty()) return;
+  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(core_.goals.depth());
   changed_from_ = 0;
-  for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
-    Slot& slot = engine_.memory.mutable_slot(engine_.goals.at(level).operator_slot);
+  for (GoalLevel level = first; level <= core_.goals.depth(); ++level) {
+    Slot& slot = core_.memory.mutable_slot(core_.goals.at(level).operator_slot);
     const bool is_open = std::exchange(slot.changed, false) && slot.wmes == WmeId::kNone;
-    if (!is_open && level < engine_.goals.depth()) continue;  // It is decided, and nothing has changed.
+    if (!is_open && level < core_.goals.depth()) continue;  // It is decided, and nothing has changed.
     if (DecideGoal(level)) break;
   }
   changed_from_ = 0;
-  engine_.exploration.ReduceAutomatically();
+  core_.exploration.ReduceAutomatically();
 }
 
 bool Decision::DecideGoal(GoalLevel level) {
-  const Goal& goal = engine_.goals.at(level);
-  if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) {
+  const Goal& goal = core_.goals.at(level);
+  if (core_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) {
     return EnterImpasse(level, ImpasseType::kNoChange, true, {});
   }
   const Symbol forced = ForcedOperator(goal);
-  const bool is_told = engine_.observers.Wants(Event::kReason);
+  const bool is_told = core_.observers.Wants(Event::kReason);
   const PreferenceSemantics::Outcome outcome = Evaluate(goal, forced, is_told ? &trace_ : nullptr);
   if (outcome.impasse != ImpasseType::kNone || outcome.candidates.empty()) {
     const bool is_on_operator = outcome.impasse != ImpasseType::kNone;
@@ -151,47 +151,47 @@ bool Decision::DecideGoal(GoalLevel level) {
   }
   const Candidate& winner = Pick(outcome);
   if (is_told) TellReason(goal, outcome, winner.value, forced);
-  if (engine_.modules.Wants(ModuleHook::kChoices)) engine_.modules.OperatorChosen(level, outcome.candidates, winner);
-  if (level > 1) engine_.selections.OperatorSelected(level, winner.value, static_cast<bool>(forced));
+  if (core_.modules.Wants(ModuleHook::kChoices)) core_.modules.OperatorChosen(level, outcome.candidates, winner);
+  if (level > 1) core_.selections.OperatorSelected(level, winner.value, static_cast<bool>(forced));
   Install(level, winner, forced);
   return true;
 }
 
 const Candidate& Decision::Pick(const PreferenceSemantics::Outcome& outcome) {
   if (outcome.candidates.size() == 1) return outcome.candidates.front();
-  if (engine_.observers.Wants(Event::kExploration)) {
-    const std::vector<double> chances = SelectionChances(outcome.candidates, engine_.exploration);
+  if (core_.observers.Wants(Event::kExploration)) {
+    const std::vector<double> chances = SelectionChances(outcome.candidates, core_.exploration);
     for (std::size_t n = 0; n < outcome.candidates.size(); ++n) {
       const Candidate& candidate = outcome.candidates[n];
-      const double value = NumericValue(candidate, engine_.exploration);
-      engine_.observers.Notify(Event::kExploration,
-                               [&](Observer& o) { o.OnCandidate(engine_.agent, candidate.value, value, chances[n]); });
+      const double value = NumericValue(candidate, core_.exploration);
+      core_.observers.Notify(Event::kExploration,
+                             [&](Observer& o) { o.OnCandidate(core_.agent, candidate.value, value, chances[n]); });
     }
   }
-  return outcome.candidates[Choose(outcome.candidates, engine_.exploration, engine_.random)];
+  return outcome.candidates[Choose(outcome.candidates, core_.exploration, core_.random)];
 }
 
 void Decision::Install(GoalLevel level, const Candidate& winner, Symbol forced) {
   if (forced && forced_at_.size() <= level) forced_at_.resize(level + 1u);
   if (level < forced_at_.size()) forced_at_[level] = forced;
-  if (engine_.goals.depth() > level) {
-    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kDecision);
+  if (core_.goals.depth() > level) {
+    core_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kDecision);
   }
-  const Goal& goal = engine_.goals.at(level);
-  engine_.memory.mutable_slot(goal.operator_slot).changed_since_selected = false;
-  engine_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
+  const Goal& goal = core_.goals.at(level);
+  core_.memory.mutable_slot(goal.operator_slot).changed_since_selected = false;
+  core_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
   // The element of the operator must outlive its preference if that is removed while another one still proposes the
   // operator.
-  engine_.preferences.AddReference(winner.preference);
-  if (engine_.modules.Wants(ModuleHook::kChoices)) engine_.modules.OperatorInstalled(level, winner.value);
-  if (!engine_.forced_operator.empty() && ToString(engine_.symbols, winner.value) == engine_.forced_operator) {
-    engine_.forced_operator.clear();
+  core_.preferences.AddReference(winner.preference);
+  if (core_.modules.Wants(ModuleHook::kChoices)) core_.modules.OperatorInstalled(level, winner.value);
+  if (!core_.forced_operator.empty() && ToString(core_.symbols, winner.value) == core_.forced_operator) {
+    core_.forced_operator.clear();
   }
 }
 
 bool Decision::Faces(GoalLevel level, ImpasseType impasse, bool on_operator) const {
-  if (engine_.goals.depth() <= level) return false;
-  const Goal& below = engine_.goals.at(static_cast<GoalLevel>(level + 1));
+  if (core_.goals.depth() <= level) return false;
+  const Goal& below = core_.goals.at(static_cast<GoalLevel>(level + 1));
   return below.impasse == impasse && below.impasse_on_operator == on_operator;
 }
 
@@ -201,80 +201,80 @@ void Decision::TellReason(const Goal& goal, const PreferenceSemantics::Outcome& 
   const DecisionReport report{
       goal.id,           goal.level,         outcome.impasse, selected, static_cast<bool>(forced) && forced == selected,
       slot_preferences_, outcome.candidates, trace_};
-  engine_.observers.Notify(Event::kReason, [&](Observer& o) { o.OnDecided(engine_.agent, report); });
+  core_.observers.Notify(Event::kReason, [&](Observer& o) { o.OnDecided(core_.agent, report); });
 }
 
 bool Decision::EnterImpasse(GoalLevel level, ImpasseType impasse, bool on_operator,
                             std::span<const Candidate> candidates) {
-  if (engine_.goals.depth() > level) {
+  if (core_.goals.depth() > level) {
     if (Faces(level, impasse, on_operator)) {
-      if (impasse != ImpasseType::kNoChange) engine_.goal_changes.UpdateItems(level, candidates);
+      if (impasse != ImpasseType::kNoChange) core_.goal_changes.UpdateItems(level, candidates);
       return false;
     }
-    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kWrongImpasseType);
+    core_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), GoalRemoval::kWrongImpasseType);
   }
-  if (impasse == ImpasseType::kNoChange && !on_operator && engine_.settings.wait_snc) return true;
+  if (impasse == ImpasseType::kNoChange && !on_operator && core_.settings.wait_snc) return true;
   if (impasse == ImpasseType::kNoChange &&
-      engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
-    engine_.run.GoalStackLimit();
+      core_.goals.depth() >= static_cast<std::size_t>(core_.settings.max_goal_depth)) {
+    core_.run.GoalStackLimit();
   }
-  engine_.goal_changes.MakeSubstate(impasse, on_operator, candidates);
+  core_.goal_changes.MakeSubstate(impasse, on_operator, candidates);
   return true;
 }
 
 // Inconsistent decisions ----------------------------------------------------------------------------------------------
 
 void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acceptable) {
-  const Goal& goal = engine_.goals.at(level);
-  if (engine_.observers.Wants(Event::kDecisionTrace)) {
-    const GoalInfo info = engine_.descriptions.Describe(goal);
+  const Goal& goal = core_.goals.at(level);
+  if (core_.observers.Wants(Event::kDecisionTrace)) {
+    const GoalInfo info = core_.descriptions.Describe(goal);
     WmeInfo wme;
-    if (acceptable != WmeId::kNone) wme = engine_.descriptions.Describe(acceptable);
-    engine_.observers.Notify(Event::kDecisionTrace,
-                             [&](Observer& o) { o.OnOperatorRemoved(engine_.agent, info, reason, wme); });
+    if (acceptable != WmeId::kNone) wme = core_.descriptions.Describe(acceptable);
+    core_.observers.Notify(Event::kDecisionTrace,
+                           [&](Observer& o) { o.OnOperatorRemoved(core_.agent, info, reason, wme); });
   }
   const SlotId slot = goal.operator_slot;
-  engine_.preferences.RemoveSelected(slot);
-  if (engine_.goals.depth() > level) {
+  core_.preferences.RemoveSelected(slot);
+  if (core_.goals.depth() > level) {
     const GoalRemoval why =
         reason == OperatorRemoval::kInconsistent ? GoalRemoval::kInconsistent : GoalRemoval::kOperatorRemoval;
-    engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), why);
+    core_.goal_changes.RemoveFrom(static_cast<GoalLevel>(level + 1), why);
   }
 }
 
 /// Whether the existing decision of a goal is still consistent. It is the installed operator; if there is none, it is
 /// the impasse of the state below, if any.
 bool Decision::Stands(const Goal& goal) {
-  const Slot& slot = engine_.memory.slot(goal.operator_slot);
+  const Slot& slot = core_.memory.slot(goal.operator_slot);
   const bool has_operator = slot.wmes != WmeId::kNone;
-  const bool has_substate = engine_.goals.depth() > goal.level;
+  const bool has_substate = core_.goals.depth() > goal.level;
   ImpasseType existing = ImpasseType::kNone;
-  if (!has_operator && has_substate) existing = engine_.goals.at(static_cast<GoalLevel>(goal.level + 1)).impasse;
+  if (!has_operator && has_substate) existing = core_.goals.at(static_cast<GoalLevel>(goal.level + 1)).impasse;
   const PreferenceSemantics::Outcome outcome = Evaluate(goal);
   if (outcome.impasse != existing) return false;
   if (existing != ImpasseType::kNone) return true;
-  const Symbol selected = engine_.memory.wme(slot.wmes).value;
+  const Symbol selected = core_.memory.wme(slot.wmes).value;
   return std::any_of(outcome.candidates.begin(), outcome.candidates.end(),
                      [&](const Candidate& candidate) { return candidate.value == selected; });
 }
 
 bool Decision::CheckChanged(GoalLevel level) {
-  for (GoalLevel current = changed_from_; current <= level && current <= engine_.goals.depth(); ++current) {
-    const Goal& goal = engine_.goals.at(current);
-    const Slot& slot = engine_.memory.slot(goal.operator_slot);
+  for (GoalLevel current = changed_from_; current <= level && current <= core_.goals.depth(); ++current) {
+    const Goal& goal = core_.goals.at(current);
+    const Slot& slot = core_.memory.slot(goal.operator_slot);
     const bool has_operator = slot.wmes != WmeId::kNone;
-    if (!slot.changed || (!has_operator && engine_.goals.depth() == current)) continue;
+    if (!slot.changed || (!has_operator && core_.goals.depth() == current)) continue;
     if (Stands(goal)) continue;
-    if (engine_.observers.Wants(Event::kDecision)) {
-      const GoalInfo info = engine_.descriptions.Describe(goal);
-      engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnInconsistentDecision(engine_.agent, info); });
+    if (core_.observers.Wants(Event::kDecision)) {
+      const GoalInfo info = core_.descriptions.Describe(goal);
+      core_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnInconsistentDecision(core_.agent, info); });
     }
     if (has_operator) {
       RemoveOperator(current, OperatorRemoval::kInconsistent);
     } else {
-      engine_.goal_changes.RemoveFrom(static_cast<GoalLevel>(current + 1), GoalRemoval::kInconsistent);
+      core_.goal_changes.RemoveFrom(static_cast<GoalLevel>(current + 1), GoalRemoval::kInconsistent);
     }
-    engine_.elaboration.ApplyBufferedChanges();
+    core_.elaboration.ApplyBufferedChanges();
     return false;
   }
   return true;
@@ -283,16 +283,16 @@ bool Decision::CheckChanged(GoalLevel level) {
 std::string Decision::Predict() {
   // The prediction must come true: the next decision draws from the same stream again.
   do {
-    foretold_seed_ = engine_.random.Next32();
+    foretold_seed_ = core_.random.Next32();
   } while (foretold_seed_ == 0);
-  engine_.random.Seed(foretold_seed_);
-  if (engine_.goals.empty()) return "none";
-  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(engine_.goals.depth());
-  for (GoalLevel level = first; level <= engine_.goals.depth(); ++level) {
-    const Goal& goal = engine_.goals.at(level);
-    if (engine_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
+  core_.random.Seed(foretold_seed_);
+  if (core_.goals.empty()) return "none";
+  const GoalLevel first = changed_from_ != 0 ? changed_from_ : static_cast<GoalLevel>(core_.goals.depth());
+  for (GoalLevel level = first; level <= core_.goals.depth(); ++level) {
+    const Goal& goal = core_.goals.at(level);
+    if (core_.memory.slot(goal.operator_slot).wmes != WmeId::kNone) continue;
     const Symbol forced = ForcedOperator(goal);
-    if (forced) engine_.forced_operator.clear();  // As in Soar, a selection by command applies to one evaluation.
+    if (forced) core_.forced_operator.clear();  // As in Soar, a selection by command applies to one evaluation.
     const PreferenceSemantics::Outcome outcome = Evaluate(goal, forced);
     switch (outcome.impasse) {
       case ImpasseType::kTie:
@@ -306,7 +306,7 @@ std::string Decision::Predict() {
         break;
     }
     if (outcome.candidates.empty()) continue;
-    return ToString(engine_.symbols, Pick(outcome).value);
+    return ToString(core_.symbols, Pick(outcome).value);
   }
   return "none";
 }

@@ -18,7 +18,7 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// The decide phase, and the checks whether earlier decisions are still consistent.
 ///
@@ -26,7 +26,7 @@ struct Engine;
 /// no-change impasse. Goals above the highest one whose operator preferences changed are skipped.
 class Decision {
  public:
-  explicit Decision(Engine& engine) : engine_(engine) {}
+  explicit Decision(AgentCore& core) : core_(core) {}
 
   /// Decides from the highest changed goal down, until an operator is selected or a new impasse arises.
   void Decide();
@@ -72,7 +72,7 @@ class Decision {
   Symbol ForcedOperator(const Goal& goal) const;
   bool Stands(const Goal& goal);
 
-  Engine& engine_;
+  AgentCore& core_;
   GoalLevel changed_from_ = 0;       ///< The highest goal whose operator preferences changed; 0: none.
   std::uint32_t foretold_seed_ = 0;  ///< The seed of Predict, for the next decision; 0: there was no prediction.
   std::vector<SlotPreference> slot_preferences_;

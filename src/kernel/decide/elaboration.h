@@ -10,14 +10,14 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// The elaboration loop of the propose and apply phases. Determines the active level and which rules fire, and runs the
 /// working memory phase. Higher goals go first (the waterfall): rules of a lower goal fire in the same elaboration only
 /// if their actions affect only levels below the one that is changing.
 class Elaboration {
  public:
-  explicit Elaboration(Engine& engine) : engine_(engine) {
+  explicit Elaboration(AgentCore& core) : core_(core) {
     put_back_.reserve(8);
     garbage_.reserve(8);
   }
@@ -56,7 +56,7 @@ class Elaboration {
   void RetractLevel(GoalLevel level);
   [[gnu::flatten]] void Retract(MatchId match);
 
-  Engine& engine_;
+  AgentCore& core_;
   GoalLevel active_ = 0;
   FiringType firing_ = FiringType::kIe;
   std::uint32_t count_ = 0;  ///< Number of elaborations in this phase.

@@ -2,7 +2,7 @@
 #include "kernel/decide/firing.h"
 
 #include "kernel/base/known_symbols.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 #include "kernel/rules/functions/builtin_functions.h"
 #include "kernel/rules/print_production.h"
 
@@ -49,22 +49,22 @@ std::string BadIdentifier(const SymbolTable& symbols, Symbol id, const Action& a
 }  // namespace
 
 Symbol Firing::TouchedAbove(const PendingMatch& match, GoalLevel level) const {
-  const Production& rule = *engine_.rete.production(match.production);
+  const Production& rule = *core_.rete.production(match.production);
   if (rule.type == ProductionType::kTemplate) return {};
-  const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
+  const std::span<const WmeId> wmes = core_.rete.Wmes(match.match);
   for (const Action& action : rule.actions) {
     if (action.is_function_call || action.id.kind != RhsValueKind::kBound) continue;
-    const Wme& wme = engine_.memory.wme(wmes[action.id.site().positive_condition]);
+    const Wme& wme = core_.memory.wme(wmes[action.id.site().positive_condition]);
     const Symbol id = FieldOf(wme, action.id.site().field);
-    if (id.IsIdentifier() && engine_.memory.level(id) <= level) return id;
+    if (id.IsIdentifier() && core_.memory.level(id) <= level) return id;
   }
   return {};
 }
 
 void Firing::Fire(const PendingMatch& match, const Production& rule) {
-  const InstantiationId id = engine_.instantiations.Make();
+  const InstantiationId id = core_.instantiations.Make();
   {
-    Instantiation& instantiation = engine_.instantiations[id];
+    Instantiation& instantiation = core_.instantiations[id];
     instantiation.production = match.production;
     instantiation.match = match.match;
     instantiation.goal = match.goal;
@@ -72,94 +72,94 @@ void Firing::Fire(const PendingMatch& match, const Production& rule) {
     instantiation.o_support = match.o_support;
     instantiation.held = true;
   }
-  const std::span<const WmeId> wmes = engine_.rete.Wmes(match.match);
+  const std::span<const WmeId> wmes = core_.rete.Wmes(match.match);
   if (wmes_.size() < wmes.size()) wmes_.resize(wmes.size());
   WmeId* const copy = wmes_.data();
   for (std::size_t n = 0; n < wmes.size(); ++n) copy[n] = wmes[n];
-  engine_.rete.matches().MarkFired(match.match, id);
-  engine_.rete.matches().HoldRule(match.production);
+  core_.rete.matches().MarkFired(match.match, id);
+  core_.rete.matches().HoldRule(match.production);
   if (match.level > 1) {
     TraceConditions(id, {copy, wmes.size()});
-    if (engine_.chunker.settings().learning()) engine_.chunker.NoteFiring(id);
+    if (core_.chunker.settings().learning()) core_.chunker.NoteFiring(id);
   }
 
-  ++engine_.counters.firings;
-  ProductionRecord& record = engine_.productions[Index(match.production)];
+  ++core_.counters.firings;
+  ProductionRecord& record = core_.productions[Index(match.production)];
   record.CountFiring();
 
-  if (engine_.observers.Wants(Event::kAssertion)) TellMade(id);
-  if (engine_.observers.Wants(Event::kFiring)) TellFiring(id);
+  if (core_.observers.Wants(Event::kAssertion)) TellMade(id);
+  if (core_.observers.Wants(Event::kFiring)) TellFiring(id);
   match_level_ = match.level;
   o_support_ = match.o_support;
   RunActions(rule, id);
-  if (engine_.observers.Wants(Event::kFiring)) TellFired(id);
-  engine_.preferences.LinkToGoal(id);
+  if (core_.observers.Wants(Event::kFiring)) TellFired(id);
+  core_.preferences.LinkToGoal(id);
   made_.push_back(id);
-  if (match.level > 1) engine_.chunker.Consider(id);
+  if (match.level > 1) core_.chunker.Consider(id);
 }
 
 void Firing::TellMade(InstantiationId id) {
-  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
-  engine_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(engine_.agent, info); });
+  const FiringInfo info = core_.descriptions.DescribeInstantiation(id);
+  core_.observers.Notify(Event::kAssertion, [&](Observer& o) { o.OnInstantiationMade(core_.agent, info); });
 }
 
 void Firing::TellFiring(InstantiationId id) {
-  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
-  engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(engine_.agent, info); });
+  const FiringInfo info = core_.descriptions.DescribeInstantiation(id);
+  core_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFiring(core_.agent, info); });
 }
 
 void Firing::TellFired(InstantiationId id) {
   std::vector<PreferenceId> made;
-  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
-       p = engine_.memory.preference(p).next_of_instantiation) {
+  for (PreferenceId p = core_.instantiations[id].preferences; p != PreferenceId::kNone;
+       p = core_.memory.preference(p).next_of_instantiation) {
     made.push_back(p);
   }
-  const FiringInfo info = engine_.descriptions.DescribeInstantiation(id);
-  engine_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(engine_.agent, info, made); });
+  const FiringInfo info = core_.descriptions.DescribeInstantiation(id);
+  core_.observers.Notify(Event::kFiring, [&](Observer& o) { o.OnFired(core_.agent, info, made); });
 }
 
 void Firing::TraceConditions(InstantiationId id, std::span<const WmeId> wmes) {
-  const GoalLevel level = engine_.instantiations[id].level;
-  const std::span<ConditionTrace> traces = engine_.instantiations.MakeTrace(id, wmes.size());
+  const GoalLevel level = core_.instantiations[id].level;
+  const std::span<ConditionTrace> traces = core_.instantiations.MakeTrace(id, wmes.size());
   for (std::size_t n = 0; n < wmes.size(); ++n) traces[n] = TraceOf(wmes[n], level);
-  if (engine_.selections.OfGoal(level) != SelectionKnowledge::kNone || engine_.preferences.prohibits() != 0) {
-    engine_.chunker.NoteSelection(id);
+  if (core_.selections.OfGoal(level) != SelectionKnowledge::kNone || core_.preferences.prohibits() != 0) {
+    core_.chunker.NoteSelection(id);
   }
 }
 
 ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
   const ConditionTrace trace = LookAt(wme, level);
-  if (trace.preference != PreferenceId::kNone) engine_.preferences.AddReference(trace.preference);
-  engine_.changes.AddReference(wme);
+  if (trace.preference != PreferenceId::kNone) core_.preferences.AddReference(trace.preference);
+  core_.changes.AddReference(wme);
   return trace;
 }
 
 ConditionTrace Firing::LookAt(WmeId wme, GoalLevel level) const {
   // A justification may depend on an element that was removed since, and so may the preference that created the
   // element.
-  const WmeRecord& record = engine_.memory.record(wme);
+  const WmeRecord& record = core_.memory.record(wme);
   PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
   bool inherits = false;
   if (preference != PreferenceId::kNone) {
-    inherits = engine_.memory.preference(preference).level == level;
+    inherits = core_.memory.preference(preference).level == level;
     if (!inherits) preference = CloneAtLevel(preference, level);
   }
-  return {wme, engine_.memory.level(engine_.memory.wme(wme).id), inherits, preference};
+  return {wme, core_.memory.level(core_.memory.wme(wme).id), inherits, preference};
 }
 
 void Firing::TraceCopied(InstantiationId id) {
-  const GoalLevel level = engine_.instantiations[id].level;
+  const GoalLevel level = core_.instantiations[id].level;
   std::vector<ConditionTrace> more;
-  for (const RuleContext::Copied& copied : engine_.context.copied()) {
-    if (engine_.instantiations[id].trace_count + more.size() == kMostTraced) break;
+  for (const RuleContext::Copied& copied : core_.context.copied()) {
+    if (core_.instantiations[id].trace_count + more.size() == kMostTraced) break;
     if (copied.element != WmeId::kNone) more.push_back(TraceOf(copied.element, level));
   }
-  engine_.instantiations.ExtendTrace(id, more);
-  engine_.chunker.NoteCopied(id, engine_.context.copied());
+  core_.instantiations.ExtendTrace(id, more);
+  core_.chunker.NoteCopied(id, core_.context.copied());
 }
 
 PreferenceId Firing::CloneAtLevel(PreferenceId preference, GoalLevel level) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   if (memory.preference(preference).level == level) return preference;
   for (PreferenceId p = memory.preference(preference).next_clone; p != PreferenceId::kNone;
        p = memory.preference(p).next_clone) {
@@ -177,29 +177,28 @@ void Firing::RunActions(const Production& rule, InstantiationId id) {
   const std::size_t new_count = rule.new_identifiers.size();
   if (new_identifiers_.size() < new_count) new_identifiers_.resize(new_count);
   for (std::size_t n = 0; n < new_count; ++n) new_identifiers_[n] = Symbol();
-  engine_.context.SetFiring(id);
+  core_.context.SetFiring(id);
   std::uint16_t number = 0;
   for (const Action& action : rule.actions) {
     RunAction(action, number++, id);
-    if (engine_.context.HasCopied()) [[unlikely]]
-      engine_.context.MakeCopies();
+    if (core_.context.HasCopied()) [[unlikely]]
+      core_.context.MakeCopies();
   }
-  engine_.context.SetFiring(InstantiationId::kNone);
-  if (engine_.context.HasCopied()) [[unlikely]] {
+  core_.context.SetFiring(InstantiationId::kNone);
+  if (core_.context.HasCopied()) [[unlikely]] {
     if (match_level_ > 1) TraceCopied(id);
-    engine_.context.ForgetCopied();
+    core_.context.ForgetCopied();
   }
 }
 
 void Firing::RunTemplate(const Production& rule, InstantiationId id) {
   if (rule.actions.size() != 1) return;
-  engine_.context.SetFiring(id);
+  core_.context.SetFiring(id);
   const Symbol value = Evaluate(rule.actions.front().referent);
-  engine_.context.SetFiring(InstantiationId::kNone);
-  const Instantiation& instantiation = engine_.instantiations[id];
-  const std::size_t count = engine_.rete.Wmes(instantiation.match).size();
-  if (value)
-    engine_.reinforcement.templates().Instantiate(instantiation.production, rule, {wmes_.data(), count}, value);
+  core_.context.SetFiring(InstantiationId::kNone);
+  const Instantiation& instantiation = core_.instantiations[id];
+  const std::size_t count = core_.rete.Wmes(instantiation.match).size();
+  if (value) core_.reinforcement.templates().Instantiate(instantiation.production, rule, {wmes_.data(), count}, value);
 }
 
 void Firing::RunAction(const Action& action, std::uint16_t number, InstantiationId id) {
@@ -211,11 +210,11 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
   const Symbol object = Evaluate(action.id);
   if (!object) return;
   if (!object.IsIdentifier()) {
-    engine_.context.PrintError(BadIdentifier(engine_.symbols, object, action));
+    core_.context.PrintError(BadIdentifier(core_.symbols, object, action));
     return;
   }
   // The new identifier is reachable from the object, so its initial level is that of the object.
-  const IdentifierRecord& record = engine_.memory.known_identifier(object);
+  const IdentifierRecord& record = core_.memory.known_identifier(object);
   const bool is_goal = record.is_goal;
   level_ = record.level;
   const Symbol attribute = Evaluate(action.attribute);
@@ -230,7 +229,7 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
     // The parser reads `= x` as binary; only now is the value of x known.
     if (type == PreferenceType::kBinaryIndifferent && referent.IsNumber()) type = PreferenceType::kNumericIndifferent;
     if (type == PreferenceType::kNumericIndifferent) {
-      referent = engine_.reinforcement.values().Number(engine_.instantiations[id].production, referent);
+      referent = core_.reinforcement.values().Number(core_.instantiations[id].production, referent);
     }
   }
   // In slots other than a state's operator slot, only these two types count.
@@ -238,17 +237,17 @@ void Firing::RunAction(const Action& action, std::uint16_t number, Instantiation
       !(is_goal && attribute == words::kOperator)) [[unlikely]] {
     return;
   }
-  engine_.preferences.Make(id, object, attribute, value, referent, type, o_support_, number);
+  core_.preferences.Make(id, object, attribute, value, referent, type, o_support_, number);
 }
 
 Symbol Firing::BoundValue(BindingSite site) const {
-  return FieldOf(engine_.memory.wme(wmes_[site.positive_condition]), site.field);
+  return FieldOf(core_.memory.wme(wmes_[site.positive_condition]), site.field);
 }
 
 Symbol Firing::EvaluateRare(const RhsValue& value) {
   if (value.kind == RhsValueKind::kNew) {
     Symbol& made = new_identifiers_[value.new_index()];
-    if (!made) made = engine_.memory.NewIdentifier(LetterOfIdentifier(engine_.symbols.Text(value.symbol())), level_);
+    if (!made) made = core_.memory.NewIdentifier(LetterOfIdentifier(core_.symbols.Text(value.symbol())), level_);
     return made;
   }
   // Arguments are on a stack, so that nested calls do not allocate.
@@ -265,9 +264,9 @@ Symbol Firing::EvaluateRare(const RhsValue& value) {
     return {};
   }
   const std::span<const Symbol> arguments(argument_stack_.data() + base, argument_stack_.size() - base);
-  const Symbol result = kernel::Evaluate(engine_.context, value.function_index(), arguments);
+  const Symbol result = kernel::Evaluate(core_.context, value.function_index(), arguments);
   argument_stack_.resize(base);
-  engine_.run.StopIfBroken();
+  core_.run.StopIfBroken();
   return result;
 }
 

@@ -14,13 +14,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// Fires rules: creates the instantiation of a match and executes the rule's actions, which create preferences (not yet
 /// asserted) and call functions. New identifiers are created in the order in which the actions mention them.
 class Firing {
  public:
-  explicit Firing(Engine& engine) : engine_(engine) {
+  explicit Firing(AgentCore& core) : core_(core) {
     made_.reserve(16);
     new_identifiers_.reserve(8);
     argument_stack_.reserve(8);
@@ -67,7 +67,7 @@ class Firing {
   /// Evaluates new identifiers and functions.
   [[gnu::noinline]] Symbol EvaluateRare(const RhsValue& value);
 
-  Engine& engine_;
+  AgentCore& core_;
   std::vector<InstantiationId> made_;
   std::vector<WmeId> wmes_;  ///< Elements of the firing match (copied, because the match set may grow meanwhile) and
                              ///< copied ones.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 #include "kernel/decide/observers.h"
 
 namespace soarbox::kernel {
@@ -36,16 +36,16 @@ Symbol ImpasseName(ImpasseType impasse) {
 // Creating states -----------------------------------------------------------------------------------------------------
 
 WmeId GoalChanges::AddSlotWme(Symbol id, Symbol attribute, Symbol value) {
-  const SlotId slot = engine_.memory.FindOrMakeSlot(id, attribute, false);
-  return engine_.changes.Add(WmeKind::kSlot, id, attribute, value, slot);
+  const SlotId slot = core_.memory.FindOrMakeSlot(id, attribute, false);
+  return core_.changes.Add(WmeKind::kSlot, id, attribute, value, slot);
 }
 
 WmeId GoalChanges::AddArchitecture(Symbol id, Symbol attribute, Symbol value) {
-  return engine_.changes.Add(WmeKind::kArchitecture, id, attribute, value);
+  return core_.changes.Add(WmeKind::kArchitecture, id, attribute, value);
 }
 
 Symbol GoalChanges::AddModule(Symbol owner, Symbol attribute, char letter) {
-  const Symbol module = engine_.memory.NewIdentifier(letter, engine_.memory.level(owner));
+  const Symbol module = core_.memory.NewIdentifier(letter, core_.memory.level(owner));
   AddSlotWme(owner, attribute, module);
   return module;
 }
@@ -59,21 +59,21 @@ MemoryLink GoalChanges::AddMemoryLink(Symbol state, Symbol attribute, char lette
 }
 
 Goal& GoalChanges::PushGoal() {
-  Goal& goal = engine_.goals.Push();
-  goal.id = engine_.memory.NewIdentifier('S', goal.level);
-  engine_.memory.SetGoal(goal.id, goal.level);
-  goal.created_in_decision = engine_.counters.decision_phases;
+  Goal& goal = core_.goals.Push();
+  goal.id = core_.memory.NewIdentifier('S', goal.level);
+  core_.memory.SetGoal(goal.id, goal.level);
+  goal.created_in_decision = core_.counters.decision_phases;
   return goal;
 }
 
 void GoalChanges::AddMemoryLinks(Goal& goal) {
   goal.reward_link = AddModule(goal.id, words::kRewardLink, 'R');
   goal.epmem = AddMemoryLink(goal.id, words::kEpmem, 'E');
-  goal.epmem.present_id = AddSlotWme(goal.epmem.link, words::kPresentId, engine_.symbols.Integer(present_id_));
+  goal.epmem.present_id = AddSlotWme(goal.epmem.link, words::kPresentId, core_.symbols.Integer(present_id_));
   goal.smem = AddMemoryLink(goal.id, words::kSmem, 'L');
   // Created after the others, because an object's slots are shown newest first.
-  goal.operator_slot = engine_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
-  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateMade(goal.level);
+  goal.operator_slot = core_.memory.FindOrMakeSlot(goal.id, words::kOperator, true);
+  if (core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateMade(goal.level);
 }
 
 void GoalChanges::MakeTopState() {
@@ -84,18 +84,18 @@ void GoalChanges::MakeTopState() {
 }
 
 void GoalChanges::MakeIoLinks() {
-  const Symbol top = engine_.goals.top().id;
-  const Symbol io = engine_.memory.NewIdentifier('I', 1);
-  input_link_ = engine_.memory.NewIdentifier('I', 1);
-  output_link_ = engine_.memory.NewIdentifier('I', 1);
-  engine_.changes.Add(WmeKind::kInput, top, words::kIo, io);
-  engine_.changes.Add(WmeKind::kInput, io, words::kInputLink, input_link_);
-  engine_.changes.Add(WmeKind::kInput, io, words::kOutputLink, output_link_);
-  engine_.output.SetIdentifier(output_link_);
+  const Symbol top = core_.goals.top().id;
+  const Symbol io = core_.memory.NewIdentifier('I', 1);
+  input_link_ = core_.memory.NewIdentifier('I', 1);
+  output_link_ = core_.memory.NewIdentifier('I', 1);
+  core_.changes.Add(WmeKind::kInput, top, words::kIo, io);
+  core_.changes.Add(WmeKind::kInput, io, words::kInputLink, input_link_);
+  core_.changes.Add(WmeKind::kInput, io, words::kOutputLink, output_link_);
+  core_.output.SetIdentifier(output_link_);
 }
 
 void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<const Candidate> candidates) {
-  const Symbol superstate = engine_.goals.bottom().id;
+  const Symbol superstate = core_.goals.bottom().id;
   Goal& goal = PushGoal();
   goal.impasse = impasse;
   goal.impasse_on_operator = on_operator;
@@ -108,7 +108,7 @@ void GoalChanges::MakeSubstate(ImpasseType impasse, bool on_operator, std::span<
   AddArchitecture(goal.id, words::kChoices, multiple ? words::kMultiple : words::kNone);
   AddArchitecture(goal.id, words::kQuiescence, words::kT);
   if (HasItems(impasse)) UpdateItems(static_cast<GoalLevel>(goal.level - 1), candidates);
-  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateComplete(engine_.goals.bottom().level);
+  if (core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateComplete(core_.goals.bottom().level);
 }
 
 /// Visits ^item elements before ^non-numeric ones, each group newest first.
@@ -116,7 +116,7 @@ template <typename Visit>
 void GoalChanges::ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const {
   for (const bool non_numeric : {false, true}) {
     for (std::size_t n = goal.items.size(); n-- > 0;) {
-      const Symbol attribute = engine_.memory.wme(goal.items[n]).attribute;
+      const Symbol attribute = core_.memory.wme(goal.items[n]).attribute;
       const bool is_non_numeric = attribute == words::kNonNumeric || attribute == words::kNonNumericCount;
       if (is_non_numeric == non_numeric) visit(goal.items[n]);
     }
@@ -126,12 +126,12 @@ void GoalChanges::ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const
 // Items ---------------------------------------------------------------------------------------------------------------
 
 void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candidates) {
-  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(level + 1));
-  WorkingMemory& memory = engine_.memory;
+  Goal& goal = core_.goals.at(static_cast<GoalLevel>(level + 1));
+  WorkingMemory& memory = core_.memory;
   std::int64_t non_numeric = 0;
   for (const Candidate& candidate : candidates) non_numeric += candidate.is_numeric ? 0 : 1;
-  const Symbol item_count = engine_.symbols.Integer(static_cast<std::int64_t>(candidates.size()));
-  const Symbol non_numeric_count = engine_.symbols.Integer(non_numeric);
+  const Symbol item_count = core_.symbols.Integer(static_cast<std::int64_t>(candidates.size()));
+  const Symbol non_numeric_count = core_.symbols.Integer(non_numeric);
 
   const auto wanted = [&](const Wme& wme) {
     // The counts are always created again, even if they have not changed.
@@ -145,14 +145,14 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
     if (wanted(memory.wme(item))) kept_items_.push_back(item);
   }
   ForEachItemInRemovalOrder(goal, [&](WmeId item) {
-    if (!wanted(memory.wme(item))) engine_.changes.Remove(item);
+    if (!wanted(memory.wme(item))) core_.changes.Remove(item);
   });
   goal.items = kept_items_;
   // Soar counts a firing for each item.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
-  const bool told = engine_.modules.Wants(ModuleHook::kStates);
-  if (told) engine_.modules.ItemsMade(firings);
-  engine_.instantiations.SkipSerials(firings);
+  const bool told = core_.modules.Wants(ModuleHook::kStates);
+  if (told) core_.modules.ItemsMade(firings);
+  core_.instantiations.SkipSerials(firings);
   std::uint32_t firing = 0;
   const auto add = [&](Symbol attribute, Symbol value) {
     goal.items.push_back(AddArchitecture(goal.id, attribute, value));
@@ -164,7 +164,7 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
     });
     if (!present) {
       const WmeId item = add(attribute, value);
-      if (told) engine_.modules.ItemMade(item, firing);
+      if (told) core_.modules.ItemMade(item, firing);
     }
     ++firing;
   };
@@ -177,14 +177,14 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
 }
 
 WmeId GoalChanges::ProposalOfItem(WmeId item) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   const Wme& wme = memory.wme(item);
   if (wme.attribute != words::kItem && wme.attribute != words::kNonNumeric) return WmeId::kNone;
   const GoalLevel level = memory.goal_levels()[wme.id.index()];
   // The item may have been removed because its operator was dropped. It depends on the proposal nevertheless.
   const WmeKind kind = memory.record(item).kind;
   if (level < 2 || (kind != WmeKind::kArchitecture && kind != WmeKind::kFree)) return WmeId::kNone;
-  const SlotId slot = engine_.goals.at(static_cast<GoalLevel>(level - 1)).operator_slot;
+  const SlotId slot = core_.goals.at(static_cast<GoalLevel>(level - 1)).operator_slot;
   for (WmeId p = memory.slot(slot).acceptable_wmes; p != WmeId::kNone; p = memory.record(p).next) {
     if (memory.wme(p).value == wme.value) return p;
   }
@@ -194,24 +194,24 @@ WmeId GoalChanges::ProposalOfItem(WmeId item) const {
 // Removing states -----------------------------------------------------------------------------------------------------
 
 void GoalChanges::RemoveFrom(GoalLevel level, GoalRemoval reason) {
-  if (engine_.goals.depth() < level) return;
+  if (core_.goals.depth() < level) return;
   const auto tell = [&](GoalLevel gone, GoalRemoval why) {
-    if (!engine_.observers.Wants(Event::kDecision)) return;
-    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.at(gone));
-    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(engine_.agent, info, why); });
+    if (!core_.observers.Wants(Event::kDecision)) return;
+    const GoalInfo info = core_.descriptions.Describe(core_.goals.at(gone));
+    core_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnStateRemoved(core_.agent, info, why); });
   };
   tell(level, reason);
-  while (engine_.goals.depth() >= level) {
-    const GoalLevel bottom = static_cast<GoalLevel>(engine_.goals.depth());
+  while (core_.goals.depth() >= level) {
+    const GoalLevel bottom = static_cast<GoalLevel>(core_.goals.depth());
     if (bottom > level) tell(bottom, GoalRemoval::kWithSuperstate);
     RemoveBottom();
   }
 }
 
 void GoalChanges::RemoveBottom() {
-  const Goal& goal = engine_.goals.bottom();
-  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateEnds(goal.level);
-  engine_.run.GoalRemoved(goal.id);
+  const Goal& goal = core_.goals.bottom();
+  if (core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateEnds(goal.level);
+  core_.run.GoalRemoved(goal.id);
   TakeBottomApart();
 }
 
@@ -233,50 +233,49 @@ class Silence {
 }  // namespace
 
 void GoalChanges::TakeAllApart() {
-  const Silence silence(engine_.observers, engine_.agent);
-  while (!engine_.goals.empty()) {
+  const Silence silence(core_.observers, core_.agent);
+  while (!core_.goals.empty()) {
     // Substates end as in a running agent: their rewards count.
-    const GoalLevel level = engine_.goals.bottom().level;
-    if (level > 1 && engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateEnds(level);
+    const GoalLevel level = core_.goals.bottom().level;
+    if (level > 1 && core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateEnds(level);
     TakeBottomApart();
   }
-  engine_.elaboration.ApplyBufferedChanges();
+  core_.elaboration.ApplyBufferedChanges();
 }
 
 void GoalChanges::TakeBottomApart() {
-  WorkingMemory& memory = engine_.memory;
-  Goal& goal = engine_.goals.at(static_cast<GoalLevel>(engine_.goals.depth()));
-  engine_.selections.GoalRemoved(goal.level);
-  engine_.gds.GoalRemoved(goal.level);  // This must be first: the set contains elements of the goal itself, which are
-                                        // removed below.
-  while (goal.oldest_preference != PreferenceId::kNone) engine_.preferences.LeaveGoal(goal.oldest_preference);
-  if (engine_.modules.Wants(ModuleHook::kStates)) engine_.modules.StateRemoved(goal.level);
+  WorkingMemory& memory = core_.memory;
+  Goal& goal = core_.goals.at(static_cast<GoalLevel>(core_.goals.depth()));
+  core_.selections.GoalRemoved(goal.level);
+  core_.gds.GoalRemoved(goal.level);  // This must be first: the set contains elements of the goal itself, which are
+                                      // removed below.
+  while (goal.oldest_preference != PreferenceId::kNone) core_.preferences.LeaveGoal(goal.oldest_preference);
+  if (core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateRemoved(goal.level);
   const SlotId slot = goal.operator_slot;
-  engine_.preferences.RemoveSelected(slot);
-  ForEachItemInRemovalOrder(goal, [&](WmeId item) { engine_.changes.Remove(item); });
+  core_.preferences.RemoveSelected(slot);
+  ForEachItemInRemovalOrder(goal, [&](WmeId item) { core_.changes.Remove(item); });
   goal.items.clear();
   while (memory.identifier(goal.id).architecture_wmes != WmeId::kNone) {
-    engine_.changes.Remove(memory.identifier(goal.id).architecture_wmes);
+    core_.changes.Remove(memory.identifier(goal.id).architecture_wmes);
   }
-  engine_.decision.GoalRemoved(goal.level);
-  engine_.rete.matches().GoalRemoved(goal.level);
+  core_.decision.GoalRemoved(goal.level);
+  core_.rete.matches().GoalRemoved(goal.level);
   memory.ClearGoal(goal.id);
   // UpdateAcceptables removes its elements of acceptable preferences, like those of other changed slots.
-  engine_.preferences.MarkChanged(slot);
-  engine_.links.Discard(goal.id);
-  engine_.goals.Pop();
+  core_.preferences.MarkChanged(slot);
+  core_.links.Discard(goal.id);
+  core_.goals.Pop();
 }
 
 void GoalChanges::CollectGarbage(Symbol id) {
-  WorkingMemory& memory = engine_.memory;
-  engine_.input.IdentifierGone(id);
-  while (memory.identifier(id).input_wmes != WmeId::kNone) engine_.changes.Remove(memory.identifier(id).input_wmes);
+  WorkingMemory& memory = core_.memory;
+  core_.input.IdentifierGone(id);
+  while (memory.identifier(id).input_wmes != WmeId::kNone) core_.changes.Remove(memory.identifier(id).input_wmes);
   for (SlotId slot = memory.identifier(id).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
-    while (memory.slot(slot).wmes != WmeId::kNone) engine_.changes.Remove(memory.slot(slot).wmes);
-    while (memory.slot(slot).acceptable != PreferenceId::kNone)
-      engine_.preferences.Retract(memory.slot(slot).acceptable);
-    while (memory.slot(slot).others != PreferenceId::kNone) engine_.preferences.Retract(memory.slot(slot).others);
-    engine_.preferences.empty_slots().push_back(slot);
+    while (memory.slot(slot).wmes != WmeId::kNone) core_.changes.Remove(memory.slot(slot).wmes);
+    while (memory.slot(slot).acceptable != PreferenceId::kNone) core_.preferences.Retract(memory.slot(slot).acceptable);
+    while (memory.slot(slot).others != PreferenceId::kNone) core_.preferences.Retract(memory.slot(slot).others);
+    core_.preferences.empty_slots().push_back(slot);
   }
 }
 

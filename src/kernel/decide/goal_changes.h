@@ -13,13 +13,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// Creates and removes states with the elements of the architecture, in an order that time tags show: type, superstate,
 /// reward-link, epmem, smem, (top state: io,) attribute, impasse, choices, quiescence, items.
 class GoalChanges {
  public:
-  explicit GoalChanges(Engine& engine) : engine_(engine) {}
+  explicit GoalChanges(AgentCore& core) : core_(core) {}
 
   void MakeTopState();
   /// Creates ^io of the top state, with the input link and the output link.
@@ -56,7 +56,7 @@ class GoalChanges {
   template <typename Visit>
   void ForEachItemInRemovalOrder(const Goal& goal, Visit visit) const;
 
-  Engine& engine_;
+  AgentCore& core_;
   Symbol input_link_, output_link_;
   std::int64_t present_id_ = 1;
   std::vector<WmeId> kept_items_;

@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 #include "kernel/decide/invariants.h"
 #include "kernel/rules/rule_symbols.h"
 
@@ -15,7 +15,7 @@ namespace {
 /// check runs after every phase.
 class HandleCheck {
  public:
-  explicit HandleCheck(const Engine& engine) : engine_(engine), memory_(engine.memory) {}
+  explicit HandleCheck(const AgentCore& core) : core_(core), memory_(core.memory) {}
 
   std::string Run() {
     CheckSlots();
@@ -41,7 +41,7 @@ class HandleCheck {
   }
   void RequireLive(Symbol symbol, const char* holder) {
     if (!symbol || !violation_.empty()) return;
-    Require(engine_.symbols.IsLive(symbol), [&] { return std::string(holder) + " holds a symbol that is gone"; });
+    Require(core_.symbols.IsLive(symbol), [&] { return std::string(holder) + " holds a symbol that is gone"; });
     if (symbol.IsIdentifier()) {
       Require(memory_.identifier(symbol).live,
               [&] { return std::string(holder) + " holds an identifier that is gone"; });
@@ -51,8 +51,8 @@ class HandleCheck {
     Require(preference.record->live, [&] { return std::string(holder) + " holds a preference that is gone"; });
   }
   std::string TextOf(Symbol id, Symbol attribute, Symbol value) const {
-    return "(" + ToString(engine_.symbols, id) + " ^" + ToString(engine_.symbols, attribute) + " " +
-           ToString(engine_.symbols, value) + ")";
+    return "(" + ToString(core_.symbols, id) + " ^" + ToString(core_.symbols, attribute) + " " +
+           ToString(core_.symbols, value) + ")";
   }
 
   void CheckSlots() {
@@ -76,16 +76,16 @@ class HandleCheck {
       }
       Require(substate_facts == slot.substate_facts, "a slot miscounts the facts of substates");
     });
-    for (const PreferenceId retired : engine_.preferences.retired_preferences()) {
+    for (const PreferenceId retired : core_.preferences.retired_preferences()) {
       RequireLive(retired, "the list of retracted preferences");
       ++references_[retired.record];
     }
-    engine_.selections.ForEachPreference([&](PreferenceId p) {
+    core_.selections.ForEachPreference([&](PreferenceId p) {
       RequireLive(p, "what decided an operator");
       ++references_[p.record];
     });
-    for (GoalLevel level = 1; level <= engine_.goals.depth(); ++level) {
-      for (WmeId wme = memory_.slot(engine_.goals.at(level).operator_slot).wmes; wme != WmeId::kNone;
+    for (GoalLevel level = 1; level <= core_.goals.depth(); ++level) {
+      for (WmeId wme = memory_.slot(core_.goals.at(level).operator_slot).wmes; wme != WmeId::kNone;
            wme = memory_.record(wme).next) {
         ++references_[memory_.record(wme).preference.record];
       }
@@ -116,20 +116,20 @@ class HandleCheck {
   }
 
   void CheckInstantiations() {
-    engine_.instantiations.ForEach([&](const Instantiation& instantiation) {
+    core_.instantiations.ForEach([&](const Instantiation& instantiation) {
       const InstantiationId id{const_cast<Instantiation*>(&instantiation)};
       RequireLive(instantiation.goal, "an instantiation");
       if (instantiation.production != ProductionId::kNone) {
         ++rules_[Index(instantiation.production)];
-        Require(engine_.rete.production(instantiation.production) != nullptr, "the rule of an instantiation is gone");
+        Require(core_.rete.production(instantiation.production) != nullptr, "the rule of an instantiation is gone");
       }
       if (instantiation.match != MatchId::kNone) {
-        Require(engine_.rete.matches().InstantiationOf(instantiation.match) == id, [&] {
-          return "the match of " + std::string(engine_.descriptions.ProductionName(id)) +
+        Require(core_.rete.matches().InstantiationOf(instantiation.match) == id, [&] {
+          return "the match of " + std::string(core_.descriptions.ProductionName(id)) +
                  " belongs to another instantiation";
         });
       }
-      for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
+      for (const ConditionTrace& trace : core_.instantiations.Trace(id)) {
         ++elements_[Index(trace.wme)];
         if (trace.preference == PreferenceId::kNone) continue;
         RequireLive(trace.preference, "a condition");
@@ -140,7 +140,7 @@ class HandleCheck {
                 "a condition takes another preference for its element's maker");
       }
     });
-    engine_.modules.ForEachHeld([&](PreferenceId held) {
+    core_.modules.ForEachHeld([&](PreferenceId held) {
       RequireLive(held, "an answer of long-term memory");
       ++references_[held.record];
     });
@@ -158,17 +158,17 @@ class HandleCheck {
   }
 
   void CheckJustifications() {
-    for (const std::uint32_t index : engine_.justifier.Live()) {
-      const Justifier::Record& record = engine_.justifier.record(index);
+    for (const std::uint32_t index : core_.justifier.Live()) {
+      const Justifier::Record& record = core_.justifier.record(index);
       Require(record.instantiation != InstantiationId::kNone && record.instantiation.record->live &&
                   record.instantiation.record->justification == index,
               "a justification has lost its instantiation");
       if (record.production != ProductionId::kNone) {
-        Require(engine_.rete.production(record.production) != nullptr, "the rule of a justification is gone");
+        Require(core_.rete.production(record.production) != nullptr, "the rule of a justification is gone");
       }
       for (const WmeId ground : record.grounds) ++elements_[Index(ground)];
     }
-    engine_.justifier.ForEachLiteral([&](Symbol symbol) { RequireLive(symbol, "a justification"); });
+    core_.justifier.ForEachLiteral([&](Symbol symbol) { RequireLive(symbol, "a justification"); });
   }
 
   void CheckElements() {
@@ -194,7 +194,7 @@ class HandleCheck {
   }
 
   void CheckMatches() {
-    const MatchSet& matches = engine_.rete.matches();
+    const MatchSet& matches = core_.rete.matches();
     matches.ForEachMatch([&](MatchId match) {
       const std::uint32_t rule = matches.ProductionOf(match);
       if (rule != MatchSet::kNil) ++rules_[rule];
@@ -211,17 +211,17 @@ class HandleCheck {
   }
 
   void CheckRules() {
-    for (const ProductionId rule : engine_.rules.loading_order()) {
-      const ProductionPtr& production = engine_.rete.production(rule);
+    for (const ProductionId rule : core_.rules.loading_order()) {
+      const ProductionPtr& production = core_.rete.production(rule);
       Require(production != nullptr, "a rule in the list of rules is gone");
       if (production == nullptr) return;
       ForEachSymbol(*production, [&](Symbol symbol) {
-        Require(engine_.symbols.IsLive(symbol), "a rule holds a symbol that is gone");
+        Require(core_.symbols.IsLive(symbol), "a rule holds a symbol that is gone");
       });
     }
   }
 
-  const Engine& engine_;
+  const AgentCore& core_;
   const WorkingMemory& memory_;
   std::string violation_;
   std::unordered_map<const Preference*, std::uint32_t> references_;
@@ -230,8 +230,8 @@ class HandleCheck {
 
 }  // namespace
 
-std::string FindDanglingHandle(const Engine& engine) {
-  return HandleCheck(engine).Run();
+std::string FindDanglingHandle(const AgentCore& core) {
+  return HandleCheck(core).Run();
 }
 
 }  // namespace soarbox::kernel

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <vector>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 
 namespace soarbox::kernel {
 namespace {
 
-std::string Name(const Engine& engine, WmeId wme) {
-  const Wme& content = engine.memory.wme(wme);
-  return "(" + std::to_string(content.timetag) + ": " + ToString(engine.symbols, content.id) + " ^" +
-         ToString(engine.symbols, content.attribute) + " " + ToString(engine.symbols, content.value) + ")";
+std::string Name(const AgentCore& core, WmeId wme) {
+  const Wme& content = core.memory.wme(wme);
+  return "(" + std::to_string(content.timetag) + ": " + ToString(core.symbols, content.id) + " ^" +
+         ToString(core.symbols, content.attribute) + " " + ToString(core.symbols, content.value) + ")";
 }
 
 /// The values of a slot. Reused for all slots, so that memory is allocated once.
@@ -20,8 +20,8 @@ struct SlotValues {
   std::vector<std::uint32_t> accepted, rejected, elements;
 };
 
-std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
-  const WorkingMemory& memory = engine.memory;
+std::string CheckSlot(const AgentCore& core, SlotId id, SlotValues& found) {
+  const WorkingMemory& memory = core.memory;
   const Slot& slot = memory.slot(id);
   if (memory.FindSlot(slot.id, slot.attribute) != id) return "a slot is not found by its identifier and attribute";
   auto& [accepted, rejected, values] = found;
@@ -44,7 +44,7 @@ std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
     values.push_back(memory.wme(wme).value.bits());
     const PreferenceId preference = memory.record(wme).preference;
     if (preference == PreferenceId::kNone || slot.is_operator || slot.changed) continue;
-    if (!memory.preference(preference).in_slot) return "no preference supports " + Name(engine, wme);
+    if (!memory.preference(preference).in_slot) return "no preference supports " + Name(core, wme);
   }
   if (slot.is_operator || slot.changed || slot.lost_by_hand) return {};
   for (std::vector<std::uint32_t>* some : {&rejected, &values}) std::sort(some->begin(), some->end());
@@ -53,8 +53,8 @@ std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
       return std::binary_search(sorted.begin(), sorted.end(), value);
     };
     if (!is_among(rejected) && !is_among(values)) {
-      return "an accepted value of " + ToString(engine.symbols, slot.id) + " ^" +
-             ToString(engine.symbols, slot.attribute) + " has no element";
+      return "an accepted value of " + ToString(core.symbols, slot.id) + " ^" + ToString(core.symbols, slot.attribute) +
+             " has no element";
     }
   }
   return {};
@@ -62,14 +62,14 @@ std::string CheckSlot(const Engine& engine, SlotId id, SlotValues& found) {
 
 }  // namespace
 
-std::string FindViolation(const Engine& engine) {
-  if (engine.run.broken()) return {};  // It stopped in the middle of a change and has no matches.
-  if (!engine.memory.LargeSlotsAreRight()) return "a large slot miscounts its facts";
-  const WorkingMemory& memory = engine.memory;
+std::string FindViolation(const AgentCore& core) {
+  if (core.run.broken()) return {};  // It stopped in the middle of a change and has no matches.
+  if (!core.memory.LargeSlotsAreRight()) return "a large slot miscounts its facts";
+  const WorkingMemory& memory = core.memory;
   std::string violation;
   SlotValues values;
   memory.ForEachSlot([&](SlotId slot) {
-    if (violation.empty()) violation = CheckSlot(engine, slot, values);
+    if (violation.empty()) violation = CheckSlot(core, slot, values);
   });
   if (!violation.empty()) return violation;
   std::uint32_t live = 0;
@@ -77,19 +77,19 @@ std::string FindViolation(const Engine& engine) {
     const WmeId wme = static_cast<WmeId>(index);
     if (!memory.wme(wme).live) continue;
     ++live;
-    if (!memory.record(wme).in_match && engine.changes.empty()) return Name(engine, wme) + " is not in the match";
+    if (!memory.record(wme).in_match && core.changes.empty()) return Name(core, wme) + " is not in the match";
     const GoalLevel gds = memory.record(wme).gds;
-    if (gds > engine.goals.depth() && gds != kGoalOfGdsGone)
-      return Name(engine, wme) + " is in the dependency set of a goal that is gone";
+    if (gds > core.goals.depth() && gds != kGoalOfGdsGone)
+      return Name(core, wme) + " is in the dependency set of a goal that is gone";
   }
   if (live != memory.wme_count()) return "the number of elements is wrong";
-  for (GoalLevel level = 1; level <= engine.goals.depth(); ++level) {
-    const Goal& goal = engine.goals.at(level);
+  for (GoalLevel level = 1; level <= core.goals.depth(); ++level) {
+    const Goal& goal = core.goals.at(level);
     if (memory.level(goal.id) != level || !memory.identifier(goal.id).is_goal) return "a goal has the wrong level";
   }
-  violation = engine.links.CheckInvariants(engine.symbols);
+  violation = core.links.CheckInvariants(core.symbols);
   if (!violation.empty()) return violation;
-  return engine.rete.CheckInvariants();
+  return core.rete.CheckInvariants();
 }
 
 }  // namespace soarbox::kernel

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kernel/base/known_symbols.h"
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 
 namespace soarbox::kernel {
 
@@ -15,9 +15,9 @@ PreferenceId PreferenceChanges::Make(InstantiationId instantiation, const Prefer
 
 PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id, Symbol attribute, Symbol value,
                                      Symbol referent, PreferenceType type, bool o_supported, std::uint16_t action) {
-  const PreferenceId made = engine_.memory.MakePreference();
-  Preference& preference = engine_.memory.mutable_preference(made);
-  Instantiation& instantiation = engine_.instantiations[instantiation_id];
+  const PreferenceId made = core_.memory.MakePreference();
+  Preference& preference = core_.memory.mutable_preference(made);
+  Instantiation& instantiation = core_.instantiations[instantiation_id];
   preference.id = id;
   preference.attribute = attribute;
   preference.value = value;
@@ -30,30 +30,30 @@ PreferenceId PreferenceChanges::Make(InstantiationId instantiation_id, Symbol id
   preference.level = instantiation.level;
   preference.next_of_instantiation = instantiation.preferences;
   if (instantiation.preferences != PreferenceId::kNone) {
-    engine_.memory.mutable_preference(instantiation.preferences).previous_of_instantiation = made;
+    core_.memory.mutable_preference(instantiation.preferences).previous_of_instantiation = made;
   }
   instantiation.preferences = made;
   return made;
 }
 
 bool PreferenceChanges::Assert(PreferenceId id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   Preference& preference = memory.mutable_preference(id);
   const bool is_operator = preference.attribute == words::kOperator && memory.known_identifier(preference.id).is_goal;
   const SlotId slot = memory.FindOrMakeSlot(preference.id, preference.attribute, is_operator);
   if (preference.o_supported && preference.type == PreferenceType::kAcceptable && preference.level == 1 &&
-      !is_operator && !engine_.settings.keep_all_top_o_preferences) {
+      !is_operator && !core_.settings.keep_all_top_o_preferences) {
     if (memory.HasTopFact(slot, preference.value)) {
-      engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceIgnored(engine_.agent, id); });
+      core_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceIgnored(core_.agent, id); });
       return false;
     }
   }
   memory.InsertInSlot(id, slot);
   if (preference.type == PreferenceType::kProhibit) ++prohibits_;
   preference.stamp = ++last_stamp_;
-  if (preference.value.IsIdentifier()) preference.value_link = engine_.links.Add(preference.id, preference.value);
+  if (preference.value.IsIdentifier()) preference.value_link = core_.links.Add(preference.id, preference.value);
   if (preference.referent.IsIdentifier()) {
-    preference.referent_link = engine_.links.Add(preference.id, preference.referent);
+    preference.referent_link = core_.links.Add(preference.id, preference.referent);
   }
   Slot& record = memory.mutable_slot(slot);
   if (!is_operator && !record.is_operator) {
@@ -65,18 +65,18 @@ bool PreferenceChanges::Assert(PreferenceId id) {
       NoteAcceptablesChanged(slot);
     }
   }
-  engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceAdded(engine_.agent, id); });
+  core_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceAdded(core_.agent, id); });
   return true;
 }
 
 void PreferenceChanges::Retract(PreferenceId id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   Preference& preference = memory.mutable_preference(id);
   if (!preference.in_slot) return;
-  engine_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceRemoved(engine_.agent, id); });
+  core_.observers.Notify(Event::kPreference, [&](Observer& o) { o.OnPreferenceRemoved(core_.agent, id); });
   const SlotId slot = preference.slot;
-  if (preference.value_link != LinkId::kNone) engine_.links.Remove(preference.value_link);
-  if (preference.referent_link != LinkId::kNone) engine_.links.Remove(preference.referent_link);
+  if (preference.value_link != LinkId::kNone) core_.links.Remove(preference.value_link);
+  if (preference.referent_link != LinkId::kNone) core_.links.Remove(preference.referent_link);
   preference.value_link = preference.referent_link = LinkId::kNone;
   if (memory.preference(id).type == PreferenceType::kProhibit) --prohibits_;
   memory.RemoveFromSlot(id);
@@ -91,7 +91,7 @@ void PreferenceChanges::Retract(PreferenceId id) {
       NoteAcceptablesChanged(slot);
     }
   }
-  if (engine_.goals.depth() > 1) {
+  if (core_.goals.depth() > 1) {
     AddReference(id);
     retired_.push_back(id);
   } else {
@@ -105,16 +105,16 @@ void PreferenceChanges::ReleaseRetired(std::size_t count) {
 }
 
 void PreferenceChanges::RemoveSelected(SlotId slot) {
-  while (engine_.memory.slot(slot).wmes != WmeId::kNone) {
-    const WmeId wme = engine_.memory.slot(slot).wmes;
-    const PreferenceId maker = engine_.memory.record(wme).preference;
-    engine_.changes.Remove(wme);
+  while (core_.memory.slot(slot).wmes != WmeId::kNone) {
+    const WmeId wme = core_.memory.slot(slot).wmes;
+    const PreferenceId maker = core_.memory.record(wme).preference;
+    core_.changes.Remove(wme);
     DropReference(maker);
   }
 }
 
 void PreferenceChanges::ApplyOReject(PreferenceId reject) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   const Symbol value = memory.preference(reject).value;
   const SlotId slot = memory.FindSlot(memory.preference(reject).id, memory.preference(reject).attribute);
   if (slot == SlotId::kNone) return;
@@ -150,7 +150,7 @@ void PreferenceChanges::ApplyOReject(PreferenceId reject) {
 }
 
 void PreferenceChanges::SpendClones(PreferenceId reject) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   for (PreferenceId p = memory.preference(reject).next_clone; p != PreferenceId::kNone;
        p = memory.preference(p).next_clone) {
     memory.mutable_preference(p).is_spent = true;
@@ -162,20 +162,20 @@ void PreferenceChanges::SpendClones(PreferenceId reject) {
 }
 
 void PreferenceChanges::AddReference(PreferenceId id) {
-  ++engine_.memory.mutable_preference(id).references;
+  ++core_.memory.mutable_preference(id).references;
 }
 
 void PreferenceChanges::DropReference(PreferenceId id) {
-  --engine_.memory.mutable_preference(id).references;
+  --core_.memory.mutable_preference(id).references;
   FreeIfUnused(id);
 }
 
 void PreferenceChanges::DropReferenceLater(PreferenceId id) {
-  if (--engine_.memory.mutable_preference(id).references == 0) NoteUnused(id);
+  if (--core_.memory.mutable_preference(id).references == 0) NoteUnused(id);
 }
 
 void PreferenceChanges::FreeIfUnused(PreferenceId id) {
-  const Preference& preference = engine_.memory.preference(id);
+  const Preference& preference = core_.memory.preference(id);
   if (preference.references != 0) return;
   if (draining_ || preference.next_clone != PreferenceId::kNone || preference.previous_clone != PreferenceId::kNone) {
     NoteUnused(id);
@@ -188,7 +188,7 @@ void PreferenceChanges::FreeIfUnused(PreferenceId id) {
 /// The preferences of one result at several levels are freed together: while one of them is in use, learning may need
 /// the others.
 void PreferenceChanges::NoteUnused(PreferenceId id) {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   PreferenceId first = id;
   while (memory.preference(first).previous_clone != PreferenceId::kNone)
     first = memory.preference(first).previous_clone;
@@ -204,10 +204,10 @@ void PreferenceChanges::FreeIfUnused(InstantiationId id) {
 }
 
 void PreferenceChanges::Free(PreferenceId id) {
-  const InstantiationId instantiation = engine_.memory.preference(id).instantiation;
-  if (engine_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
+  const InstantiationId instantiation = core_.memory.preference(id).instantiation;
+  if (core_.memory.preference(id).on_goal_list) UnlinkFromGoal(id);
   UnlinkFromLists(id);
-  engine_.memory.FreePreference(id);
+  core_.memory.FreePreference(id);
   FreeInstantiation(instantiation);
 }
 
@@ -225,13 +225,13 @@ void PreferenceChanges::Drain() {
 }
 
 void PreferenceChanges::UnlinkFromLists(PreferenceId id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   Preference& preference = memory.mutable_preference(id);
   if (preference.previous_of_instantiation != PreferenceId::kNone) {
     memory.mutable_preference(preference.previous_of_instantiation).next_of_instantiation =
         preference.next_of_instantiation;
   } else {
-    engine_.instantiations[preference.instantiation].preferences = preference.next_of_instantiation;
+    core_.instantiations[preference.instantiation].preferences = preference.next_of_instantiation;
   }
   if (preference.next_of_instantiation != PreferenceId::kNone) {
     memory.mutable_preference(preference.next_of_instantiation).previous_of_instantiation =
@@ -241,7 +241,7 @@ void PreferenceChanges::UnlinkFromLists(PreferenceId id) {
 }
 
 void PreferenceChanges::LeaveClones(PreferenceId id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   Preference& preference = memory.mutable_preference(id);
   if (preference.previous_clone != PreferenceId::kNone) {
     memory.mutable_preference(preference.previous_clone).next_clone = preference.next_clone;
@@ -253,29 +253,29 @@ void PreferenceChanges::LeaveClones(PreferenceId id) {
 }
 
 void PreferenceChanges::FreeInstantiation(InstantiationId id) {
-  const Instantiation& instantiation = engine_.instantiations[id];
+  const Instantiation& instantiation = core_.instantiations[id];
   if (instantiation.preferences != PreferenceId::kNone || instantiation.held || instantiation.match != MatchId::kNone ||
       !instantiation.live) {
     return;
   }
-  if (instantiation.justification != 0xFFFFFFFFu) engine_.justifier.InstantiationFreed(id);
-  if (instantiation.copied) engine_.chunker.ForgetCopied(id);
-  if (instantiation.turned) engine_.chunker.ForgetTurned(id);
-  for (const ConditionTrace& trace : engine_.instantiations.Trace(id)) {
-    engine_.changes.DropReference(trace.wme);
+  if (instantiation.justification != 0xFFFFFFFFu) core_.justifier.InstantiationFreed(id);
+  if (instantiation.copied) core_.chunker.ForgetCopied(id);
+  if (instantiation.turned) core_.chunker.ForgetTurned(id);
+  for (const ConditionTrace& trace : core_.instantiations.Trace(id)) {
+    core_.changes.DropReference(trace.wme);
     if (trace.preference != PreferenceId::kNone) DropReferenceLater(trace.preference);
   }
   if (instantiation.selection != SelectionKnowledge::kNone) {
-    engine_.selections.DropReference(instantiation.selection, true);
+    core_.selections.DropReference(instantiation.selection, true);
   }
-  if (instantiation.production != ProductionId::kNone) engine_.rete.matches().LetGoOfRule(instantiation.production);
-  engine_.instantiations.Free(id);
+  if (instantiation.production != ProductionId::kNone) core_.rete.matches().LetGoOfRule(instantiation.production);
+  core_.instantiations.Free(id);
 }
 
 void PreferenceChanges::LinkToGoal(InstantiationId id) {
-  if (engine_.instantiations[id].level < 2) return;
-  for (PreferenceId p = engine_.instantiations[id].preferences; p != PreferenceId::kNone;
-       p = engine_.memory.preference(p).next_of_instantiation) {
+  if (core_.instantiations[id].level < 2) return;
+  for (PreferenceId p = core_.instantiations[id].preferences; p != PreferenceId::kNone;
+       p = core_.memory.preference(p).next_of_instantiation) {
     LinkToGoal(p);
   }
 }
@@ -284,7 +284,7 @@ void PreferenceChanges::LeaveGoal(PreferenceId id) {
   UnlinkFromGoal(id);
   // Preferences that depend on the result at another level no longer keep this one alive, nor does this one keep the
   // others alive.
-  const Preference& preference = engine_.memory.preference(id);
+  const Preference& preference = core_.memory.preference(id);
   const PreferenceId other =
       preference.next_clone != PreferenceId::kNone ? preference.next_clone : preference.previous_clone;
   AddReference(id);
@@ -295,13 +295,13 @@ void PreferenceChanges::LeaveGoal(PreferenceId id) {
 }
 
 void PreferenceChanges::LinkToGoal(PreferenceId id) {
-  Preference& preference = engine_.memory.mutable_preference(id);
-  Goal& goal = engine_.goals.at(preference.level);
+  Preference& preference = core_.memory.mutable_preference(id);
+  Goal& goal = core_.goals.at(preference.level);
   preference.on_goal_list = true;
   preference.previous_of_goal = PreferenceId::kNone;
   preference.next_of_goal = goal.preferences;
   if (goal.preferences != PreferenceId::kNone) {
-    engine_.memory.mutable_preference(goal.preferences).previous_of_goal = id;
+    core_.memory.mutable_preference(goal.preferences).previous_of_goal = id;
   } else {
     goal.oldest_preference = id;
   }
@@ -309,9 +309,9 @@ void PreferenceChanges::LinkToGoal(PreferenceId id) {
 }
 
 void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
-  WorkingMemory& memory = engine_.memory;
+  WorkingMemory& memory = core_.memory;
   Preference& preference = memory.mutable_preference(id);
-  Goal& goal = engine_.goals.at(preference.level);
+  Goal& goal = core_.goals.at(preference.level);
   preference.on_goal_list = false;
   if (preference.previous_of_goal != PreferenceId::kNone) {
     memory.mutable_preference(preference.previous_of_goal).next_of_goal = preference.next_of_goal;
@@ -327,20 +327,20 @@ void PreferenceChanges::UnlinkFromGoal(PreferenceId id) {
 
 /// A slot keeps its place in the list from its first change.
 void PreferenceChanges::NoteAcceptablesChanged(SlotId id) {
-  Slot& slot = engine_.memory.mutable_slot(id);
+  Slot& slot = core_.memory.mutable_slot(id);
   if (slot.acceptables_changed) return;
   slot.acceptables_changed = true;
   changed_acceptables_.push_back(id);
 }
 
 void PreferenceChanges::MarkChanged(SlotId id) {
-  Slot& slot = engine_.memory.mutable_slot(id);
+  Slot& slot = core_.memory.mutable_slot(id);
   if (slot.is_operator) {
-    if (!engine_.memory.known_identifier(slot.id).is_goal) {
+    if (!core_.memory.known_identifier(slot.id).is_goal) {
       NoteAcceptablesChanged(id);
       return;
     }
-    engine_.decision.NoteContextChanged(engine_.memory.level(slot.id));
+    core_.decision.NoteContextChanged(core_.memory.level(slot.id));
     slot.changed = true;
     slot.changed_since_selected = true;
     return;
@@ -350,9 +350,9 @@ void PreferenceChanges::MarkChanged(SlotId id) {
 
 void PreferenceChanges::FreeEmptySlots() {
   for (const SlotId slot : empty_slots_) {
-    const Slot& record = engine_.memory.slot(slot);
-    if (record.live && !record.changed && !record.is_operator && engine_.memory.SlotIsEmpty(slot)) {
-      engine_.memory.FreeSlot(slot);
+    const Slot& record = core_.memory.slot(slot);
+    if (record.live && !record.changed && !record.is_operator && core_.memory.SlotIsEmpty(slot)) {
+      core_.memory.FreeSlot(slot);
     }
   }
   empty_slots_.clear();

@@ -11,13 +11,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// Asserts and retracts preferences, and marks slots for decision. Maintains the lists of preferences per instantiation
 /// and per goal, and the links of preferences. Frees preferences and instantiations that are no longer referred to.
 class PreferenceChanges {
  public:
-  explicit PreferenceChanges(Engine& engine) : engine_(engine) {
+  explicit PreferenceChanges(AgentCore& core) : core_(core) {
     for (std::vector<SlotId>* list : {&changed_slots_, &changed_acceptables_, &empty_slots_}) list->reserve(16);
     for (std::vector<PreferenceId>* list : {&unused_, &rejected_, &retired_}) list->reserve(16);
   }
@@ -92,7 +92,7 @@ class PreferenceChanges {
   void Free(PreferenceId preference);
   void Drain();
 
-  Engine& engine_;
+  AgentCore& core_;
   std::vector<SlotId> changed_slots_, changed_acceptables_, empty_slots_;
   std::vector<PreferenceId> unused_, rejected_, retired_;
   std::uint32_t last_stamp_ = 0, prohibits_ = 0;

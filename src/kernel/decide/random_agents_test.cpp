@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Random agents. After every phase, the match must equal the result of an exhaustive search of working memory, and
 // every invariant must hold. Meanwhile rules are excised and added, and commands add and remove elements.
-#include "kernel/decide/random_agents.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,7 +8,8 @@
 #include <vector>
 
 #include "kernel/agent.h"
-#include "kernel/match/naive_matcher.h"
+#include "kernel/decide/random_agents_test_support.h"
+#include "kernel/match/naive_matcher_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

@@ -6,38 +6,38 @@
 #include <ctime>
 #include <thread>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 
 namespace soarbox::kernel {
 
 SymbolTable& RuleContext::symbols() {
-  return engine_.symbols;
+  return core_.symbols;
 }
 RandomStream& RuleContext::random() {
-  return engine_.random;
+  return core_.random;
 }
 
 void RuleContext::PrintError(std::string_view text) {
-  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(engine_.agent, text); });
+  core_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnError(core_.agent, text); });
 }
 
 void RuleContext::Write(std::string_view text) {
-  if (engine_.agent_writes) engine_.observers.Print(text);
+  if (core_.agent_writes) core_.observers.Print(text);
 }
 
 void RuleContext::Log(int channel, std::string_view text) {
-  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnLog(engine_.agent, channel, text); });
+  core_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnLog(core_.agent, channel, text); });
 }
 
 void RuleContext::Trace(int level, std::string_view text) {
-  engine_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnTraceText(engine_.agent, level, text); });
+  core_.observers.Notify(Event::kPrint, [&](Observer& o) { o.OnTraceText(core_.agent, level, text); });
 }
 
 void RuleContext::RequestHalt() {
-  engine_.run.Halt();
+  core_.run.Halt();
 }
 void RuleContext::RequestInterrupt() {
-  engine_.run.InterruptByAction();
+  core_.run.InterruptByAction();
 }
 
 void RuleContext::WaitMilliseconds(std::int64_t milliseconds) {
@@ -59,30 +59,30 @@ std::string RuleContext::Timestamp() {
 }
 
 std::uint64_t RuleContext::DecisionCycle() const {
-  return engine_.counters.decision_phases;
+  return core_.counters.decision_phases;
 }
 std::uint64_t RuleContext::NextConstantNumber() {
   return next_constant_++;
 }
 
 std::string RuleContext::RunCommand(std::string_view line) {
-  return engine_.command_runner ? engine_.command_runner(engine_.agent, line) : std::string();
+  return core_.command_runner ? core_.command_runner(core_.agent, line) : std::string();
 }
 
 bool RuleContext::CallUserFunction(std::string_view name, std::string_view argument, std::string& result) {
-  if (!engine_.user_functions) return false;
-  const Symbol text = engine_.symbols.String(argument);
-  const Result<Symbol> answer = engine_.user_functions(engine_.agent, name, {&text, 1});
+  if (!core_.user_functions) return false;
+  const Symbol text = core_.symbols.String(argument);
+  const Result<Symbol> answer = core_.user_functions(core_.agent, name, {&text, 1});
   if (!answer.ok()) {
     PrintError(answer.error().message + "\n");
     return false;
   }
-  if (answer.value()) result = ToString(engine_.symbols, answer.value(), false);
+  if (answer.value()) result = ToString(core_.symbols, answer.value(), false);
   return true;
 }
 
 void RuleContext::SlotChildren(Symbol identifier, std::vector<Child>& out) const {
-  const WorkingMemory& memory = engine_.memory;
+  const WorkingMemory& memory = core_.memory;
   for (SlotId slot = memory.identifier(identifier).slots; slot != SlotId::kNone; slot = memory.slot(slot).next) {
     for (WmeId wme = memory.slot(slot).wmes; wme != WmeId::kNone; wme = memory.record(wme).next) {
       out.push_back({memory.wme(wme).attribute, memory.wme(wme).value});
@@ -91,15 +91,15 @@ void RuleContext::SlotChildren(Symbol identifier, std::vector<Child>& out) const
 }
 
 void RuleContext::AllChildren(Symbol identifier, std::vector<Child>& out) const {
-  for (const WmeId wme : engine_.memory.WmesOf(identifier)) {
-    if (engine_.memory.wme(wme).acceptable) continue;
-    out.push_back({engine_.memory.wme(wme).attribute, engine_.memory.wme(wme).value, wme});
+  for (const WmeId wme : core_.memory.WmesOf(identifier)) {
+    if (core_.memory.wme(wme).acceptable) continue;
+    out.push_back({core_.memory.wme(wme).attribute, core_.memory.wme(wme).value, wme});
   }
 }
 
 Symbol RuleContext::NewIdentifier(char letter) {
-  const GoalLevel level = firing_ == InstantiationId::kNone ? GoalLevel{1} : engine_.firing.object_level();
-  return engine_.memory.NewIdentifier(letter, level);
+  const GoalLevel level = firing_ == InstantiationId::kNone ? GoalLevel{1} : core_.firing.object_level();
+  return core_.memory.NewIdentifier(letter, level);
 }
 
 void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol value) {
@@ -108,9 +108,9 @@ void RuleContext::MakePreference(Symbol identifier, Symbol attribute, Symbol val
   preference.id = identifier;
   preference.attribute = attribute;
   preference.value = value;
-  preference.o_supported = engine_.instantiations[firing_].o_support;
+  preference.o_supported = core_.instantiations[firing_].o_support;
   preference.action = Preference::kNoAction;
-  engine_.preferences.Make(firing_, preference);
+  core_.preferences.Make(firing_, preference);
 }
 
 void RuleContext::CopyElement(const Child& element, Symbol original, Symbol copy, Symbol attribute, Symbol value) {
@@ -125,22 +125,22 @@ void RuleContext::MakeCopies() {
 }
 
 bool RuleContext::IsGoal(Symbol identifier) const {
-  return engine_.memory.identifier(identifier).is_goal;
+  return core_.memory.identifier(identifier).is_goal;
 }
 
 std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
-  const auto linked = engine_.memory.long_term_identifiers();
+  const auto linked = core_.memory.long_term_identifiers();
   return identifier.IsIdentifier() && identifier.index() < linked.size() ? linked[identifier.index()] : 0;
 }
 
 void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
   // There is no long-term memory, so no long-term identifier exists.
   PrintError("Warning: Long-term memory @" + std::to_string(lti) +
-             " does not exist.  Could not link short-term memory " + ToString(engine_.symbols, identifier) + ".\n");
+             " does not exist.  Could not link short-term memory " + ToString(core_.symbols, identifier) + ".\n");
 }
 
 void RuleContext::SetLearning(Symbol state, bool learn) {
-  engine_.chunker.SetLearning(state, learn);
+  core_.chunker.SetLearning(state, learn);
 }
 
 }  // namespace soarbox::kernel

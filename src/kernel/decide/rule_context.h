@@ -12,12 +12,12 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// The functions of the firing agent that right-hand-side functions may call.
 class RuleContext final : public FunctionContext {
  public:
-  explicit RuleContext(Engine& engine) : engine_(engine) {}
+  explicit RuleContext(AgentCore& core) : core_(core) {}
 
   /// Sets the instantiation whose actions are being executed.
   void SetFiring(InstantiationId id) { firing_ = id; }
@@ -62,7 +62,7 @@ class RuleContext final : public FunctionContext {
   void SetLearning(Symbol state, bool learn) override;
 
  private:
-  Engine& engine_;
+  AgentCore& core_;
   InstantiationId firing_ = InstantiationId::kNone;
   std::uint64_t next_constant_ = 1;
   std::vector<Copied> copied_;

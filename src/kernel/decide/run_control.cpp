@@ -4,22 +4,22 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/decide/engine.h"
+#include "kernel/decide/agent_core.h"
 
 namespace soarbox::kernel {
 
 // Phases --------------------------------------------------------------------------------------------------------------
 
 void RunControl::BeginPhase() {
-  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseBegin(engine_.agent, phase_); });
+  core_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseBegin(core_.agent, phase_); });
 }
 
 namespace {
 
-void CountPhase(Engine& engine) {
-  AgentCounters& counters = engine.counters;
+void CountPhase(AgentCore& core) {
+  AgentCounters& counters = core.counters;
   ++counters.phases;
-  const std::uint64_t size = engine.memory.wme_count();
+  const std::uint64_t size = core.memory.wme_count();
   counters.wm_size_sum += size;
   counters.wm_size_maximum = std::max(counters.wm_size_maximum, size);
 }
@@ -30,39 +30,39 @@ void RunControl::EndPhase(Phase next) {
   const Phase ended = phase_;
   in_middle_ = false;
   phase_ = next;
-  CountPhase(engine_);
-  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(engine_.agent, ended); });
+  CountPhase(core_);
+  core_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnPhaseEnd(core_.agent, ended); });
   StopIfBroken();
-  if (next == Phase::kInput) engine_.SweepSymbols();
-  engine_.CheckAfterPhase();
+  if (next == Phase::kInput) core_.SweepSymbols();
+  core_.CheckAfterPhase();
 }
 
 void RunControl::InputPhase() {
-  AgentCounters& counters = engine_.counters;
+  AgentCounters& counters = core_.counters;
   cycle_wme_changes_ = counters.wme_additions + counters.wme_removals;
   cycle_firings_ = counters.firings;
-  if (engine_.settings.max_decision_time_us > 0) cycle_began_ = std::chrono::steady_clock::now();
-  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(engine_.agent); });
+  if (core_.settings.max_decision_time_us > 0) cycle_began_ = std::chrono::steady_clock::now();
+  core_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleBegin(core_.agent); });
   BeginPhase();
-  if (engine_.modules.Wants(ModuleHook::kInput)) engine_.modules.Input();
-  engine_.input.Apply(InputIsUnheard());
-  engine_.elaboration.ApplyBufferedChanges();
+  if (core_.modules.Wants(ModuleHook::kInput)) core_.modules.Input();
+  core_.input.Apply(InputIsUnheard());
+  core_.elaboration.ApplyBufferedChanges();
   EndPhase(Phase::kPropose);
 }
 
 bool RunControl::InputIsUnheard() const {
-  if (engine_.observers.Wants(Event::kWme) || engine_.modules.Wants(ModuleHook::kFlush) ||
-      engine_.modules.Wants(ModuleHook::kAttributes)) {
+  if (core_.observers.Wants(Event::kWme) || core_.modules.Wants(ModuleHook::kFlush) ||
+      core_.modules.Wants(ModuleHook::kAttributes)) {
     return false;
   }
-  for (GoalLevel level = 0; level <= engine_.goals.depth(); ++level) {
-    if (engine_.rete.matches().HasRetractions(level)) return false;
+  for (GoalLevel level = 0; level <= core_.goals.depth(); ++level) {
+    if (core_.rete.matches().HasRetractions(level)) return false;
   }
   return true;
 }
 
 bool RunControl::ElaboratePhase(bool apply) {
-  Elaboration& elaboration = engine_.elaboration;
+  Elaboration& elaboration = core_.elaboration;
   Elaboration::Next next = Elaboration::Next::kElaborate;
   if (!in_middle_) {
     in_middle_ = true;
@@ -72,7 +72,7 @@ bool RunControl::ElaboratePhase(bool apply) {
   }
   if (next == Elaboration::Next::kElaborate) {
     elaboration.Run(apply);
-    if (engine_.modules.Wants(ModuleHook::kAfterElaboration)) engine_.modules.AfterElaboration();
+    if (core_.modules.Wants(ModuleHook::kAfterElaboration)) core_.modules.AfterElaboration();
     next = elaboration.Determine(apply);
   }
   if (next == Elaboration::Next::kElaborate) return false;
@@ -82,26 +82,26 @@ bool RunControl::ElaboratePhase(bool apply) {
 
 void RunControl::DecidePhase() {
   BeginPhase();
-  ++engine_.counters.decision_phases;
-  engine_.decision.Decide();
+  ++core_.counters.decision_phases;
+  core_.decision.Decide();
   // Frees what removed states held at the end of the propose phase here, not in the next elaboration.
-  engine_.elaboration.ApplyWorkingMemoryChanges();
-  if (engine_.observers.Wants(Event::kDecision)) {
-    const GoalInfo info = engine_.descriptions.Describe(engine_.goals.bottom());
-    const std::uint64_t number = engine_.counters.decision_phases;
-    engine_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(engine_.agent, info, number); });
+  core_.elaboration.ApplyWorkingMemoryChanges();
+  if (core_.observers.Wants(Event::kDecision)) {
+    const GoalInfo info = core_.descriptions.Describe(core_.goals.bottom());
+    const std::uint64_t number = core_.counters.decision_phases;
+    core_.observers.Notify(Event::kDecision, [&](Observer& o) { o.OnDecision(core_.agent, info, number); });
   }
-  if (engine_.modules.Wants(ModuleHook::kAfterDecision)) engine_.modules.AfterDecision();
+  if (core_.modules.Wants(ModuleHook::kAfterDecision)) core_.modules.AfterDecision();
   EndPhase(Phase::kApply);
 }
 
 void RunControl::OutputPhase() {
   BeginPhase();
-  output_changed_ = engine_.output.Collect();
-  if (output_changed_) engine_.observers.Notify(Event::kOutput, [&](Observer& o) { o.OnOutput(engine_.agent); });
-  if (engine_.modules.Wants(ModuleHook::kOutput)) engine_.modules.Output(output_changed_);
-  if (engine_.modules.Wants(ModuleHook::kOutputEnd)) engine_.modules.OutputEnd();
-  AgentCounters& counters = engine_.counters;
+  output_changed_ = core_.output.Collect();
+  if (output_changed_) core_.observers.Notify(Event::kOutput, [&](Observer& o) { o.OnOutput(core_.agent); });
+  if (core_.modules.Wants(ModuleHook::kOutput)) core_.modules.Output(output_changed_);
+  if (core_.modules.Wants(ModuleHook::kOutputEnd)) core_.modules.OutputEnd();
+  AgentCounters& counters = core_.counters;
   ++counters.decision_cycles;
   const std::uint64_t changes = counters.wme_additions + counters.wme_removals - cycle_wme_changes_;
   if (changes > counters.max_wme_changes) {
@@ -113,12 +113,12 @@ void RunControl::OutputPhase() {
     counters.max_firings_cycle = counters.decision_cycles;
   }
   EndPhase(Phase::kInput);
-  engine_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleEnd(engine_.agent); });
-  const std::int64_t limit = engine_.settings.max_decision_time_us;
+  core_.observers.Notify(Event::kPhase, [&](Observer& o) { o.OnDecisionCycleEnd(core_.agent); });
+  const std::int64_t limit = core_.settings.max_decision_time_us;
   if (limit > 0) {
     const auto spent = std::chrono::steady_clock::now() - cycle_began_;
     if (std::chrono::duration_cast<std::chrono::microseconds>(spent).count() > limit) {
-      engine_.observers.Warn(WarningKind::kMaxDecisionTime, "the decision cycle took longer than max-dc-time");
+      core_.observers.Warn(WarningKind::kMaxDecisionTime, "the decision cycle took longer than max-dc-time");
       RequestStop("max-dc-time");
     }
   }
@@ -158,10 +158,10 @@ void RunControl::ClearStop() {
 }
 
 void RunControl::TellInterrupts() {
-  for (const std::uint32_t rule : engine_.rete.matches().TakeInterrupting()) {
+  for (const std::uint32_t rule : core_.rete.matches().TakeInterrupting()) {
     const auto id = static_cast<ProductionId>(rule);
-    const std::uint32_t count = ++engine_.interrupts[id];
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnRuleInterrupt(engine_.agent, id, count); });
+    const std::uint32_t count = ++core_.interrupts[id];
+    core_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnRuleInterrupt(core_.agent, id, count); });
     rule_interrupt_ = running_;
     action_interrupt_ = false;
   }
@@ -169,7 +169,7 @@ void RunControl::TellInterrupts() {
 
 void RunControl::GoalStackLimit() {
   goal_stack_limit_ = true;
-  engine_.observers.Warn(WarningKind::kGoalStackLimit, "Goal stack depth exceeded");
+  core_.observers.Warn(WarningKind::kGoalStackLimit, "Goal stack depth exceeded");
 }
 
 void RunControl::WatchGoal(Symbol goal) {
@@ -177,7 +177,7 @@ void RunControl::WatchGoal(Symbol goal) {
 }
 
 bool RunControl::Stop() {
-  if (halt_requested_ && engine_.goals.depth() >= static_cast<std::size_t>(engine_.settings.max_goal_depth)) {
+  if (halt_requested_ && core_.goals.depth() >= static_cast<std::size_t>(core_.settings.max_goal_depth)) {
     // As in Soar 9.6.3, the reported reason is then the depth, and the agent may run again.
     halt_requested_ = false;
     goal_stack_limit_ = true;
@@ -185,16 +185,16 @@ bool RunControl::Stop() {
   if (halt_requested_) {
     halt_requested_ = false;
     halted_ = true;
-    if (in_middle_) CountPhase(engine_);  // The phase will not end regularly.
-    if (engine_.modules.Wants(ModuleHook::kHalt)) engine_.modules.Halted();
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(engine_.agent); });
+    if (in_middle_) CountPhase(core_);  // The phase will not end regularly.
+    if (core_.modules.Wants(ModuleHook::kHalt)) core_.modules.Halted();
+    core_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnHalt(core_.agent); });
     return true;
   }
   if (goal_stack_limit_) {
     goal_stack_limit_ = false;
     ended_ = limit_reached_ = true;
-    if (engine_.modules.Wants(ModuleHook::kHalt)) engine_.modules.Halted();
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, "goal stack limit"); });
+    if (core_.modules.Wants(ModuleHook::kHalt)) core_.modules.Halted();
+    core_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(core_.agent, "goal stack limit"); });
     return true;
   }
   if (rule_interrupt_ && (!in_middle_ || by_elaboration_)) {
@@ -205,7 +205,7 @@ bool RunControl::Stop() {
                                     : !action_interrupt_ ? ":interrupt"
                                     : by_phase_          ? "(interrupt), by phases"
                                                          : "(interrupt)";
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
+    core_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(core_.agent, reason); });
     return true;
   }
   if (stop_.load(std::memory_order_relaxed)) {
@@ -216,7 +216,7 @@ bool RunControl::Stop() {
     }
     ClearStop();
     ended_ = true;
-    engine_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(engine_.agent, reason); });
+    core_.observers.Notify(Event::kRun, [&](Observer& o) { o.OnInterrupt(core_.agent, reason); });
     return true;
   }
   return false;
@@ -225,10 +225,10 @@ bool RunControl::Stop() {
 // Running -------------------------------------------------------------------------------------------------------------
 
 RunControl::Start RunControl::Begin() {
-  if (engine_.rules_changed) engine_.OfferRules();
+  if (core_.rules_changed) core_.OfferRules();
   running_ = true;
   ended_ = limit_reached_ = rule_interrupt_ = by_elaboration_ = by_phase_ = false;
-  return {engine_.counters.decision_cycles, engine_.counters.elaborations, engine_.counters.firings};
+  return {core_.counters.decision_cycles, core_.counters.elaborations, core_.counters.firings};
 }
 
 RunResult RunControl::Finish(const Start& start) {
@@ -238,14 +238,14 @@ RunResult RunControl::Finish(const Start& start) {
                   : limit_reached_ ? StopReason::kLimit
                   : ended_         ? StopReason::kInterrupted
                                    : StopReason::kCompleted;
-  result.decisions = engine_.counters.decision_cycles - start.decisions;
-  result.elaborations = engine_.counters.elaborations - start.elaborations;
-  result.firings = engine_.counters.firings - start.firings;
+  result.decisions = core_.counters.decision_cycles - start.decisions;
+  result.elaborations = core_.counters.elaborations - start.elaborations;
+  result.firings = core_.counters.firings - start.firings;
   return result;
 }
 
 bool RunControl::RunOneDecision() {
-  const AgentCounters& counters = engine_.counters;
+  const AgentCounters& counters = core_.counters;
   const std::uint64_t elaborations = counters.elaborations;
   const bool whole = phase_ == Phase::kInput && !in_middle_;
   std::uint64_t changes = 0;
@@ -260,29 +260,29 @@ bool RunControl::RunOneDecision() {
 // If a decision began with the input phase and changed nothing after it, the next one cannot differ: slots and goals
 // were checked, and no random choice was made.
 bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const {
-  const AgentCounters& counters = engine_.counters;
-  const auto wants = [&](auto... hooks) { return (engine_.modules.Wants(hooks) || ...); };
+  const AgentCounters& counters = core_.counters;
+  const auto wants = [&](auto... hooks) { return (core_.modules.Wants(hooks) || ...); };
   constexpr EventMask kEachDecision = Event::kPhase | Event::kElaboration | Event::kDecisionTrace;
   return counters.elaborations == elaborations_before &&
          counters.wme_additions + counters.wme_removals == changes_before && !output_changed_ &&
-         (engine_.observers.mask() & kEachDecision) == 0 &&
+         (core_.observers.mask() & kEachDecision) == 0 &&
          !wants(ModuleHook::kInput, ModuleHook::kAfterDecision, ModuleHook::kOutput, ModuleHook::kOutputEnd) &&
-         !engine_.exploration.auto_reduce && engine_.settings.max_decision_time_us <= 0 &&
-         engine_.settings.max_elaborations > 0;
+         !core_.exploration.auto_reduce && core_.settings.max_decision_time_us <= 0 &&
+         core_.settings.max_elaborations > 0;
 }
 
 /// Counts decisions as if they had been executed: each ends all phases.
 void RunControl::CountIdle(std::uint64_t decisions) {
-  AgentCounters& counters = engine_.counters;
+  AgentCounters& counters = core_.counters;
   constexpr std::uint64_t kPhases = 5;
   counters.decision_phases += decisions;
   counters.decision_cycles += decisions;
   counters.phases += kPhases * decisions;
-  counters.wm_size_sum += kPhases * decisions * engine_.memory.wme_count();
+  counters.wm_size_sum += kPhases * decisions * core_.memory.wme_count();
 }
 
 void RunControl::RunOneOutput() {
-  for (int idle = 0; idle < std::max(1, engine_.settings.max_nil_output_cycles); ++idle) {
+  for (int idle = 0; idle < std::max(1, core_.settings.max_nil_output_cycles); ++idle) {
     RunOneDecision();
     if (MustEnd() || output_changed_) return;
   }
@@ -353,7 +353,7 @@ RunResult RunControl::Run(RunUnit unit, std::uint64_t count) {
     return total;
   }
   // A decision run ends before the stop phase; a run that begins there executes one full cycle.
-  const Phase stop = engine_.settings.stop_phase;
+  const Phase stop = core_.settings.stop_phase;
   for (; count > 0; --count) {
     if (phase_ == stop && !in_middle_ && !add(Step(RunUnit::kPhase))) return total;
     if (!add(RunToPhase(stop))) return total;

@@ -16,13 +16,13 @@
 
 namespace soarbox::kernel {
 
-struct Engine;
+struct AgentCore;
 
 /// The decision cycle (input, propose, decide, apply, output) as a state machine that can stop between any two
 /// elaborations. Stores the next phase, counts cycles, and ends runs.
 class RunControl {
  public:
-  explicit RunControl(Engine& engine) : engine_(engine) {}
+  explicit RunControl(AgentCore& core) : core_(core) {}
 
   RunResult Run(RunUnit unit, std::uint64_t count);
   RunResult Step(RunUnit unit, std::uint64_t most = 1);
@@ -95,7 +95,7 @@ class RunControl {
   void CountIdle(std::uint64_t decisions);
   void RunOneOutput();
 
-  Engine& engine_;
+  AgentCore& core_;
   Phase phase_ = Phase::kInput;
   bool in_middle_ = false;
   bool running_ = false;

@@ -5,7 +5,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   decide/descriptions.cpp
   decide/elaboration.cpp
   decide/element_events.cpp
-  decide/engine.cpp
+  decide/agent_core.cpp
   decide/exploration.cpp
   decide/firing.cpp
   decide/goal_changes.cpp
@@ -30,5 +30,5 @@ list(APPEND SOARBOX_KERNEL_TESTS
 # Looks at the memory of its process.
 soarbox_kernel_test(kernel_agent_test SOURCES decide/agent_test.cpp decide/rule_sharing_test.cpp)
 soarbox_kernel_test(kernel_allocation_test STAGES release sanitized SOURCES decide/allocation_test.cpp DEPENDS soarbox_counted_allocations)
-soarbox_kernel_test(kernel_random_agents_test STAGES release sanitized SOURCES decide/random_agents.cpp decide/random_agents_test.cpp match/naive_matcher.cpp)
+soarbox_kernel_test(kernel_random_agents_test STAGES release sanitized SOURCES decide/random_agents_test_support.cpp decide/random_agents_test.cpp match/naive_matcher_test_support.cpp)
 soarbox_kernel_test(kernel_failing_allocation_test SOURCES decide/failing_allocation_test.cpp DEPENDS soarbox_counted_allocations)

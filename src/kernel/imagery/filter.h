@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "kernel/imagery/scene.h"
+#include "kernel/imagery/imagery_scene.h"
 #include "kernel/imagery/tracked_list.h"
 
 namespace soarbox::kernel::imagery {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "kernel/imagery/imagery_scene.h"
 #include "kernel/imagery/measures.h"
-#include "kernel/imagery/scene.h"
 #include "kernel/imagery/scene_lines.h"
 
 namespace soarbox::kernel::imagery {

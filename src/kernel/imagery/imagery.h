@@ -15,13 +15,13 @@
 #include "kernel/base/symbol.h"
 #include "kernel/decide/module.h"
 #include "kernel/imagery/filter_pool.h"
+#include "kernel/imagery/imagery_scene.h"
 #include "kernel/imagery/measures.h"
 #include "kernel/imagery/memory_writer.h"
-#include "kernel/imagery/scene.h"
 #include "kernel/imagery/scene_command.h"
 #include "kernel/imagery/scene_feed.h"
+#include "kernel/imagery/scene_in_memory.h"
 #include "kernel/imagery/scene_lines.h"
-#include "kernel/imagery/scene_view.h"
 
 namespace soarbox::kernel {
 

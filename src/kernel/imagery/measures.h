@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/imagery/scene.h"
+#include "kernel/imagery/imagery_scene.h"
 
 namespace soarbox::kernel::imagery {
 

@@ -10,8 +10,8 @@
 
 #include "kernel/base/symbol.h"
 #include "kernel/imagery/filter_kinds.h"
+#include "kernel/imagery/imagery_scene.h"
 #include "kernel/imagery/memory_writer.h"
-#include "kernel/imagery/scene.h"
 
 namespace soarbox::kernel::imagery {
 

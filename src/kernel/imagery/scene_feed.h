@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "kernel/imagery/scene.h"
+#include "kernel/imagery/imagery_scene.h"
 
 namespace soarbox::kernel::imagery {
 

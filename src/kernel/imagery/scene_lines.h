@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/imagery/scene.h"
+#include "kernel/imagery/imagery_scene.h"
 
 namespace soarbox::kernel::imagery {
 

@@ -13,11 +13,11 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   imagery/memory_writer.cpp
   imagery/node_filters.cpp
   imagery/other_filters.cpp
-  imagery/scene.cpp
+  imagery/imagery_scene.cpp
   imagery/scene_command.cpp
   imagery/scene_feed.cpp
   imagery/scene_lines.cpp
-  imagery/scene_view.cpp
+  imagery/scene_in_memory.cpp
   imagery/space.cpp
   imagery/state_scene.cpp)
 list(APPEND SOARBOX_KERNEL_TESTS imagery/geometry_test.cpp imagery/imagery_test.cpp)

@@ -48,7 +48,7 @@ class OutputLink {
   /// The commands that changes() adds.
   std::span<const OutputCommand> new_commands() const { return new_commands_; }
 
-  /// For the engine.
+  /// For the core.
   void SetIdentifier(Symbol identifier);
   /// The output phase: true if something changed.
   bool Collect();

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "kernel/base/symbol.h"
-#include "kernel/longterm/terms.h"
+#include "kernel/longterm/store_term.h"
 
 namespace soarbox::kernel {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "kernel/longterm/naive_episodes.h"
+#include "kernel/longterm/naive_episodes_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

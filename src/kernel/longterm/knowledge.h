@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "kernel/longterm/flat_map.h"
-#include "kernel/longterm/terms.h"
+#include "kernel/longterm/store_term.h"
 
 namespace soarbox::kernel {
 

@@ -11,7 +11,7 @@ namespace soarbox::kernel {
 class SemanticMemory;
 
 /// The texts of `smem --add`, `--query` and `--remove`, without the outer braces:
-///   (@12 ^name tank ^has @13 <part> ^engine.fuel diesel) (<part> ^name hatch) (@steel ^hardness 6)
+///   (@12 ^name tank ^has @13 <part> ^core.fuel diesel) (<part> ^name hatch) (@steel ^hardness 6)
 /// An object is a number (@12), an alias that is known in the entire memory (@steel), or a variable, which represents a
 /// new object within one text. Several values may follow an attribute. A path creates an object for each of its dots. A
 /// number in parentheses after a link is its weight (link_weights.h).

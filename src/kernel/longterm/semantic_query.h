@@ -8,7 +8,7 @@
 
 #include "kernel/longterm/activations.h"
 #include "kernel/longterm/knowledge.h"
-#include "kernel/longterm/terms.h"
+#include "kernel/longterm/store_term.h"
 
 namespace soarbox::kernel {
 

@@ -24,12 +24,12 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   longterm/shared_knowledge.cpp
   longterm/spreading.cpp
   longterm/surface_match.cpp
-  longterm/terms.cpp
+  longterm/store_term.cpp
   longterm/wm_activation.cpp
   longterm/written_order.cpp)
 list(APPEND SOARBOX_KERNEL_TESTS
   longterm/episode_store_test.cpp
   longterm/episodic_memory_test.cpp
-  longterm/naive_episodes.cpp
+  longterm/naive_episodes_test_support.cpp
   longterm/origins_test.cpp
   longterm/semantic_search_test.cpp)

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/match/match_fixture.h"
+#include "kernel/match/match_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

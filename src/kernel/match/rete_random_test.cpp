@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
-#include "kernel/match/match_fixture.h"
-#include "kernel/match/naive_matcher.h"
-#include "kernel/match/random_rules.h"
+#include "kernel/match/match_test_support.h"
+#include "kernel/match/naive_matcher_test_support.h"
+#include "kernel/match/random_rules_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

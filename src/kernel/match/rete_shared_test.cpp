@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/match/match_fixture.h"
-#include "kernel/match/naive_matcher.h"
+#include "kernel/match/match_test_support.h"
+#include "kernel/match/naive_matcher_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "kernel/match/match_fixture.h"
+#include "kernel/match/match_test_support.h"
 
 namespace soarbox::kernel {
 namespace {

@@ -28,4 +28,4 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/shared_conjunctions.cpp
   match/sparse_memories.cpp
   match/token_pool.cpp)
-soarbox_kernel_test(kernel_match_test STAGES release sanitized SOURCES match/match_fixture.cpp match/naive_matcher.cpp match/random_rules.cpp match/match_parts_test.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp)
+soarbox_kernel_test(kernel_match_test STAGES release sanitized SOURCES match/match_test_support.cpp match/naive_matcher_test_support.cpp match/random_rules_test_support.cpp match/match_parts_test.cpp match/rete_test.cpp match/rete_random_test.cpp match/rete_shared_test.cpp match/rete_guard_test.cpp)

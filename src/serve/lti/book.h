@@ -15,7 +15,7 @@
 #include "serve/class_list.h"
 #include "serve/lti/launch.h"
 #include "serve/lti/platform_file.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::lti {
 

@@ -11,7 +11,7 @@
 #include "diagnostics/result.h"
 #include "serve/class_list.h"
 #include "serve/place_answers.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::serve {
 struct WebRequest;

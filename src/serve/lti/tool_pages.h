@@ -8,7 +8,7 @@
 #include "serve/lti/launch.h"
 #include "serve/lti/platform_file.h"
 #include "serve/place_answers.h"
-#include "serve/settings.h"
+#include "serve/server_settings.h"
 
 namespace soarbox::lti {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "sml/client/client_memory.h"
 #include "sml/client/handler_table.h"
 #include "sml/client/kernel_data.h"
 #include "sml/client/link.h"
 #include "sml/client/sml_ClientAgent.h"
-#include "sml/client/working_memory.h"
 #include "sml/wire/element.h"
 
 namespace sml {

@@ -3,7 +3,7 @@
 
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "cli/stack_printer.h"
 #include "diagnostics/name_table.h"
 #include "kernel/agent.h"
@@ -201,7 +201,7 @@ class LocalInspection final : public MindInspection {
     return learning;
   }
 
-  std::vector<mind::LessonFact> Lessons(bool whole, std::string_view rule) override {
+  std::vector<mind::LearnedRuleFact> Lessons(bool whole, std::string_view rule) override {
     return InspectLessons(agent_, whole, rule);
   }
 

@@ -72,11 +72,11 @@ std::string ConstantsOf(const kernel::Agent& agent, const kernel::Production& pr
   return text;
 }
 
-std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
-  std::vector<mind::LessonFact> lessons;
+std::vector<mind::LearnedRuleFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
+  std::vector<mind::LearnedRuleFact> lessons;
   for (const ExplainedRule& from : agent.explanations().noted()) {
     if (!rule.empty() && from.name != rule) continue;
-    mind::LessonFact& to = lessons.emplace_back();
+    mind::LearnedRuleFact& to = lessons.emplace_back();
     to.rule = from.name;
     to.decision = from.decision;
     to.level = from.level;

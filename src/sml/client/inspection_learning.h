@@ -16,6 +16,6 @@ inline constexpr int kMostConstants = 6;
 std::string ConstantsOf(const kernel::Agent& agent, const kernel::Production& production);
 
 /// How an agent learned its rules. See MindInspection.
-std::vector<mind::LessonFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule);
+std::vector<mind::LearnedRuleFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule);
 
 }  // namespace soarbox

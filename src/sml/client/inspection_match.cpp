@@ -5,7 +5,7 @@
 #include <array>
 
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 
 namespace soarbox {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 #include "mind/origin.h"
 #include "sml/client/sml_Events.h"
 #include "sml/server/call_mutex.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "cli/run_text.h"
 #include "sml/client/agent_data.h"
 #include "sml/client/library.h"

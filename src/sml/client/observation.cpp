@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "kernel/agent.h"
 #include "kernel/learn/explanation_log.h"
 #include "kernel/learn/learn_settings.h"

@@ -37,8 +37,8 @@ class MindObserver {
   /// A state and all states below were removed, because the impasse was resolved or its causes were removed.
   virtual void OnStateGone(int level, std::string_view state) = 0;
   virtual void OnHalt() = 0;
-  /// Called before OnOperator and OnState, if there were preferences: the packed decision (mind/decision.h). Valid
-  /// until the next call.
+  /// Called before OnOperator and OnState, if there were preferences: the packed decision (mind/decision_facts.h).
+  /// Valid until the next call.
   virtual void OnDecided(std::string_view decision) { (void)decision; }
   /// The result of a command of rules to long-term memory. `number`: that of the object or the episode; 0: nothing was
   /// found. `question`: "^kind ammo". `answer`: for an object, some of its augmentations. `reason`: why this was found,

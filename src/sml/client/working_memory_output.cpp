@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "sml/client/agent_data.h"
-#include "sml/client/working_memory.h"
+#include "sml/client/client_memory.h"
 
 namespace sml {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "sml/server/connection.h"
 #include "sml/wire/element.h"
 #include "sml/wire/message.h"

@@ -9,7 +9,7 @@
 
 #include "kernel/agent.h"
 #include "kernel/decide/decision_trace.h"
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 #include "sml/server/printed_names.h"
 
 namespace soarbox::server {

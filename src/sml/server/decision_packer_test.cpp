@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernel/decide/exploration.h"
-#include "kernel/decide/random_agents.h"
+#include "kernel/decide/random_agents_test_support.h"
 #include "kernel/observer.h"
 #include "mind/decision_codec.h"
 

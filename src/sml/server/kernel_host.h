@@ -14,13 +14,13 @@
 #include "cli/fence.h"
 #include "cli/host.h"
 #include "cli/interpreter.h"
-#include "cli/result.h"
+#include "cli/result_node.h"
 #include "sml/server/call_mutex.h"
 #include "sml/server/client_log.h"
 #include "sml/server/client_player.h"
 #include "sml/server/connection.h"
 #include "sml/server/hosted_agent.h"
-#include "sml/server/run_control.h"
+#include "sml/server/run_scheduler.h"
 
 namespace soarbox::server {
 

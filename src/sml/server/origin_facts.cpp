@@ -8,7 +8,7 @@
 
 #include "cli/lookup.h"
 #include "cli/object_printer.h"
-#include "cli/rule_text.h"
+#include "cli/printed_rule.h"
 #include "kernel/agent.h"
 #include "kernel/longterm/origins.h"
 #include "mind/decision_codec.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "mind/decision.h"
+#include "mind/decision_facts.h"
 #include "sml/wire/element.h"
 
 namespace soarbox::wire {

@@ -9,7 +9,7 @@
 #include "viewer/panels/draw_limit.h"
 #include "viewer/panels/first_steps.h"
 #include "viewer/panels/layout_audit.h"
-#include "viewer/panels/panel_stage.h"
+#include "viewer/panels/panel_test_support.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "viewer/panels/panel_stage.h"
-#include "workbench/document/terms.h"
+#include "viewer/panels/panel_test_support.h"
+#include "workbench/document/glossary.h"
 
 namespace soarbox::viewer {
 namespace {

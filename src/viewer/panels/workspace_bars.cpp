@@ -5,8 +5,8 @@
 
 #include "viewer/panels/icons.h"
 #include "viewer/panels/layout_audit.h"
+#include "viewer/panels/panel_layout.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/panels/workspace.h"
 
 namespace soarbox::viewer {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "workbench/document/build.h"
+#include "workbench/document/glossary.h"
 #include "workbench/document/panels.h"
-#include "workbench/document/terms.h"
 
 namespace soarbox::workbench::document {
 namespace {

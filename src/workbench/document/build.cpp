@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "debugger/file_place.h"
-#include "workbench/document/terms.h"
+#include "workbench/document/glossary.h"
 
 namespace soarbox::workbench::document {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "explain/memory_facts.h"
-#include "mind/facts.h"
+#include "mind/inspection_facts.h"
 #include "workbench/contents.h"
 #include "workbench/document/document.h"
 

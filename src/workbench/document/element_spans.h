@@ -4,7 +4,7 @@
 #include <string>
 
 #include "debugger/memory.h"
-#include "mind/facts.h"
+#include "mind/inspection_facts.h"
 #include "workbench/document/document.h"
 
 namespace soarbox::workbench::document {

@@ -6,8 +6,8 @@
 #include "debugger/percept_help.h"
 #include "workbench/document/build.h"
 #include "workbench/document/element_spans.h"
+#include "workbench/document/glossary.h"
 #include "workbench/document/panels.h"
-#include "workbench/document/terms.h"
 
 namespace soarbox::workbench::document {
 namespace {

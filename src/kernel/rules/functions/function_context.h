@@ -13,7 +13,7 @@
 
 namespace soarbox::kernel {
 
-/// The interface through which right-hand-side functions access the firing agent. The engine implements it; the
+/// The interface through which right-hand-side functions access the firing agent. The core implements it; the
 /// functions access nothing else. Single-threaded; used only while a rule fires.
 class FunctionContext {
  public:
