@@ -123,7 +123,7 @@ void PrintOrigins(const sim::Simulation& world, const std::string& agent, const 
   const std::unique_ptr<explain::Inspector> mind = world.Inspect(agent);
   auto* const source = dynamic_cast<explain::LearningSource*>(mind.get());
   if (source == nullptr) return;
-  for (const explain::LearnedRuleFact& lesson : source->Lessons()) {
+  for (const explain::LearnedRuleFact& lesson : source->LearnedRules()) {
     if (!Names(account, lesson.rule)) continue;
     const std::optional<debugger::WhyNode> origin = debugger::OriginOf(*mind, lesson.rule);
     if (origin) std::cout << "  " << lesson.rule << " was\n" << debugger::ToText(*origin, 2);

@@ -15,9 +15,9 @@ using explain::TripleFact;
 
 constexpr std::size_t kMostFirings = 200;  ///< Maximum number of firings reported for one rule.
 
-const FiringFact* FindFiring(const LearnedRuleFact& lesson, std::uint32_t serial) {
-  const auto found = std::ranges::find(lesson.firings, serial, &FiringFact::serial);
-  return found == lesson.firings.end() ? nullptr : &*found;
+const FiringFact* FindFiring(const LearnedRuleFact& learned, std::uint32_t serial) {
+  const auto found = std::ranges::find(learned.firings, serial, &FiringFact::serial);
+  return found == learned.firings.end() ? nullptr : &*found;
 }
 
 std::string TripleText(const TripleFact& triple) {
@@ -33,8 +33,8 @@ std::string FiringName(const FiringFact& firing) {
 }
 
 /// The name of an operator in an action or condition; otherwise its variable.
-std::string OperatorCalled(const LearnedRuleFact& lesson, const std::string& id) {
-  for (const std::vector<TripleFact>* triples : {&lesson.actions, &lesson.conditions}) {
+std::string OperatorCalled(const LearnedRuleFact& learned, const std::string& id) {
+  for (const std::vector<TripleFact>* triples : {&learned.actions, &learned.conditions}) {
     for (const TripleFact& triple : *triples) {
       if (!triple.negated && triple.id == id && triple.attribute == "name") return triple.value;
     }
@@ -42,11 +42,11 @@ std::string OperatorCalled(const LearnedRuleFact& lesson, const std::string& id)
   return "the operator " + id;
 }
 
-std::string PreferenceWords(const LearnedRuleFact& lesson, const TripleFact& action) {
-  const std::string name = OperatorCalled(lesson, action.value);
+std::string PreferenceWords(const LearnedRuleFact& learned, const TripleFact& action) {
+  const std::string name = OperatorCalled(learned, action.value);
   const bool is_number = !action.referent.empty() && action.referent.front() != '<';
   const std::string other =
-      action.referent.empty() || is_number ? action.referent : OperatorCalled(lesson, action.referent);
+      action.referent.empty() || is_number ? action.referent : OperatorCalled(learned, action.referent);
   if (action.sign == "+") return "proposes " + name;
   if (action.sign == "!") return "requires " + name;
   if (action.sign == "-") return "rejects " + name;
@@ -61,7 +61,7 @@ std::string PreferenceWords(const LearnedRuleFact& lesson, const TripleFact& act
 /// below.
 class FiringTeller {
  public:
-  explicit FiringTeller(const LearnedRuleFact& lesson) : lesson_(lesson) {}
+  explicit FiringTeller(const LearnedRuleFact& learned) : learned_(learned) {}
 
   WhyNode Tell(const FiringFact& firing) {
     WhyNode node{FiringName(firing), WhyKind::kRule, firing.rule, {}};
@@ -79,7 +79,7 @@ class FiringTeller {
         node.below.push_back({met + " of a higher state", WhyKind::kPercept, "", {}});
         continue;
       }
-      const FiringFact* const creator = FindFiring(lesson_, condition.creator);
+      const FiringFact* const creator = FindFiring(learned_, condition.creator);
       WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", WhyKind::kElement, "", {}});
       if (creator != nullptr && told_.size() < kMostFirings) {
         local.text += ", made by";
@@ -92,11 +92,11 @@ class FiringTeller {
   }
 
  private:
-  const LearnedRuleFact& lesson_;
+  const LearnedRuleFact& learned_;
   std::set<std::uint32_t> told_;
 };
 
-WhyNode ConditionNode(const LearnedRuleFact& lesson, const TripleFact& condition) {
+WhyNode ConditionNode(const LearnedRuleFact& learned, const TripleFact& condition) {
   WhyNode node{TripleText(condition), WhyKind::kCondition, "", {}};
   if (condition.negated) {
     node.below.push_back({"a rule of the substate required that this is absent", WhyKind::kReason, "", {}});
@@ -104,7 +104,7 @@ WhyNode ConditionNode(const LearnedRuleFact& lesson, const TripleFact& condition
   }
   if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", WhyKind::kElement, "", {}});
   for (std::size_t n = 0; n < condition.path.size(); ++n) {
-    const FiringFact* const firing = FindFiring(lesson, condition.path[n]);
+    const FiringFact* const firing = FindFiring(learned, condition.path[n]);
     if (firing == nullptr) continue;
     std::string text = (n == 0 ? "tested by " : "which led to ") + FiringName(*firing);
     if (firing->made_result) text += ", which gave the result";
@@ -114,19 +114,19 @@ WhyNode ConditionNode(const LearnedRuleFact& lesson, const TripleFact& condition
   return node;
 }
 
-std::string DecisionText(const LearnedRuleFact& lesson) {
-  return "learned in decision " + std::to_string(lesson.decision) + " in the substate " + lesson.state + " (" +
-         ImpasseOf(lesson) + ")";
+std::string DecisionText(const LearnedRuleFact& learned) {
+  return "learned in decision " + std::to_string(learned.decision) + " in the substate " + learned.state + " (" +
+         ImpasseOf(learned) + ")";
 }
 
-std::string Misgivings(const LearnedRuleFact& lesson) {
+std::string Misgivings(const LearnedRuleFact& learned) {
   std::string text;
   const auto add = [&](bool is_so, const char* what) {
     if (is_so) text += (text.empty() ? "" : "; ") + std::string(what);
   };
-  add(lesson.local_negation, "it rests on what was absent in the substate, so it may be too general");
-  add(lesson.long_term_memory, "it rests on what long-term memory recalled");
-  add(lesson.repaired, "conditions were added so that a state leads to all that it tests");
+  add(learned.local_negation, "it rests on what was absent in the substate, so it may be too general");
+  add(learned.long_term_memory, "it rests on what long-term memory recalled");
+  add(learned.repaired, "conditions were added so that a state leads to all that it tests");
   return text;
 }
 
@@ -136,19 +136,19 @@ explain::LearningSource* SourceOf(explain::Inspector& mind) {
 
 }  // namespace
 
-std::string PurposeOf(const LearnedRuleFact& lesson) {
+std::string PurposeOf(const LearnedRuleFact& learned) {
   std::vector<std::string> parts;
   const auto add = [&](std::string part) {
     if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
   };
   std::set<std::string> operators;
-  for (const TripleFact& action : lesson.actions) {
+  for (const TripleFact& action : learned.actions) {
     if (action.attribute != "operator") continue;
-    add(PreferenceWords(lesson, action));
+    add(PreferenceWords(learned, action));
     operators.insert(action.value);
   }
   // Actions on a proposed operator are part of the proposal.
-  for (const TripleFact& action : lesson.actions) {
+  for (const TripleFact& action : learned.actions) {
     if (action.attribute == "operator" || operators.contains(action.id)) continue;
     const bool is_variable = action.value.starts_with('<');
     add((action.sign == "-" ? "removes ^" : "makes ^") + action.attribute + (is_variable ? "" : " " + action.value));
@@ -158,21 +158,21 @@ std::string PurposeOf(const LearnedRuleFact& lesson) {
   return text;
 }
 
-std::string ImpasseOf(const LearnedRuleFact& lesson) {
-  std::string text = lesson.attribute + " " + lesson.impasse + " in " + lesson.superstate;
-  if (!lesson.operator_name.empty()) text += ", where " + lesson.operator_name + " was selected";
+std::string ImpasseOf(const LearnedRuleFact& learned) {
+  std::string text = learned.attribute + " " + learned.impasse + " in " + learned.superstate;
+  if (!learned.operator_name.empty()) text += ", where " + learned.operator_name + " was selected";
   return text;
 }
 
-WhyNode TellOrigin(const LearnedRuleFact& lesson) {
-  WhyNode node{DecisionText(lesson), WhyKind::kLearned, lesson.rule, {}};
-  if (const FiringFact* const base = FindFiring(lesson, lesson.base)) {
+WhyNode TellOrigin(const LearnedRuleFact& learned) {
+  WhyNode node{DecisionText(learned), WhyKind::kLearned, learned.rule, {}};
+  if (const FiringFact* const base = FindFiring(learned, learned.base)) {
     node.below.push_back({"from " + FiringName(*base) + ", which gave the result", WhyKind::kRule, base->rule, {}});
   }
   constexpr std::size_t kMostOthers = 8;
   std::size_t others = 0;
-  for (auto firing = lesson.firings.rbegin(); firing != lesson.firings.rend(); ++firing) {
-    if (firing->serial == lesson.base) continue;
+  for (auto firing = learned.firings.rbegin(); firing != learned.firings.rend(); ++firing) {
+    if (firing->serial == learned.base) continue;
     if (++others <= kMostOthers)
       node.below.push_back({"which rested on " + FiringName(*firing), WhyKind::kRule, firing->rule, {}});
   }
@@ -182,28 +182,28 @@ WhyNode TellOrigin(const LearnedRuleFact& lesson) {
   return node;
 }
 
-WhyNode TellLesson(const LearnedRuleFact& lesson) {
-  WhyNode root{lesson.rule + ": " + DecisionText(lesson), WhyKind::kLearned, lesson.rule, {}};
-  if (const std::string misgivings = Misgivings(lesson); !misgivings.empty())
+WhyNode TellLearnedRule(const LearnedRuleFact& learned) {
+  WhyNode root{learned.rule + ": " + DecisionText(learned), WhyKind::kLearned, learned.rule, {}};
+  if (const std::string misgivings = Misgivings(learned); !misgivings.empty())
     root.below.push_back({"note: " + misgivings, WhyKind::kReason, "", {}});
   WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", WhyKind::kReason, "", {}});
-  for (const TripleFact& condition : lesson.conditions) conditions.below.push_back(ConditionNode(lesson, condition));
+  for (const TripleFact& condition : learned.conditions) conditions.below.push_back(ConditionNode(learned, condition));
   WhyNode& actions =
-      root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(lesson), WhyKind::kReason, "", {}});
-  for (const TripleFact& action : lesson.actions) {
+      root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(learned), WhyKind::kReason, "", {}});
+  for (const TripleFact& action : learned.actions) {
     WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), WhyKind::kCondition, "", {}});
     made.below.push_back({"it was (" + action.met + ")", WhyKind::kElement, "", {}});
   }
   WhyNode& firings = root.below.emplace_back(
       WhyNode{"how the substate came to the result, from its last firing back", WhyKind::kReason, "", {}});
-  FiringTeller teller(lesson);
-  if (const FiringFact* const base = FindFiring(lesson, lesson.base)) firings.below.push_back(teller.Tell(*base));
+  FiringTeller teller(learned);
+  if (const FiringFact* const base = FindFiring(learned, learned.base)) firings.below.push_back(teller.Tell(*base));
   return root;
 }
 
 std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rule) {
   if (explain::LearningSource* const source = SourceOf(mind)) {
-    if (const std::optional<LearnedRuleFact> lesson = source->Lesson(rule)) return TellLesson(*lesson);
+    if (const std::optional<LearnedRuleFact> learned = source->LearnedRule(rule)) return TellLearnedRule(*learned);
   }
   for (const explain::RuleFact& known : mind.Rules()) {
     if (known.name != rule || known.type != "chunk") continue;
@@ -222,7 +222,7 @@ std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rul
 std::optional<WhyNode> OriginOf(explain::Inspector& mind, std::string_view rule) {
   explain::LearningSource* const source = SourceOf(mind);
   if (source == nullptr || rule.empty()) return std::nullopt;
-  if (const std::optional<LearnedRuleFact> lesson = source->Lesson(rule)) return TellOrigin(*lesson);
+  if (const std::optional<LearnedRuleFact> learned = source->LearnedRule(rule)) return TellOrigin(*learned);
   return std::nullopt;
 }
 

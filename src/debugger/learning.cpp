@@ -77,14 +77,14 @@ LearningView LookAtLearning(explain::Inspector& mind, std::string_view text, con
     std::ranges::stable_sort(view.numbers, std::ranges::greater(), &explain::NumberFact::value);
     return view;
   }
-  std::map<std::string, const explain::LearnedRuleFact*, std::less<>> lessons;
-  const std::vector<explain::LearnedRuleFact> told = source->Lessons();
-  for (const explain::LearnedRuleFact& lesson : told) lessons[lesson.rule] = &lesson;
+  std::map<std::string, const explain::LearnedRuleFact*, std::less<>> learned_rules;
+  const std::vector<explain::LearnedRuleFact> told = source->LearnedRules();
+  for (const explain::LearnedRuleFact& learned : told) learned_rules[learned.rule] = &learned;
   const auto add = [&](LearnedRuleRow row) {
-    if (const auto lesson = lessons.find(row.name); lesson != lessons.end()) {
-      row.source = lesson->second->state + ": " + ImpasseOf(*lesson->second);
-      row.purpose = PurposeOf(*lesson->second);
-      lessons.erase(lesson);
+    if (const auto learned = learned_rules.find(row.name); learned != learned_rules.end()) {
+      row.source = learned->second->state + ": " + ImpasseOf(*learned->second);
+      row.purpose = PurposeOf(*learned->second);
+      learned_rules.erase(learned);
     }
     TellWhen(log, until, row);
     if (Wanted(row, text)) view.rules.push_back(std::move(row));
@@ -96,10 +96,10 @@ LearningView LookAtLearning(explain::Inspector& mind, std::string_view text, con
     row.firings = rule.firings;
     add(std::move(row));
   }
-  for (const explain::LearnedRuleFact& lesson : told) {
-    if (!lessons.contains(lesson.rule)) continue;
+  for (const explain::LearnedRuleFact& learned : told) {
+    if (!learned_rules.contains(learned.rule)) continue;
     LearnedRuleRow row;
-    row.name = lesson.rule;
+    row.name = learned.rule;
     row.is_gone = true;
     add(std::move(row));
   }

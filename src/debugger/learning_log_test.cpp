@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-using Lessons = MindFixture;
+using LearnedRules = MindFixture;
 
 /// Looks up the price of a pear in a substate. The learned rule then knows that of a fig at once.
 constexpr const char* kShopper = R"(
@@ -108,7 +108,7 @@ TEST(LearningLog, KeepsTheNewestOfManyRulesAndThinsLongCurvesOut) {
   EXPECT_EQ(points.back().second, 21'000);
 }
 
-TEST_F(Lessons, TellWhenARuleWasLearnedFromWhatAndWhatItIsGoodFor) {
+TEST_F(LearnedRules, TellWhenARuleWasLearnedFromWhatAndWhatItIsGoodFor) {
   Start(kShopper);
   RunModels models;
   for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
@@ -136,7 +136,7 @@ TEST_F(Lessons, TellWhenARuleWasLearnedFromWhatAndWhatItIsGoodFor) {
   EXPECT_TRUE(has_mark);
 }
 
-TEST_F(Lessons, TellWhyEachConditionIsThere) {
+TEST_F(LearnedRules, TellWhyEachConditionIsThere) {
   Start(kShopper);
   RunModels models;
   for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
@@ -155,7 +155,7 @@ TEST_F(Lessons, TellWhyEachConditionIsThere) {
   EXPECT_TRUE(LookAtLearnedRule(*mind, "hero*price*look", nullptr).name.empty()) << "written, not learned";
 }
 
-TEST_F(Lessons, FollowWhatALearnedRuleMadeBackToTheSubstate) {
+TEST_F(LearnedRules, FollowWhatALearnedRuleMadeBackToTheSubstate) {
   Start(kShopper);
   RunModels models;
   for (int tick = 0; tick < 6; ++tick) models.Add(Tick());
@@ -177,7 +177,7 @@ TEST_F(Lessons, FollowWhatALearnedRuleMadeBackToTheSubstate) {
   EXPECT_FALSE(ShowView(source, {"learning", "hero", "#chunk*nothing"}).ok());
 }
 
-TEST_F(Lessons, OfARecordingAreToldBeforeItIsSimulatedAgain) {
+TEST_F(LearnedRules, OfARecordingAreToldBeforeItIsSimulatedAgain) {
   Start(kShopper);
   RunModels models;
   RecordedMinds minds(record::Level::kDecisions);
@@ -195,7 +195,7 @@ TEST_F(Lessons, OfARecordingAreToldBeforeItIsSimulatedAgain) {
   EXPECT_THAT(ToText(LookAtLearnedRule(*mind, view.rules[0].name, &log)), HasSubstr("not recorded"));
 }
 
-TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
+TEST_F(LearnedRules, ByRewardAreNotedWithEachEpisode) {
   Start(kEarner);
   RunModels models;
   for (int tick = 0; tick < 12; ++tick) models.Add(Tick());
@@ -213,7 +213,7 @@ TEST_F(Lessons, ByRewardAreNotedWithEachEpisode) {
 }
 
 TEST(PurposeOf, PutsActionsIntoWords) {
-  explain::LearnedRuleFact lesson;
+  explain::LearnedRuleFact learned;
   const auto action = [](const char* id, const char* attribute, const char* value, const char* sign,
                          const char* other) {
     explain::TripleFact fact;
@@ -224,16 +224,16 @@ TEST(PurposeOf, PutsActionsIntoWords) {
     fact.referent = other;
     return fact;
   };
-  lesson.actions = {action("<s>", "operator", "<o>", "+", ""), action("<o>", "name", "go", "+", ""),
-                    action("<o>", "to", "<g>", "+", "")};
-  EXPECT_EQ(PurposeOf(lesson), "proposes go");
-  lesson.conditions = {action("<p>", "name", "stay", "", "")};
-  lesson.actions = {action("<s>", "operator", "<o>", ">", "<p>")};
-  EXPECT_EQ(PurposeOf(lesson), "prefers the operator <o> to stay");
-  lesson.actions = {action("<s>", "operator", "<p>", "=", "1.5"), action("<s>", "done", "yes", "+", "")};
-  EXPECT_EQ(PurposeOf(lesson), "gives stay the value 1.5, makes ^done yes");
-  lesson.actions = {action("<s>", "operator", "<p>", "-", "")};
-  EXPECT_EQ(PurposeOf(lesson), "rejects stay");
+  learned.actions = {action("<s>", "operator", "<o>", "+", ""), action("<o>", "name", "go", "+", ""),
+                     action("<o>", "to", "<g>", "+", "")};
+  EXPECT_EQ(PurposeOf(learned), "proposes go");
+  learned.conditions = {action("<p>", "name", "stay", "", "")};
+  learned.actions = {action("<s>", "operator", "<o>", ">", "<p>")};
+  EXPECT_EQ(PurposeOf(learned), "prefers the operator <o> to stay");
+  learned.actions = {action("<s>", "operator", "<p>", "=", "1.5"), action("<s>", "done", "yes", "+", "")};
+  EXPECT_EQ(PurposeOf(learned), "gives stay the value 1.5, makes ^done yes");
+  learned.actions = {action("<s>", "operator", "<p>", "-", "")};
+  EXPECT_EQ(PurposeOf(learned), "rejects stay");
 }
 
 }  // namespace

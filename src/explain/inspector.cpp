@@ -40,9 +40,9 @@ class OwnInspector final : public Inspector, public LearningSource, public LongT
   std::vector<std::string> Complete(std::string_view line) override { return mind_->Complete(line); }
 
   LearningFacts Learning() override { return mind_->Learning(); }
-  std::vector<LearnedRuleFact> Lessons() override { return mind_->Lessons(false, {}); }
-  std::optional<LearnedRuleFact> Lesson(std::string_view rule) override {
-    std::vector<LearnedRuleFact> found = mind_->Lessons(true, rule);
+  std::vector<LearnedRuleFact> LearnedRules() override { return mind_->LearnedRules(false, {}); }
+  std::optional<LearnedRuleFact> LearnedRule(std::string_view rule) override {
+    std::vector<LearnedRuleFact> found = mind_->LearnedRules(true, rule);
     if (rule.empty() || found.empty()) return std::nullopt;
     return std::move(found.back());
   }

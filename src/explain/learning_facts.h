@@ -23,11 +23,11 @@ class LearningSource {
 
   virtual LearningFacts Learning() = 0;
   /// How rules were learned, oldest first; at most the last 1,000. They are recorded while decisions are observed
-  /// (MindDetail). Conditions and firings are reduced to the conditions that name something; Lesson returns everything.
-  /// Empty if the kernel does not report it.
-  virtual std::vector<LearnedRuleFact> Lessons() { return {}; }
+  /// (MindDetail). Conditions and firings are reduced to the conditions that name something; LearnedRule returns
+  /// everything. Empty if the kernel does not report it.
+  virtual std::vector<LearnedRuleFact> LearnedRules() { return {}; }
   /// Everything about how one rule was learned.
-  virtual std::optional<LearnedRuleFact> Lesson(std::string_view rule) {
+  virtual std::optional<LearnedRuleFact> LearnedRule(std::string_view rule) {
     (void)rule;
     return std::nullopt;
   }

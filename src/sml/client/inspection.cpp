@@ -201,7 +201,7 @@ class LocalInspection final : public MindInspection {
     return learning;
   }
 
-  std::vector<mind::LearnedRuleFact> Lessons(bool whole, std::string_view rule) override {
+  std::vector<mind::LearnedRuleFact> LearnedRules(bool whole, std::string_view rule) override {
     return InspectLessons(agent_, whole, rule);
   }
 

@@ -73,10 +73,10 @@ std::string ConstantsOf(const kernel::Agent& agent, const kernel::Production& pr
 }
 
 std::vector<mind::LearnedRuleFact> InspectLessons(const kernel::Agent& agent, bool whole, std::string_view rule) {
-  std::vector<mind::LearnedRuleFact> lessons;
+  std::vector<mind::LearnedRuleFact> learned_rules;
   for (const ExplainedRule& from : agent.explanations().noted()) {
     if (!rule.empty() && from.name != rule) continue;
-    mind::LearnedRuleFact& to = lessons.emplace_back();
+    mind::LearnedRuleFact& to = learned_rules.emplace_back();
     to.rule = from.name;
     to.decision = from.decision;
     to.level = from.level;
@@ -107,7 +107,7 @@ std::vector<mind::LearnedRuleFact> InspectLessons(const kernel::Agent& agent, bo
       ReadTriples(firing.conditions, firing.actions, read.conditions, read.actions);
     }
   }
-  return lessons;
+  return learned_rules;
 }
 
 }  // namespace soarbox

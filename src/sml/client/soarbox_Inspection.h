@@ -46,7 +46,7 @@ class EXPORT MindInspection {
   virtual mind::LearningFacts Learning() = 0;
   /// How rules were learned while the mind was observed (soarbox_Observation.h): the last 1,000 in order, or only
   /// `rule`. `whole`: include conditions, actions and firings.
-  virtual std::vector<mind::LearnedRuleFact> Lessons(bool whole, std::string_view rule) = 0;
+  virtual std::vector<mind::LearnedRuleFact> LearnedRules(bool whole, std::string_view rule) = 0;
   /// At most `most` objects of semantic memory whose number or augmentations contain this text.
   virtual mind::LongTermFacts LongTerm(std::size_t most, std::string_view text) = 0;
   /// The contents of an episode, parents before children; empty if there is no such episode.

@@ -99,7 +99,7 @@ class EXPORT Observation {
 };
 
 /// Returns null if the agent's kernel is in another process: only the client API is available then. While decisions are
-/// observed, the kernel records how rules are learned (MindInspection::Lessons).
+/// observed, the kernel records how rules are learned (MindInspection::LearnedRules).
 std::unique_ptr<Observation> EXPORT ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail);
 
 /// Locks the kernel of an agent during its lifetime, so that calls of the client API in between need not lock it one by
