@@ -25,7 +25,7 @@ std::string Who(const OperatorRow& row) {
   return NameAndId(row.name, row.id);
 }
 
-/// The view of a recorded decision, in the words of `tell`.
+/// The view of a recorded decision, in the words of `wording`.
 class Account {
  public:
   Account(const mind::Decision& decision, OperatorsView& view) : decision_(decision), view_(view) {}

@@ -61,11 +61,11 @@ ALLOWED = {
 KERNEL_FOLDERS = ["base", "rules", "match", "memory", "io", "decide", "learn", "longterm", "imagery"]
 # The files in src/kernel itself, and the folders that may include them: the events, and the library's interface.
 KERNEL_HEADERS = {"observer.h": {"decide", "learn", "longterm"}, "agent.h": {"decide"}}
-# Engine contains the parts of an agent: only it depends on all of them.
+# AgentCore contains the parts of an agent: only it depends on all of them.
 ENGINE = "kernel/decide/agent_core.h"
 ASSEMBLY = re.compile(r"^kernel/decide/agent_core\.(h|cpp)$")
-# Files that reach other parts through Engine. All other files get what they use from their creator. Do not add files to this list.
-USERS_OF_ENGINE = {"kernel/agent.cpp"} | {
+# Files that reach other parts through AgentCore. All other files get what they use from their creator. Do not add files to this list.
+USERS_OF_CORE = {"kernel/agent.cpp"} | {
     f"kernel/decide/{name}.cpp"
     for name in ("agent_rules", "decision", "agent_core", "elaboration", "firing", "goal_changes", "handle_check", "invariants",
                  "preference_changes", "rule_context", "run_control")
@@ -96,7 +96,7 @@ def goes_up(file, target):
 
 def strangers_to_core(root):
     """Files of the list that do not use the core: they must be removed from the list, so that it only shrinks."""
-    for file in sorted(USERS_OF_ENGINE):
+    for file in sorted(USERS_OF_CORE):
         path = root / file
         includes = INCLUDE_LINE.findall(path.read_text(encoding="utf-8")) if path.exists() else []
         if ENGINE not in includes:
@@ -118,7 +118,7 @@ def offences(root):
                 yield f"{path}:{number}: {module} may not include {first} ({target})"
             if module == "kernel" and first == "kernel" and goes_up(str(path.relative_to(root)), target):
                 yield f"{path}:{number}: {path.parent.relative_to(root)} may not include {target}"
-            if target == ENGINE and str(path.relative_to(root)) not in USERS_OF_ENGINE:
+            if target == ENGINE and str(path.relative_to(root)) not in USERS_OF_CORE:
                 yield f"{path}:{number}: may not include {ENGINE}: name what it uses, and get it from whoever makes it"
             for pattern, owners in ONLY_IN.items():
                 if pattern.match(target) and module not in owners:
