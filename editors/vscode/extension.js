@@ -5,6 +5,7 @@
 const vscode = require('vscode');
 const {LanguageClient} = require('vscode-languageclient/node');
 const tests = require('./tests');
+const trees = require('./trees');
 
 let client;
 
@@ -70,7 +71,9 @@ async function activate(context) {
     createDebugAdapterDescriptor: () => new vscode.DebugAdapterExecutable(command(), ['dap']),
   }));
   tests.register(context, command);
+  const refresh = trees.register(context, (request, given) => client && client.sendRequest(request, given).catch(() => undefined));
   await startClient();
+  refresh();
 }
 
 async function deactivate() {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -81,6 +82,7 @@ class LookWatch final : public KernelWatch {
     if (tick >= ticks_.size()) Look();
     return tick < ticks_.size() ? &ticks_[tick] : nullptr;
   }
+  void Sync() override { next_look_ = {}; }
   [[nodiscard]] bool HasEnded() const override { return has_ended_; }
   std::string TakeNews() override { return std::exchange(news_, {}); }
   Result<std::string> Command(const std::string& agent, const std::string& line) override {
@@ -167,6 +169,14 @@ class LogWatch final : public KernelWatch {
     return tick < ticks_.complete() ? &ticks_.At(tick) : nullptr;
   }
 
+  void Sync() override {
+    std::unique_lock lock(mutex_);
+    // The look that is under way may have begun too early.
+    const std::uint64_t wanted = idle_looks_ + 2;
+    constexpr auto kLongest = std::chrono::seconds(1);
+    looked_.wait_for(lock, kLongest, [&] { return is_over_ || idle_looks_ >= wanted; });
+  }
+
   [[nodiscard]] bool HasEnded() const override { return has_ended_; }
   std::string TakeNews() override {
     const std::lock_guard lock(mutex_);
@@ -199,12 +209,15 @@ class LogWatch final : public KernelWatch {
   void SetIdle() {
     const std::lock_guard lock(mutex_);
     is_idle_ = true;
+    ++idle_looks_;
+    looked_.notify_all();
   }
   void End(const std::string& why) {
     const std::lock_guard lock(mutex_);
     news_ = why + ": you can still look at what its agents did";
     is_idle_ = true;
     is_over_ = true;
+    looked_.notify_all();
   }
 
   void TakeLines() {
@@ -245,6 +258,8 @@ class LogWatch final : public KernelWatch {
   std::uint64_t read_ = 0;  ///< Bytes of the log. Of the reader, once there is one.
   std::mutex mutex_;        ///< Guards what follows.
   std::string unread_, news_;
+  std::uint64_t idle_looks_ = 0;  ///< Looks that found no more.
+  std::condition_variable looked_;
   bool is_over_ = false;
   bool is_idle_ = true;  ///< When the reader looked last, there was no more.
 };

@@ -37,6 +37,9 @@ class KernelWatch {
   /// yet. Valid until the next call.
   virtual const std::string* After(std::uint64_t tick) = 0;
 
+  /// Waits until After() knows all that the kernel's agents have done by now, for one second at most.
+  virtual void Sync() = 0;
+
   /// The kernel has gone, and After() has no more ticks than it has now.
   [[nodiscard]] virtual bool HasEnded() const = 0;
   /// Why, once; empty at all other times.

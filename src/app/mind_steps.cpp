@@ -40,7 +40,9 @@ std::string StepDecision(RunSession& session, const std::string& agent) {
   sim::Simulation& simulation = session.simulation();
   if (sim::SendsCommandsElsewhere(simulation)) {
     const Result<std::string> ran = simulation.Command(agent, "run --decision 1 --self");
-    return ran ? agent + ": one decision" : ran.error().message;
+    if (!ran) return ran.error().message;
+    session.Idle(true);
+    return agent + ": one decision";
   }
   const Result<std::string> budget = simulation.Command(agent, kBudget);
   if (!budget) return budget.error().message;
@@ -65,13 +67,16 @@ std::string StepDecision(RunSession& session, const std::string& agent) {
   return told;
 }
 
-std::string StepPhase(sim::Simulation& simulation, const std::string& agent) {
+std::string StepPhase(RunSession& session, const std::string& agent) {
+  sim::Simulation& simulation = session.simulation();
   const Result<std::string> answer = simulation.Command(agent, "run -p 1 --self");
   if (!answer) return answer.error().message;
+  const bool is_elsewhere = sim::SendsCommandsElsewhere(simulation);
+  if (is_elsewhere) session.Idle(true);
   std::string next;
   if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent)) next = mind->Mind().phase;
   return agent + ": one phase" + (next.empty() ? "" : ", next is " + next) +
-         "; the world is paused and takes its commands in the next tick";
+         (is_elsewhere ? "" : "; the world is paused and takes its commands in the next tick");
 }
 
 }  // namespace
@@ -79,7 +84,7 @@ std::string StepPhase(sim::Simulation& simulation, const std::string& agent) {
 MindStepped StepMind(RunSession& session, const std::string& agent, MindStep step) {
   if (agent.empty()) return {"Select the Soar agent whose mind is to take a step"};
   if (!session.simulation().HasMind(agent)) return {agent + " has no Soar mind to step"};
-  if (step == MindStep::kPhase) return {StepPhase(session.simulation(), agent)};
+  if (step == MindStep::kPhase) return {StepPhase(session, agent), sim::SendsCommandsElsewhere(session.simulation())};
   return {StepDecision(session, agent), true};
 }
 

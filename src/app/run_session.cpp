@@ -99,8 +99,17 @@ bool RunSession::TakeFollowed() {
     simulation_->Submit(sim::CommandInput{"", *acts});
     return true;
   }
-  if (const std::string news = followed_->TakeNews(); !news.empty()) std::cerr << "soarbox: " << news << '\n';
+  ReportNews();
   return false;
+}
+
+void RunSession::ReportNews() {
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.message = followed_->TakeNews();
+  if (warning.message.empty()) return;
+  std::cerr << "soarbox: " << warning.message << '\n';
+  if (on_edit_) on_edit_(warning);
 }
 
 std::optional<workbench::ExerciseContents> RunSession::Exercise() {
@@ -141,6 +150,16 @@ void RunSession::Tick() {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return Idle();
   }
+  AdvanceTick();
+}
+
+void RunSession::CatchUp() {
+  followed_->Sync();
+  constexpr int kMostTicks = 3000;  // Else the user waits too long.
+  for (int i = 0; i < kMostTicks && TakeFollowed(); ++i) AdvanceTick();
+}
+
+void RunSession::AdvanceTick() {
   TakeEdits();
   if (gateway_ != nullptr) gateway_->Receive(*simulation_);
   simulation_->Tick();
@@ -153,8 +172,12 @@ void RunSession::Tick() {
   }
 }
 
-void RunSession::Idle() {
+void RunSession::Idle(bool catches_up) {
   TakeEdits();
+  if (followed_ != nullptr) {
+    if (catches_up) CatchUp();
+    ReportNews();
+  }
   if (gateway_ != nullptr) gateway_->Idle(*simulation_);
   simulation_->Idle();
   PrintEvents();

@@ -32,8 +32,9 @@ class RunSession final : public workbench::LiveRun {
 
   /// Advances one tick and prints what happened.
   void Tick();
-  /// Serves debuggers while paused, and prints the resulting events.
-  void Idle();
+  /// Serves debuggers while paused, and prints the resulting events. With `catches_up`, first advances to what the
+  /// followed agents have done by now.
+  void Idle(bool catches_up = false);
   /// True once the requested time has passed or the user has requested the end (Ctrl-C).
   bool IsOver() const;
   /// From now on evaluates the checks of a mission. Call it before ticks are recorded or watched. Null: no mission.
@@ -78,8 +79,12 @@ class RunSession final : public workbench::LiveRun {
  private:
   void PrintEvents();
   void RecordTick();
+  void AdvanceTick();
+  void CatchUp();
   /// Submits what the followed agents did in the next tick. False: nothing has happened.
   bool TakeFollowed();
+  /// Reports that the followed kernel has ended: on standard error, and to the user of a window or page as a problem.
+  void ReportNews();
   /// Command lines of this simulation go to the kernel that is followed.
   void SendCommandsToFollowed();
   /// Reloads files that were edited, twice per second of real time.

@@ -303,6 +303,9 @@ Result<ViewText> ShowView(const ViewSource& source, const ViewRequest& request) 
   if (source.simulation == nullptr) return ShowRecorded(source, request, request.agent);
   const std::unique_ptr<explain::Inspector> mind = source.simulation->Inspect(agent);
   if (mind == nullptr) {
+    if (std::ranges::find(minds, agent) != minds.end())
+      return NewProblem("the agent " + agent + " does not exist at this moment",
+                        "it was destroyed before; --at names an earlier moment");
     return minds.empty() ? NewProblem("no agent of this run has a Soar mind", "")
                          : NoSuch("agent with a Soar mind named", agent, minds);
   }

@@ -48,6 +48,7 @@ Json DapServer::SetScriptBreakpoints(const std::filesystem::path& file, const Js
   const std::vector<int> lines = script::LinesOfScript(TextOf(file));
   std::vector<script::ScriptBreakpoint>& marks = script_marks_[file.string()];
   marks.clear();
+  std::erase_if(script_logs_, [&](const auto& log) { return log.first.first == file.string(); });
   Json list = Json::array();
   const auto breakpoints = arguments.find("breakpoints");
   if (breakpoints != arguments.end() && breakpoints->is_array()) {
@@ -62,6 +63,8 @@ Json DapServer::SetScriptBreakpoints(const std::filesystem::path& file, const Js
         continue;
       }
       marks.push_back({*line, one.value("condition", std::string())});
+      if (const std::string log = one.value("logMessage", std::string()); !log.empty())
+        script_logs_[{file.string(), *line}] = log;
       list.push_back({{"verified", true}, {"line", *line}});
     }
   }

@@ -86,6 +86,7 @@ Json DapServer::Request(const std::string& command, const Json& arguments) {
             {"supportsCompletionsRequest", true},
             {"supportsTerminateRequest", true},
             {"supportsConditionalBreakpoints", true},
+            {"supportsLogPoints", true},
             {"exceptionBreakpointFilters",
              Json::array({Json{{"filter", "scripts"}, {"label", "Errors in scripts"}, {"default", false}}})},
             {"completionTriggerCharacters", {" "}}};
@@ -208,8 +209,9 @@ std::vector<Json> DapServer::Advance() {
   if (!running_ || debuggee_ == nullptr) return {};
   const std::vector<std::string> agents = debuggee_->Agents();
   stopped_at_.clear();
-  const std::vector<std::string> why = debuggee_->Advance(Step::kTick, agents.empty() ? "" : agents.front());
+  std::vector<std::string> why = debuggee_->Advance(Step::kTick, agents.empty() ? "" : agents.front());
   TellNews();
+  if (!why.empty() && !StopsFor(why)) why.clear();
   EndIfOver();
   if (!why.empty() || ended_) {
     running_ = false;
@@ -293,7 +295,12 @@ Json DapServer::SetBreakpoints(const Json& arguments) {
         continue;
       }
       const std::size_t first = document->lines().LineOf(rule->span.begin) + 1;
-      marks.push_back({file, rule->words->name, first});
+      const std::string condition = WordIn(one, "condition");
+      if (const std::string fault = FaultOfCondition(condition); !fault.empty()) {
+        list.push_back({{"verified", false}, {"line", first}, {"message", fault}});
+        continue;
+      }
+      marks.push_back({file, rule->words->name, first, condition, WordIn(one, "logMessage")});
       list.push_back({{"verified", true}, {"line", first}, {"message", "when " + rule->words->name + " fires"}});
     }
   }

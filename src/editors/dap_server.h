@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editors/debuggee.h"
@@ -49,6 +50,15 @@ class DapServer {
   Json Evaluate(const Json& arguments);
   Json Completions(const Json& arguments);
   Json StepBy(const std::string& command, const Json& arguments);
+
+  // Conditions of breakpoints, and log points (dap_marks.cpp).
+  /// What is wrong with the condition of a breakpoint in a rule; empty: nothing.
+  static std::string FaultOfCondition(const std::string& condition);
+  void Log(const std::string& line, const std::filesystem::path& file, std::size_t at);
+  /// Prints the log points among these reasons to stop. False: none of the others is a reason, so the run goes on.
+  bool StopsFor(const std::vector<std::string>& reasons);
+  bool StopsFor(const std::string& reason);
+  bool StopsInScript(std::uint32_t owner);
 
   // Requests about scripts.
   Json SetScriptBreakpoints(const std::filesystem::path& file, const Json& arguments);
@@ -106,10 +116,12 @@ class DapServer {
     std::filesystem::path file;
     std::string rule;
     std::size_t line = 0;
+    std::string condition, log;  ///< Empty: always; stops.
   };
   std::map<std::string, std::vector<Mark>> marks_;  ///< Breakpoints by file.
   std::vector<StopWish> wishes_;
   std::map<std::string, std::vector<script::ScriptBreakpoint>> script_marks_;  ///< By file.
+  std::map<std::pair<std::string, int>, std::string> script_logs_;             ///< By file and line.
   bool stop_at_errors_ = false;
   std::string stopped_at_;  ///< The rule of the breakpoint at which it stopped.
 };

@@ -19,6 +19,10 @@ constexpr int kLspParseError = -32700, kLspInvalidRequest = -32600, kLspNoSuchMe
 /// Maximum number of published problems per file, because more make editors slow.
 constexpr std::size_t kMostProblems = 500;
 
+/// Maximum number of files of rules in a folder of which all programs are checked, and of programs that one call of
+/// Idle() checks: the editor waits that long for an answer.
+constexpr std::size_t kMostChecked = 1000, kCheckedAtOnce = 4;
+
 constexpr int kWarningMessage = 2;  ///< A type of window/showMessage.
 
 /// The error with which a request is refused.
@@ -50,6 +54,11 @@ std::vector<fs::path> FoldersIn(const Json& list) {
     if (!folder.empty()) folders.push_back(std::move(folder));
   }
   return folders;
+}
+
+bool IsBelowOneOf(const std::vector<fs::path>& folders, const fs::path& file) {
+  return std::ranges::any_of(
+      folders, [&](const fs::path& folder) { return std::ranges::mismatch(folder, file).in1 == folder.end(); });
 }
 
 }  // namespace
@@ -107,6 +116,8 @@ Json LspServer::Request(const std::string& method, const Json& params) {
   }
   using Handler = Json (LspServer::*)(const Json&);
   static const std::map<std::string, Handler> kHandlers = {
+      {"soarbox/datamap", &LspServer::DatamapOf},
+      {"soarbox/operators", &LspServer::OperatorTree},
       {"textDocument/codeAction", &LspServer::CodeActions},
       {"textDocument/codeLens", &LspServer::CodeLenses},
       {"textDocument/completion", &LspServer::CompletionAt},
@@ -150,8 +161,9 @@ void LspServer::Notify(const std::string& method, const Json& params) {
   } else if (method == "textDocument/didClose") {
     Closed(path_in());
   } else if (method == "workspace/didChangeWatchedFiles") {
-    workspace_.LookAgain();
-    for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
+    ChangedOnDisk(params);
+  } else if (method == "initialized") {
+    CheckFolders();
   } else if (method == "workspace/didChangeWorkspaceFolders") {
     ChangeFolders(params.at("event"));
   }
@@ -164,12 +176,40 @@ void LspServer::Closed(const fs::path& path) {
   PublishNothing(path);
   const std::vector<fs::path> open = workspace_.OpenFiles();
   unchecked_.insert(open.begin(), open.end());
-  if (!open.empty()) return;
-  // No program is open any more.
+  if (IsBelowOneOf(workspace_.folders(), path)) closed_.insert(path);
+  if (open.empty()) ForgetOthers();
+}
+
+void LspServer::ForgetOthers() {
   std::vector<fs::path> told;
-  for (const auto& [file, text] : published_) told.push_back(file);
+  for (const auto& [file, text] : published_)
+    if (!IsBelowOneOf(workspace_.folders(), file)) told.push_back(file);
   for (const fs::path& file : told) PublishNothing(file);
-  slips_.clear();
+  std::erase_if(slips_, [&](const auto& entry) { return !IsBelowOneOf(workspace_.folders(), entry.first); });
+}
+
+void LspServer::ChangedOnDisk(const Json& params) {
+  workspace_.LookAgain();
+  for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
+  const auto changes = params.find("changes");
+  if (changes == params.end() || !changes->is_array()) return;
+  bool is_other = false;
+  for (const Json& change : *changes) {
+    const fs::path path = PathOfUri(change.at("uri").get<std::string>());
+    if (workspace_.IsOpen(path) || !IsBelowOneOf(workspace_.folders(), path) || path.extension() == ".soarrec")
+      continue;
+    is_other = true;
+    if (published_.contains(path) && workspace_.Find(path) == nullptr) {
+      slips_.erase(path);
+      PublishNothing(path);
+    }
+  }
+  // A file may load other files than before. A project or a scenario may have other words.
+  if (is_other) CheckFolders();
+}
+
+void LspServer::CheckFolders() {
+  for (fs::path& file : workspace_.FilesOfPrograms(kMostChecked)) closed_.insert(std::move(file));
 }
 
 void LspServer::PublishNothing(const fs::path& path) {
@@ -185,6 +225,8 @@ void LspServer::ChangeFolders(const Json& event) {
   for (const fs::path& one : FoldersIn(event.at("added"))) folders.push_back(one);
   workspace_.SetFolders(std::move(folders));
   for (const fs::path& path : workspace_.OpenFiles()) unchecked_.insert(path);
+  ForgetOthers();
+  CheckFolders();
 }
 
 Json LspServer::Initialize(const Json& params) {
@@ -277,23 +319,30 @@ void LspServer::Publish(const fs::path& path) {
 
 std::vector<Json> LspServer::Idle() {
   out_.clear();
-  std::set<std::vector<fs::path>> looked_over;
-  for (const fs::path& path : std::exchange(unchecked_, {})) {
-    if (!workspace_.IsOpen(path)) continue;
-    const language::Program program = workspace_.ProgramOf(path);
-    for (const std::string& notice : workspace_.TakeNotices())
-      out_.push_back({{"jsonrpc", "2.0"},
-                      {"method", "window/showMessage"},
-                      {"params", {{"type", kWarningMessage}, {"message", notice}}}});
-    if (!looked_over.insert(program.roots).second) continue;
-    for (auto& [file, slips] : workspace_.Slips(program)) {
-      // A problem in one program may not exist in another program with this file.
-      if (workspace_.RootsOf(file) != program.roots) continue;
-      slips_[file] = std::move(slips);
-      Publish(file);
-    }
-  }
+  std::set<std::vector<fs::path>> checked;
+  const bool has_edits = !unchecked_.empty();
+  for (const fs::path& path : std::exchange(unchecked_, {}))
+    if (workspace_.IsOpen(path)) CheckProgramOf(path, checked);
+  if (has_edits) return std::move(out_);
+  for (std::size_t i = 0; i < kCheckedAtOnce && !closed_.empty(); ++i)
+    CheckProgramOf(closed_.extract(closed_.begin()).value(), checked);
   return std::move(out_);
+}
+
+void LspServer::CheckProgramOf(const fs::path& path, std::set<std::vector<fs::path>>& checked) {
+  if (workspace_.Find(path) == nullptr) return;
+  const language::Program program = workspace_.ProgramOf(path);
+  for (const std::string& notice : workspace_.TakeNotices())
+    out_.push_back({{"jsonrpc", "2.0"},
+                    {"method", "window/showMessage"},
+                    {"params", {{"type", kWarningMessage}, {"message", notice}}}});
+  if (!checked.insert(program.roots).second) return;
+  for (auto& [file, slips] : workspace_.Slips(program)) {
+    // A problem in one program may not exist in another program with this file.
+    if (workspace_.RootsOf(file) != program.roots) continue;
+    slips_[file] = std::move(slips);
+    Publish(file);
+  }
 }
 
 LspServer::DocumentPtr LspServer::DocumentOf(const Json& params) {

@@ -30,10 +30,11 @@ class LspServer {
   std::vector<Json> Handle(const std::string& message);
   /// The answer to bytes that are not a message.
   static Json Fault(const std::string& what);
-  /// Does slow work (slips of entire programs) for files that were edited since the last call. Call it when no message
-  /// is waiting; it returns at once if there is nothing to do.
+  /// Does slow work: slips of entire programs, for files that were edited since the last call, then for some of the
+  /// programs of which no file is open. Call it when no message is waiting; it returns at once if there is nothing to
+  /// do.
   std::vector<Json> Idle();
-  bool HasIdleWork() const { return !unchecked_.empty(); }
+  bool HasIdleWork() const { return !unchecked_.empty() || !closed_.empty(); }
 
   bool is_over() const { return over_; }
   /// 0 if the client sent `shutdown` before `exit`.
@@ -68,9 +69,17 @@ class LspServer {
   Json RenameAt(const Json& params);
   Json SemanticTokens(const Json& params);
   Json WorkspaceSymbols(const Json& params);
+  Json OperatorTree(const Json& params);
+  Json DatamapOf(const Json& params);
 
   void Changed(const Json& params);
   void Closed(const std::filesystem::path& path);
+  /// Removes the diagnostics of files outside of the editor's folders.
+  void ForgetOthers();
+  void ChangedOnDisk(const Json& params);
+  /// Lets Idle() check all programs in the editor's folders.
+  void CheckFolders();
+  void CheckProgramOf(const std::filesystem::path& path, std::set<std::vector<std::filesystem::path>>& checked);
   void ChangeFolders(const Json& event);
   DocumentPtr DocumentOf(const Json& params);
   Place PlaceOf(const Json& params);
@@ -85,7 +94,8 @@ class LspServer {
   language::Workspace workspace_;
   std::vector<Json> out_;
   bool initialized_ = false, shut_down_ = false, over_ = false;
-  std::set<std::filesystem::path> unchecked_;
+  std::set<std::filesystem::path> unchecked_;  ///< Open files.
+  std::set<std::filesystem::path> closed_;     ///< Files of programs that are checked when no edit waits.
   /// Slips by file, from the last check of all rules. Their lines are adjusted when text is typed above them.
   std::map<std::filesystem::path, std::vector<Diagnostic>> slips_;
   std::map<std::filesystem::path, std::string> published_;

@@ -8,6 +8,7 @@
 
 #include "diagnostics/read_text.h"
 #include "editors/byte_pipe.h"
+#include "editors/mcp_prompts.h"
 #include "editors/mcp_tools.h"
 #include "editors/message_stream.h"
 #include "editors/run_program.h"
@@ -119,7 +120,8 @@ McpJson McpServer::Request(const std::string& method, const McpJson& params) {
   if (method == "initialize") {
     constexpr const char* kVersion = "2024-11-05";
     return {{"protocolVersion", kVersion},
-            {"capabilities", {{"tools", McpJson::object()}}},
+            {"capabilities",
+             {{"tools", McpJson::object()}, {"prompts", McpJson::object()}, {"resources", McpJson::object()}}},
             {"serverInfo", {{"name", "soarbox"}, {"version", SOARBOX_VERSION}}},
             {"instructions",
              "Tools to write Soar agents: check rules with the kernel's own reader, look up percepts and commands, run "
@@ -131,7 +133,49 @@ McpJson McpServer::Request(const std::string& method, const McpJson& params) {
     const auto arguments = params.find("arguments");
     return Call(params.at("name").get<std::string>(), arguments == params.end() ? McpJson::object() : *arguments);
   }
+  if (method == "prompts/list") return {{"prompts", McpPrompts()}};
+  if (method == "prompts/get") return GetPrompt(params);
+  if (method == "resources/list") return {{"resources", McpResources()}};
+  if (method == "resources/templates/list") return {{"resourceTemplates", McpResourceTemplates()}};
+  if (method == "resources/read") return ReadResource(params);
   throw McpRefusal{kMcpNoSuchMethod, "there is no method " + method};
+}
+
+McpJson McpServer::GetPrompt(const McpJson& params) {
+  const std::string name = WordOf(params, "name", true);
+  const auto arguments = params.find("arguments");
+  std::string missing;
+  const std::optional<std::string> text =
+      McpPrompt(name, arguments == params.end() ? McpJson::object() : *arguments, missing);
+  if (!text) throw McpRefusal{kMcpInvalidParams, "there is no prompt " + name};
+  if (!missing.empty()) throw McpRefusal{kMcpInvalidParams, missing + " is missing"};
+  return {{"messages", McpJson::array({{{"role", "user"}, {"content", {{"type", "text"}, {"text", *text}}}}})}};
+}
+
+McpJson McpServer::ReadResource(const McpJson& params) {
+  const std::string uri = WordOf(params, "uri", true);
+  constexpr std::string_view kLesson = "soarbox://lesson/";
+  McpJson answer;
+  if (uri == "soarbox://percepts") {
+    answer = ListPercepts(McpJson::object());
+  } else if (uri == "soarbox://commands") {
+    answer = ListCommands(McpJson::object());
+  } else if (uri == "soarbox://options") {
+    constexpr std::size_t kLong = 1'000'000;
+    answer = Run({"help", "--markdown"}, kLong);
+  } else if (uri == "soarbox://scenarios") {
+    answer = ListScenarios(McpJson::object());
+  } else if (uri == "soarbox://lessons") {
+    answer = ListLessons(McpJson::object());
+  } else if (uri.starts_with(kLesson)) {
+    const McpJson number = McpJson::parse(uri.substr(kLesson.size()), nullptr, false);
+    answer = ReadLesson({{"lesson", number.is_discarded() ? McpJson() : number}});
+  } else {
+    throw McpRefusal{kMcpInvalidParams, "there is no resource " + uri};
+  }
+  std::string text;
+  for (const McpJson& part : answer["content"]) text += (text.empty() ? "" : "\n") + part["text"].get<std::string>();
+  return {{"contents", McpJson::array({{{"uri", uri}, {"mimeType", "text/markdown"}, {"text", text}}})}};
 }
 
 McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
@@ -139,6 +183,7 @@ McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
   static const std::map<std::string, Handler> kHandlers = {
       {"check_rules", &McpServer::CheckRules},
       {"compare_runs", &McpServer::CompareRuns},
+      {"format_rules", &McpServer::FormatRules},
       {"grade_lesson", &McpServer::GradeLesson},
       {"inspect", &McpServer::Inspect},
       {"lesson_hint", &McpServer::LessonHint},
@@ -146,6 +191,7 @@ McpJson McpServer::Call(const std::string& tool, const McpJson& arguments) {
       {"list_lessons", &McpServer::ListLessons},
       {"list_percepts", &McpServer::ListPercepts},
       {"list_scenarios", &McpServer::ListScenarios},
+      {"make_datamap", &McpServer::MakeDatamap},
       {"read_lesson", &McpServer::ReadLesson},
       {"read_recording", &McpServer::ReadRecording},
       {"run_mission", &McpServer::RunMission},
@@ -222,6 +268,23 @@ McpJson McpServer::CheckRules(const McpJson& arguments) {
   const std::string file = FileOf(arguments, "path");
   McpJson answer = Run({"check", "--json", file});
   return answer;
+}
+
+McpJson McpServer::FormatRules(const McpJson& arguments) {
+  const fs::path file = WriteText(WordOf(arguments, "text", true), "rules.soar");
+  McpJson said = Run({"format", file.string()});
+  if (said["isError"] == true) return said;
+  return TextAnswer(ReadText(file).value_or(""));
+}
+
+McpJson McpServer::MakeDatamap(const McpJson& arguments) {
+  const std::string rules = FileOf(arguments, "path");
+  const fs::path file = WriteText({}, "project.vsa.json");
+  std::error_code error;
+  fs::remove(file, error);
+  McpJson said = Run({"datamap", rules, "-o", file.string()});
+  const std::optional<std::string> text = ReadText(file);
+  return text ? TextAnswer(*text) : said;
 }
 
 McpJson McpServer::ListPercepts(const McpJson& arguments) {

@@ -34,7 +34,13 @@ class McpServer {
   Json Request(const std::string& method, const Json& params);
   Json Call(const std::string& tool, const Json& arguments);
 
+  /// The text behind an address of McpResources.
+  Json ReadResource(const Json& params);
+  static Json GetPrompt(const Json& params);
+
   Json CheckRules(const Json& arguments);
+  Json FormatRules(const Json& arguments);
+  Json MakeDatamap(const Json& arguments);
   Json ListLessons(const Json& arguments);
   Json ReadLesson(const Json& arguments);
   Json LessonHint(const Json& arguments);

@@ -42,6 +42,11 @@ ToolJson McpTools() {
            "Check Soar rules, Lua scripts and scenario files with the kernel's own reader. Gives problems with file, "
            "line, column and a hint.",
            {{"path", "string", "A file or folder"}, {"text", "string", "Rules to check, in place of a path"}}),
+      Tool("format_rules", "Lay rules out as soarbox format does. Gives their text.",
+           {{"text", "string", "Rules", true}}),
+      Tool("make_datamap",
+           "A project for VisualSoar with a datamap: the elements that rules test and make, with values.",
+           {{"path", "string", "The file of rules that loads all others", true}}),
       Tool("list_percepts", "What agents may perceive on ^io.input-link: paths, types, units, ranges, meanings.",
            {{"filter", "string", "Only paths with this text in them"}}),
       Tool("list_commands", "What agents may do on ^io.output-link: commands with their parameters.",

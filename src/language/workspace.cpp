@@ -152,6 +152,18 @@ Program Workspace::ProgramOf(const fs::path& path) {
   return program;
 }
 
+std::vector<fs::path> Workspace::FilesOfPrograms(std::size_t most) {
+  std::vector<fs::path> files;
+  std::set<std::vector<fs::path>> known;
+  for (const fs::path& folder : editor_folders_) {
+    const sim::FoundRules rules = sim::FindRulesBelow(folder, most);
+    if (rules.is_cut) continue;
+    for (const fs::path& file : rules.files)
+      if (MayRead(file) && known.insert(RootsOf(file)).second) files.push_back(file);
+  }
+  return files;
+}
+
 std::vector<Diagnostic> Workspace::MissingFiles(const Document& document) const {
   std::vector<Diagnostic> problems;
   for (const Document::Sourced& sourced : document.sourced()) {

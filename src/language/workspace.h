@@ -62,6 +62,10 @@ class Workspace {
     return GraphOf(RegionOf(path)).RootsOf(path);
   }
 
+  /// The programs in the editor's folders: one file of each, in alphabetical order. A folder with more than `most`
+  /// files of rules is left out.
+  std::vector<std::filesystem::path> FilesOfPrograms(std::size_t most);
+
   /// Diagnostics that need all rules of a program, by file; about 500 per file at most. Does not include
   /// Document::problems.
   std::map<std::filesystem::path, std::vector<Diagnostic>> Slips(const Program& program);

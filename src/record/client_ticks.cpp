@@ -34,8 +34,11 @@ void ClientTicks::Add(std::string_view line) {
     return;
   }
   for (const std::string& gone : std::exchange(gone_, {})) {
+    const std::string agent = sim::PartsOfClientLine(gone)[1];
+    // The last decision of an agent can be looked at: it is gone in the next tick.
+    if (in_this_tick_.contains(agent)) Flush();
     Put(gone);
-    decided_.erase(sim::PartsOfClientLine(gone)[1]);
+    decided_.erase(agent);
   }
   if (kind == "file") {
     if (parts.size() > 2) on_file_(parts[1], parts[2]);

@@ -123,6 +123,28 @@ class Debugger(unittest.TestCase):
         self.assertEqual((str(self.rules), 20), (self.frames()[0]["source"]["path"], self.frames()[0]["line"]))
         self.assertEqual("2", self.variables("State")["^count"]["value"])
 
+    def mark(self, *marks):
+        return self.ask("setBreakpoints", source={"path": str(self.rules)}, breakpoints=list(marks))["breakpoints"]
+
+    def test_a_breakpoint_stops_only_if_its_condition_holds(self):
+        self.begin(program=str(self.rules), world=False)
+        self.assertTrue(self.mark({"line": 20, "condition": "count = 2"})[0]["verified"])
+        self.assertIn("apply*add fired", self.step("continue")["text"])
+        self.assertEqual("2", self.variables("State")["^count"]["value"])
+        self.ask("restart")
+        self.wait_for("stopped")
+        self.mark({"line": 20, "condition": "count > 5"})
+        self.assertEqual("the run is over", self.step("continue")["text"])
+        self.assertFalse(self.mark({"line": 20, "condition": "prnt s1 > 5"})[0]["verified"])
+
+    def test_a_log_point_prints_values_and_does_not_stop(self):
+        self.begin(program=str(self.rules), world=False)
+        self.mark({"line": 20, "logMessage": "counted to {count}{no.such.thing}."})
+        self.assertEqual("the run is over", self.step("continue")["text"])
+        printed = [event["body"] for event in self.events if event["event"] == "output" and event["body"].get("line")]
+        self.assertEqual(["counted to 2.\n", "counted to 3.\n"], [one["output"] for one in printed])
+        self.assertEqual((str(self.rules), 20), (printed[0]["source"]["path"], printed[0]["line"]))
+
     def test_operators_elements_and_the_end_stop_it(self):
         self.begin(program=str(self.rules), world=False)
         marks = self.ask("setFunctionBreakpoints", breakpoints=[{"name": "operator add"}, {"name": "element ^count 3"}, {"name": "nonsense"}])

@@ -57,6 +57,58 @@ class LanguageServer(WithFolder):
         found = self.editor.ask("textDocument/completion", self.place(path, text, word, nth, offset))
         return [item["label"] for item in found["items"]]
 
+    def test_operators_and_datamap_of_a_program_are_trees(self):
+        self.write("below.soar", "sp {scout*propose*look\n   (state <s> ^superstate.operator.name seek)\n-->\n"
+                   "   (<s> ^operator <o> +)\n   (<o> ^name look)}\nsp {plain (state <s> ^superstate nil) --> (<s> ^here yes)}\n")
+        main = self.write("main.soar", MAIN.replace('source "moves.soar"', 'source "moves.soar"\nsource "below.soar"'))
+        asked = {"textDocument": {"uri": main.as_uri()}}
+        operators = {one["name"]: one for one in self.editor.ask("soarbox/operators", asked)}
+        self.assertEqual(set(operators), {"", "seek", "look"})
+        self.assertEqual([(rule["name"], rule["role"]) for rule in operators["seek"]["rules"]],
+                         [("scout*propose*seek", "proposes"), ("scout*apply*seek", "applies")])
+        self.assertEqual((operators["seek"]["parents"], operators["look"]["parents"]), ([], ["seek"]))
+        self.assertEqual([rule["name"] for rule in operators[""]["rules"]], ["plain"])
+        location = operators["seek"]["rules"][1]["location"]
+        self.assertEqual((location["uri"], location["range"]["start"]["line"]), (self.moves.as_uri(), 0))
+
+        def find(nodes, *path):
+            node = next(one for one in nodes if one["name"] == path[0])
+            return node if len(path) == 1 else find(node["children"], *path[1:])
+
+        datamap = self.editor.ask("soarbox/datamap", asked)
+        self.assertIn("yes", find(datamap, "here")["detail"])
+        self.assertIn("number", find(datamap, "io", "input-link", "agent", "range")["detail"])
+        self.assertTrue(find(datamap, "io", "output-link", "move-to")["children"])
+
+    def test_files_that_are_not_open_are_checked_too(self):
+        self.write("other/main.soar", MAIN.replace("^relation enemy", "^relaton enemy"))
+        self.write("other/moves.soar", MOVES)
+        other = (self.folder / "other" / "main.soar").as_uri()
+        editor = Editor(folders=[self.folder])
+        self.addCleanup(editor.channel.close)
+
+        def has(word):
+            return lambda found: any(word in one["message"] for one in found)
+
+        # No file is open.
+        editor.wait_for(other, has("relaton"))
+        # A file that is closed remains known, with its text on the disk.
+        uri = editor.open(self.folder / "other" / "main.soar")
+        editor.change(uri, {"text": MAIN.replace("^range < 30", "^rage < 30")})
+        editor.wait_for(other, has("rage"))
+        editor.tell("textDocument/didClose", {"textDocument": {"uri": uri}})
+        editor.wait_for(other, has("relaton"))
+        # Files that change on the disk.
+        self.write("other/main.soar", MAIN.replace(" ^range < 30", ""))
+        editor.tell("workspace/didChangeWatchedFiles", {"changes": [{"uri": other, "type": 2}]})
+        editor.wait_for(other, lambda found: not found)
+        self.write("other/main.soar", MAIN.replace("^relation enemy", "^relaton enemy"))
+        editor.tell("workspace/didChangeWatchedFiles", {"changes": [{"uri": other, "type": 2}]})
+        editor.wait_for(other, has("relaton"))
+        (self.folder / "other" / "main.soar").unlink()
+        editor.tell("workspace/didChangeWatchedFiles", {"changes": [{"uri": other, "type": 3}]})
+        editor.wait_for(other, lambda found: not found)
+
     def test_only_what_is_wrong_is_told_and_the_server_ends_as_it_should(self):
         sound = MAIN.replace(" ^range < 30", "")
         self.assertEqual("0 errors, 0 warnings\n", Run("check", self.write("sound/main.soar", sound), self.write("sound/moves.soar", MOVES)).out)

@@ -178,6 +178,14 @@ class LuaDebugger(unittest.TestCase):
         self.assertIn("tick 3,", again["description"])
         self.assertEqual("3", self.value("state.since", self.frames(again["threadId"])[0]["id"]))
 
+    def test_a_log_point_prints_values_and_does_not_stop(self):
+        self.begin()
+        self.mark(self.steps, {"line": 3, "logMessage": "{count} steps of {length}, {unknown.field}", "condition": "count < 4"})
+        self.assertEqual("the run is over", self.go()["text"])
+        printed = [event["body"]["output"] for event in self.events if event["event"] == "output" and "steps of" in event["body"]["output"]]
+        self.assertEqual(["1 steps of 0.5", "2 steps of 0.5", "3 steps of 0.5"], [one.split(",")[0] for one in printed])
+        self.assertIn("unknown", printed[0].split(", ", 1)[1])
+
     def test_the_console_reaches_a_script_between_two_ticks(self):
         self.begin()
         walker, sandbox = self.thread("Walker-1"), self.thread("sandbox")

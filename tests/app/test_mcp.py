@@ -2,6 +2,7 @@
 """`soarbox mcp` as a coding assistant uses it: lines of JSON-RPC on standard input and output."""
 import json
 import os
+import re
 import select
 import subprocess
 import unittest
@@ -108,6 +109,41 @@ sp {climber*apply*learn
         self.assertNotIn('"severity":"error"', self.call("check_rules", text=answer))
         self.assertIn("Passed", self.call("grade_lesson", lesson=5, rules=answer))
         self.assertIn("error", self.answer("tools/call", name="read_lesson", arguments={"lesson": 99}))
+
+    def test_rules_are_formatted_and_have_a_datamap(self):
+        text = self.call("format_rules", text="sp {b (state <s> ^superstate nil) --> (<s> ^here yes)}")
+        self.assertIn("sp {b\n   (state <s> ^superstate nil)\n-->\n", text)
+        (self.folder / "inside" / "b.soar").write_text("sp {b (state <s> ^superstate nil ^colour red) --> (<s> ^here yes)}\n")
+        self.assertIn("colour", self.call("make_datamap", path="b.soar"))
+        self.assertEqual({"a.soar", "b.soar", "link.soar"}, {path.name for path in (self.folder / "inside").iterdir()})
+        self.assertIn("error", self.answer("tools/call", name="make_datamap", arguments={"path": "../secret.soar"}))
+
+    def test_prompts_name_tools_that_exist(self):
+        prompts = self.ask("prompts/list")["prompts"]
+        self.assertGreaterEqual({prompt["name"] for prompt in prompts}, {"explain_agent", "find_mistake", "write_agent", "solve_lesson"})
+        tools = {tool["name"] for tool in self.ask("tools/list")["tools"]}
+        for prompt in prompts:
+            given = {one["name"]: "the " + one["name"] for one in prompt["arguments"]}
+            [message] = self.ask("prompts/get", name=prompt["name"], arguments=given)["messages"]
+            text = message["content"]["text"]
+            self.assertNotIn("{", text)
+            for value in given.values():
+                self.assertIn(value, text)
+            named = set(re.findall(r"[a-z]+_[a-z]+", text))
+            self.assertLessEqual(named, tools, prompt["name"])
+        self.assertIn("lesson is missing", json.dumps(self.answer("prompts/get", name="solve_lesson")))
+        self.assertIn("no prompt", json.dumps(self.answer("prompts/get", name="other")))
+
+    def test_resources_are_read(self):
+        for resource in self.ask("resources/list")["resources"]:
+            [content] = self.ask("resources/read", uri=resource["uri"])["contents"]
+            self.assertEqual(content["uri"], resource["uri"])
+            self.assertGreater(len(content["text"]), 200, resource["uri"])
+        self.assertEqual(self.ask("resources/templates/list")["resourceTemplates"][0]["uriTemplate"], "soarbox://lesson/{number}")
+        [lesson] = self.ask("resources/read", uri="soarbox://lesson/5")["contents"]
+        self.assertIn("climber*propose*hut", lesson["text"])
+        for uri in ("soarbox://lesson/99", "soarbox://lesson/x", "file:///etc/passwd"):
+            self.assertIn("error", self.answer("resources/read", uri=uri), uri)
 
     def test_nothing_outside_of_its_folder_is_read(self):
         for path in ("../secret.soar", str(self.folder / "secret.soar"), "link.soar", "/etc/passwd", "--json"):

@@ -87,6 +87,23 @@ class Recorded(Case):
         self.assertIn("counter", compared.stdout)
         self.assertIn("differ", compared.stdout)
 
+    def test_an_agent_that_its_client_destroyed_is_there_until_then(self):
+        kernel = self.start_recorded()
+        with Client(self.port) as client:
+            client.call("create_agent", name="counter")
+            for line in (BEGIN, COUNT, APPLY, "wm add I2 limit 5", "run 3"):
+                client.line("counter", line)
+            client.call("create_agent", name="other")
+            client.call("destroy_agent", agent="counter")
+            client.line("other", "run 3")
+        kernel.interrupt()
+        # Its third and last decision.
+        memory = soarbox("inspect", self.file, "--agent", "counter", "--at", 0.1, "--view", "memory")
+        self.assertRegex(memory.stdout, r"count 2\b", memory.stderr)
+        later = soarbox("inspect", self.file, "--agent", "counter", "--at", 0.17, "--view", "memory")
+        self.assertIn("counter does not exist at this moment", later.stderr)
+        self.assertNotIn("did you mean", later.stderr)
+
     def test_a_killed_kernel_leaves_what_was_run(self):
         kernel = self.start_recorded()
         with Client(self.port) as client:

@@ -54,5 +54,42 @@ class Extension(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("node"), "node is not installed")
     def test_its_scripts_are_sound(self):
-        for script in ("extension.js", "tests.js"):
+        for script in ("extension.js", "tests.js", "trees.js"):
             subprocess.run(["node", "--check", FOLDER / script], check=True)
+
+    @unittest.skipUnless(shutil.which("node"), "node is not installed")
+    def test_its_trees_show_what_the_server_answers(self):
+        code = """
+            const module_ = require('module'), load = module_._load;
+            module_._load = (name, ...more) => name === 'vscode' ? {} : load(name, ...more);
+            const trees = require(process.argv[1]);
+            const rule = (name, role) => ({name, role, location: {uri: 'file:///a.soar', range: {start: {line: 3, character: 0}}}});
+            const shown = (nodes) => nodes.map((node) => [node.label, ...shown(node.children)]);
+            const operators = [{name: '', parents: [], rules: [rule('e', 'elaborates')]}, {name: 'a', parents: ['b'], rules: []},
+                               {name: 'b', parents: [], rules: [rule('p', 'proposes')]}, {name: 'c', parents: ['a'], rules: []}];
+            const circle = [{name: 'x', parents: ['y'], rules: []}, {name: 'y', parents: ['x'], rules: []}];
+            console.log(JSON.stringify([shown(trees.operatorNodes(operators)), shown(trees.operatorNodes(circle)),
+                shown(trees.datamapNodes([{name: 'io', detail: '', children: [{name: 'output-link', detail: '', children: []}]}]))]));
+        """
+        done = subprocess.run(["node", "-e", code, FOLDER / "trees.js"], check=True, capture_output=True, text=True)
+        operators, circle, datamap = json.loads(done.stdout)
+        self.assertEqual(operators, [["Rules without an operator", ["e"]], ["b", ["p"], ["a", ["c"]]]])
+        self.assertEqual(circle, [["x", ["y"]], ["y", ["x"]]])
+        self.assertEqual(datamap, [["^io", ["^output-link"]]])
+
+    def test_its_page_has_no_link_into_the_source(self):
+        # vsce refuses to pack it: it does not know where the source is.
+        self.assertEqual(re.findall(r"\]\((?!https?:)", (FOLDER / "README.md").read_text()), [])
+
+    @unittest.skipUnless((FOLDER / "node_modules" / ".bin" / "vsce").exists(), "npm ci has not been called in editors/vscode")
+    def test_it_is_packed_without_a_question(self):
+        with tempfile.TemporaryDirectory() as name:
+            copy = pathlib.Path(name) / "vscode"
+            shutil.copytree(FOLDER, copy, symlinks=True)
+            done = subprocess.run(["npx", "vsce", "package"], cwd=copy, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual(len(list(copy.glob("soarbox-*.vsix"))), 1)
+
+    def test_its_views_are_those_that_it_registers(self):
+        views = {view["id"] for view in self.contributes["views"]["explorer"]}
+        self.assertEqual(views, set(re.findall(r"registerTreeDataProvider\('([^']+)'", (FOLDER / "trees.js").read_text())))

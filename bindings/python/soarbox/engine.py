@@ -42,8 +42,8 @@ class Engine:
         self._process = subprocess.Popen(["sh", "-c", 'exec "$@" 3<&0 </dev/null', "sh", *arguments], stdin=theirs.fileno(),
                                          stdout=subprocess.DEVNULL, stderr=self._errors, env=environment)
         theirs.close()
-        # The engine reads this request before its first tick, so no tick is missed.
-        self.ask({"request": "flow", "what": "pause"})
+        # The engine reads these requests before its first tick, so no tick is missed. Nothing here draws scenes.
+        self.ask({"request": "presence", "draws": False}, {"request": "flow", "what": "pause"})
 
     def ask(self, *requests: Dict[str, Any]) -> None:
         """Sends requests; synchronize() waits until they are carried out."""

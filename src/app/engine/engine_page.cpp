@@ -109,6 +109,11 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
 
 Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   const std::string request = TextOf(json, "request");
+  if (request == "presence" && json.contains("draws")) {
+    // From a program that started this engine without a server, such as Python.
+    draws_ = FlagOf(json, "draws");
+    return {};
+  }
   if (request == "presence") {
     // From the server: the number of pages, and the panels of users who may only watch. Pages draw documents.
     shows_documents_ = true;
@@ -229,7 +234,7 @@ void EnginePage::ShowContents(const workbench::Contents& contents, const workben
 
 bool EnginePage::WantsScene(std::size_t agents) const {
   const auto every = std::chrono::milliseconds(agents <= 20 ? 30 : agents <= 100 ? 60 : 100);
-  return wants_full_ || Clock::now() - scene_at_ >= every;
+  return draws_ && (wants_full_ || Clock::now() - scene_at_ >= every);
 }
 
 void EnginePage::ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays) {

@@ -83,6 +83,7 @@ class EnginePage {
   stream::SceneEncoder encoder_;
   ShapeContents shapes_;
   bool wants_full_ = true;
+  bool draws_ = true;  ///< Scenes and shapes are sent.
   world::OverlayWants overlay_wants_;
   Clock::time_point scene_at_, flow_at_, life_at_;
   std::string flow_;

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Breakpoints with a condition, and log points, which print a line and do not stop.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "debugger/watch.h"
+#include "diagnostics/number_from_chars.h"
+#include "editors/dap_server.h"
+#include "editors/dap_words.h"
+
+namespace soarbox::editors {
+namespace {
+
+/// A comparison of a path's value: "io.input-link.self.health < 50". Without an operator, the path must have a value.
+struct MarkCondition {
+  std::string path, op, value;
+};
+
+std::string Trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
+}
+
+MarkCondition ReadMarkCondition(const std::string& text) {
+  // The operators with two characters come first. "<s>" at the beginning is a state.
+  constexpr std::array<std::string_view, 7> kOperators = {" == ", " != ", " <= ", " >= ", " = ", " < ", " > "};
+  for (const std::string_view op : kOperators)
+    if (const std::size_t at = text.find(op); at != std::string::npos)
+      return {Trimmed(text.substr(0, at)), Trimmed(op), Trimmed(text.substr(at + op.size()))};
+  return {Trimmed(text), {}, {}};
+}
+
+bool IsNumberText(const std::string& text, double& number) {
+  const auto read = NumberFromChars(text, number);
+  return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+}
+
+bool Compare(const std::string& left, const std::string& op, const std::string& right) {
+  double a = 0, b = 0;
+  const bool are_numbers = IsNumberText(left, a) && IsNumberText(right, b);
+  const bool is_equal = are_numbers ? a == b : left == right;
+  if (op == "=" || op == "==") return is_equal;
+  if (op == "!=") return !is_equal;
+  if (!are_numbers) return false;
+  return op == "<" ? a < b : op == "<=" ? a <= b : op == ">" ? a > b : a >= b;
+}
+
+/// Each line of a watch's value is a value.
+bool Holds(const MarkCondition& condition, const std::string& values) {
+  if (condition.op.empty()) return !values.empty();
+  for (std::size_t begin = 0; begin < values.size();) {
+    const std::size_t end = std::min(values.find_first_of(" \n", begin), values.size());
+    if (end > begin && Compare(values.substr(begin, end - begin), condition.op, condition.value)) return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+/// Replaces each {expression} by what `evaluate` returns for it.
+template <typename Evaluate>
+std::string Interpolated(const std::string& text, const Evaluate& evaluate) {
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = text.find('{', at);
+    const std::size_t close = open == std::string::npos ? open : text.find('}', open);
+    if (close == std::string::npos) return line + text.substr(at);
+    line += text.substr(at, open - at) + evaluate(text.substr(open + 1, close - open - 1));
+    at = close + 1;
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string DapServer::FaultOfCondition(const std::string& condition) {
+  return condition.empty() ? std::string() : debugger::WatchFault(ReadMarkCondition(condition).path);
+}
+
+void DapServer::Log(const std::string& line, const std::filesystem::path& file, std::size_t at) {
+  Event("output", {{"category", "console"},
+                   {"output", line + "\n"},
+                   {"source", {{"name", file.filename().string()}, {"path", file.string()}}},
+                   {"line", at}});
+}
+
+bool DapServer::StopsFor(const std::string& reason) {
+  for (const StopWish& wish : wishes_)
+    if (wish.kind == "fire" && reason.find(" " + wish.what + " fired") != std::string::npos) return true;
+  const std::string agent = reason.substr(0, reason.find(": "));
+  bool is_mark = false;
+  for (const auto& entry : marks_) {
+    for (const Mark& mark : entry.second) {
+      if (reason.find("rule " + mark.rule + " fired") == std::string::npos) continue;
+      is_mark = true;
+      const std::unique_ptr<explain::Inspector> mind = debuggee_->Inspect(agent);
+      const auto value_of = [&](const std::string& path) {
+        const debugger::WatchValue value =
+            mind == nullptr ? debugger::WatchValue() : debugger::LookAtWatch(*mind, Trimmed(path));
+        return value.is_error ? std::string() : value.text;
+      };
+      if (!mark.condition.empty()) {
+        const MarkCondition condition = ReadMarkCondition(mark.condition);
+        if (!Holds(condition, value_of(condition.path))) continue;
+      }
+      if (mark.log.empty()) return true;
+      Log(Interpolated(mark.log, value_of), mark.file, mark.line);
+    }
+  }
+  return !is_mark;
+}
+
+bool DapServer::StopsInScript(std::uint32_t owner) {
+  std::vector<script::ScriptFrame> calls;
+  debuggee_->Scripts()->With([&](script::ScriptDebugger& scripts) { calls = scripts.view().Frames(); });
+  if (calls.empty()) return true;
+  const auto log = script_logs_.find({calls.front().file, calls.front().line});
+  if (log == script_logs_.end()) return true;
+  const auto value_of = [&](const std::string& expression) {
+    try {
+      return EvaluateInScript(owner, 0, Trimmed(expression), false).at("result").get<std::string>();
+    } catch (const DapRefusal& refused) {
+      return "{" + refused.message + "}";
+    }
+  };
+  Log(Interpolated(log->second, value_of), calls.front().file, static_cast<std::size_t>(calls.front().line));
+  return false;
+}
+
+bool DapServer::StopsFor(const std::vector<std::string>& reasons) {
+  if (const std::optional<std::uint32_t> script = PausedScript())
+    return !(reasons.size() == 1 && reasons.front().ends_with(": breakpoint")) || StopsInScript(*script);
+  // All are looked at, because each may be a log point.
+  bool stops = false;
+  for (const std::string& reason : reasons) stops |= StopsFor(reason);
+  return stops;
+}
+
+}  // namespace soarbox::editors
