@@ -6,6 +6,7 @@
 //   SOARBOX_SIZES     widths in pixels (default: 390,768,1280,1920,1280x2); 1280x2 is 1280 px at a zoom of 200 percent
 //   SOARBOX_SCHEMES   default: light,dark
 //   SOARBOX_WORLD     world in which panels are shown (default: soar_skirmish)
+//   SOARBOX_AT        simulated seconds at which this world is paused for the pictures of panels (default: 8)
 import { mkdirSync, writeFileSync } from "node:fs";
 import { ADDRESS, closeBrowser, openPage, PATIENCE_MS, show } from "./e2e/browser.mjs";
 
@@ -16,7 +17,7 @@ if (folder === undefined) {
 }
 const HEIGHTS = { 390: 844, 768: 1024, 1280: 800, 1920: 1080 }, SETTLES_MS = 1500;
 const sizes = (process.env.SOARBOX_SIZES ?? "390,768,1280,1920,1280x2").split(",").map(sizeOf), schemes = (process.env.SOARBOX_SCHEMES ?? "light,dark").split(",");
-const panelWorld = process.env.SOARBOX_WORLD ?? "soar_skirmish";
+const panelWorld = process.env.SOARBOX_WORLD ?? "soar_skirmish", pausedAt_s = Number(process.env.SOARBOX_AT ?? 8);
 mkdirSync(folder, { recursive: true });
 
 /** "1280x2": what a browser of 1280 px shows at a zoom of 200 percent. */
@@ -44,6 +45,21 @@ async function titlesOfPanels() {
   return titles;
 }
 
+/** Pauses the world of the panels at the same moment for all pictures. The place keeps its run from one page to the next. */
+async function pauseWorld(page) {
+  await page.waitForSelector(".flow-bar button[aria-label=Pause]:enabled, .flow-bar button[aria-label=Run]:enabled");
+  if (await page.locator(".flow-bar button[aria-label=Run]").count() > 0) return;
+  await page.locator(".flow-bar button[aria-label='Begin again']").click();
+  for (const isLater of [false, true]) {
+    await page.waitForFunction(([wanted, later]) => {
+      const [minutes, seconds] = (document.querySelector(".scrubber .moment")?.firstChild?.textContent ?? "").split(":").map(Number);
+      return minutes * 60 + seconds >= wanted === later;
+    }, [pausedAt_s, isLater]);
+  }
+  await page.locator(".flow-bar button[aria-label=Pause]").click();
+  await page.waitForSelector(".flow-bar button[aria-label=Run]");
+}
+
 /** The picture's file name, and what is wrong with the page. */
 async function picture(kind, name, size, scheme) {
   const world = kind === "panel" ? `world=${panelWorld}` : `${kind}=${name}`;
@@ -53,7 +69,10 @@ async function picture(kind, name, size, scheme) {
     await page.waitForSelector(".run-page:not([hidden])");
     // The name of an agent, or a world without agents.
     await page.waitForFunction(() => document.querySelector(".labels .name, .panel.agents") !== null);
-    if (kind === "panel") await show(page, name);
+    if (kind === "panel") {
+      await pauseWorld(page);
+      await show(page, name);
+    }
     await page.waitForTimeout(SETTLES_MS);
     await page.screenshot({ path: `${folder}/${file}`, timeout: PATIENCE_MS });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

@@ -73,7 +73,7 @@ LongTermView LookAtLongTerm(explain::Inspector& mind, const std::string& text, s
   }
   view.facts = source->LongTerm(most, text);
   if (!view.facts.semantic && !view.facts.episodic) {
-    view.note = "no long-term memory is switched on: smem --enable, epmem --enable";
+    view.note = "No long-term memory is switched on. A rule file switches one on: smem --enable, epmem --enable";
   }
   return view;
 }

@@ -10,6 +10,7 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <deque>
+#include <utility>
 
 #include "diagnostics/problem.h"
 
@@ -24,6 +25,8 @@ using Request = http::request<http::string_body>;
 /// Maximum bytes that may be queued for a page: above the first limit, scenes are left out; above the second, the
 /// connection is closed.
 constexpr std::size_t kScenesWaitAbove = 192u << 10, kMostWaiting = 16u << 20;
+/// Time after which a page that has missed a scene requests one. A run that is not paused sends one by itself.
+constexpr std::chrono::milliseconds kSceneAfter(500);
 
 /// Limits the requests of a client: an average rate per second, and bursts of four times as many.
 class Allowance {
@@ -55,6 +58,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
         site_(site),
         address_(admission.address),
         rest_timer_(socket_.get_executor()),
+        scene_timer_(socket_.get_executor()),
         allowance_(site.settings().limits.requests_per_s) {
     websocket::stream_base::timeout times{std::chrono::seconds(10), std::chrono::seconds(60), true};
     socket_.set_option(times);
@@ -100,8 +104,11 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
 
   void SendScene(Bytes block, bool is_full) override {
     if (needs_full_ && !is_full) return;
-    needs_full_ = waiting_bytes_ > kScenesWaitAbove;
-    if (!needs_full_) Send({std::move(block), true, {}});
+    // The first one is always sent: in a paused run no other follows.
+    needs_full_ = has_scene_ && waiting_bytes_ > kScenesWaitAbove;
+    if (needs_full_) return;
+    has_scene_ = true;
+    Send({std::move(block), true, {}});
   }
 
   bool MayAsk() const override { return may_ask_; }
@@ -131,7 +138,19 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
                           self->waiting_.pop_front();
                           if (error) return self->Close();
                           self->Write();
+                          if (self->waiting_.empty() && self->has_scene_ && self->needs_full_) self->CatchUp();
                         });
+  }
+
+  /// Requests the scene of the present moment if a page that has missed one gets no other by itself, as in a paused
+  /// run.
+  void CatchUp() {
+    if (std::exchange(catches_up_, true)) return;
+    scene_timer_.expires_after(kSceneAfter);
+    scene_timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+      self->catches_up_ = false;
+      if (!error && self->needs_full_) self->session_->AskForScene();
+    });
   }
 
   void Read() {
@@ -172,6 +191,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
   /// Pending operations end with an error; then no one refers to this connection.
   void Close() {
     rest_timer_.cancel();
+    scene_timer_.cancel();
     beast::get_lowest_layer(socket_).close();
   }
 
@@ -181,12 +201,12 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
   std::function<void()> on_gone_;
   Site& site_;
   std::string address_;
-  boost::asio::steady_timer rest_timer_;
+  boost::asio::steady_timer rest_timer_, scene_timer_;
   Allowance allowance_;
   beast::flat_buffer buffer_;
   std::deque<Out> waiting_;
   std::size_t waiting_bytes_ = 0;
-  bool is_accepted_ = false, is_writing_ = false, needs_full_ = true;
+  bool is_accepted_ = false, is_writing_ = false, needs_full_ = true, has_scene_ = false, catches_up_ = false;
 };
 
 }  // namespace

@@ -242,6 +242,10 @@ void Session::TellPresence() {
   engine_->Send(JsonText(Json{{"request", "presence"}, {"pages", viewers_.size()}, {"watched", watched}}));
 }
 
+void Session::AskForScene() {
+  if (engine_ != nullptr) engine_->Send(R"({"request":"scene"})");
+}
+
 void Session::Take(Viewer& viewer, std::string text) {
   const std::optional<PageMessage> message = ReadPageMessage(text);
   const auto refuse = [&](const Diagnostic& problem) {

@@ -55,6 +55,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// `tab` identifies a tab of a browser, so that a reconnecting page is recognized; may be empty.
   void Join(Viewer& viewer, const std::string& tab);
   void Leave(Viewer& viewer);
+  /// Requests a full block of the scene for all pages.
+  void AskForScene();
   /// Processes a message of a page.
   void Take(Viewer& viewer, std::string text);
   /// Sets the message that each page of the run's owner gets when it joins, and again after Greet; empty: none.

@@ -3,30 +3,34 @@
 
 #include <SDL_scancode.h>
 
+#include "workbench/flow_info.h"
+
 namespace soarbox::viewer {
 namespace {
 
 using C = ViewerCommand;
 using G = CommandGroup;
 
+/// A command of the run, with the words that the page uses, too.
+constexpr CommandInfo OfRun(C command, workbench::Flow flow, std::string_view keys) {
+  const workbench::FlowInfo& info = workbench::InfoOf(flow);
+  return {command, G::kRun, "", info.title, keys, info.meaning};
+}
+
 constexpr CommandInfo kInfos[] = {
-    {C::kTogglePause, G::kRun, "", "Pause", "P", "Pause the world, or let it continue"},
-    {C::kSingleStep, G::kRun, "", "Step", "N",
-     "Let the world advance by one tick, or a game by one turn: all sense, decide, act and move"},
-    {C::kStepDecision, G::kRun, "", "Step a decision", "Shift+N",
-     "The selected agent perceives what is new and makes one decision; the world advances by one tick"},
-    {C::kStepPhase, G::kRun, "", "Step a phase", "Ctrl+N",
-     "The selected agent alone does one phase of its decision cycle; the world stays paused"},
-    {C::kStepChange, G::kRun, "", "Step until something changes", "Ctrl+Shift+N",
-     "The world continues until the selected agent selects another operator, meets or leaves an impasse, or gives a "
-     "command"},
-    {C::kFaster, G::kRun, "", "Faster", "+", "The next speed up to 16 times real time"},
-    {C::kSlower, G::kRun, "", "Slower", "-", "The next speed down to a tenth of real time"},
-    {C::kNormalSpeed, G::kRun, "", "Normal speed", "Backspace", "Real time"},
-    {C::kUnlimited, G::kRun, "", "As fast as possible", "O", "Limited only by the machine; again: the previous speed"},
-    {C::kReset, G::kRun, "", "Reset", "Ctrl+R", "Begin again with the same seed"},
-    {C::kNextSeed, G::kRun, "", "Restart with the next seed", "Ctrl+Shift+R", "Begin again with the next seed"},
-    {C::kQuit, G::kRun, "", "Quit", "Ctrl+Q", "Close the window; so does Esc, pressed twice"},
+    OfRun(C::kTogglePause, workbench::Flow::kTogglePause, "P"),
+    // In a world without turns this is a tick.
+    {C::kSingleStep, G::kRun, "", "Step", "N", workbench::InfoOf(workbench::Flow::kStepTurn).meaning},
+    OfRun(C::kStepDecision, workbench::Flow::kStepDecision, "Shift+N"),
+    OfRun(C::kStepPhase, workbench::Flow::kStepPhase, "Ctrl+N"),
+    OfRun(C::kStepChange, workbench::Flow::kStepChange, "Ctrl+Shift+N"),
+    OfRun(C::kFaster, workbench::Flow::kFaster, "+"),
+    OfRun(C::kSlower, workbench::Flow::kSlower, "-"),
+    OfRun(C::kNormalSpeed, workbench::Flow::kNormalSpeed, "Backspace"),
+    OfRun(C::kUnlimited, workbench::Flow::kUnlimited, "O"),
+    OfRun(C::kReset, workbench::Flow::kReset, "Ctrl+R"),
+    OfRun(C::kNextSeed, workbench::Flow::kNextSeed, "Ctrl+Shift+R"),
+    OfRun(C::kQuit, workbench::Flow::kQuit, "Ctrl+Q"),
     {C::kFrameSelection, G::kCamera, "", "Frame the selection", "F", "Keeps the selected agents in view"},
     {C::kFrameAll, G::kCamera, "", "Frame all", "Home", "Keeps all agents in view, and the places as far as they fit"},
     {C::kFreeCamera, G::kCamera, "free", "Free camera", "1",
@@ -38,9 +42,9 @@ constexpr CommandInfo kInfos[] = {
     {C::kMapCamera, G::kCamera, "map", "Map", "5", "From above, north up; drag to move, the wheel zooms"},
     {C::kSelectNext, G::kSelection, "", "Next agent", "Tab", "Select the agent after this one"},
     {C::kSelectPrevious, G::kSelection, "", "Previous agent", "Shift+Tab", "Select the agent before this one"},
-    {C::kSelectNone, G::kSelection, "", "Select none", "Ctrl+D", "Deselect all agents"},
+    {C::kSelectNone, G::kSelection, "", "Select none", "Ctrl+D", "Give up the selection"},
     {C::kScaleAuto, G::kScale, "", "As the machine can", "",
-     "Full size with a graphics card; without one, as large as 30 pictures per second allow"},
+     "Without a graphics card as large as thirty pictures a second allow, else in full"},
     {C::kScaleFull, G::kScale, "", "100 %", "", "Every pixel of the scene is drawn"},
     {C::kScaleThreeQuarters, G::kScale, "", "75 %", "", "A little soft, for half of the work; texts stay sharp"},
     {C::kScaleHalf, G::kScale, "", "50 %", "", "Soft, for a quarter of the work; texts stay sharp"},

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Generates docs/workbench.md from the tables of contents and requests.
+// Generates docs/workbench.md from the tables of contents and requests, and the page's tables of panels and commands.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "workbench/arrangement.h"
 #include "workbench/contents_json.h"
 #include "workbench/document/panels.h"
+#include "workbench/flow_info.h"
 #include "workbench/requests_json.h"
 
 namespace soarbox::workbench {
@@ -61,6 +62,24 @@ std::string PanelTable() {
     text += "  },\n";
   }
   return text + "} as const;\n";
+}
+
+std::string FlowTable() {
+  const auto quoted = [](std::string_view text) { return Json(std::string(text)).dump(); };
+  std::string text =
+      "// SPDX-License-Identifier: BSD-2-Clause\n"
+      "// Written by reference_pages from src/workbench/flow_info.h.\n\n"
+      "/** What a command of the run is called, in the window and here. */\n"
+      "export const FLOWS = {\n";
+  for (const FlowInfo& info : kFlowInfos) {
+    if (!IsRequest(info.flow)) continue;
+    text += "  " + quoted(info.word) + ": {\n    button: " + quoted(info.button) + ", title: " + quoted(info.title) +
+            ",\n    meaning: " + quoted(info.meaning) + ",\n  },\n";
+  }
+  return text +
+         "} as const;\n\n/** The button that continues a run from the moment that is shown. */\nexport const RESUME "
+         "= " +
+         quoted(kResumeButton) + ";\n";
 }
 
 const char* const kDocuments =

@@ -163,17 +163,17 @@ class Lessons(WindowUser):
         self.learn(f"""
             expect "1. A rule fires once for each match"
             expect-not "This lesson is done."
-            click "Check my rules"
+            click "Grade"
             expect "blank before the name." 200
             expect "anna is greeted"
             expect "it never did"
             audit "a lesson that failed"
             picture {failed}
             wait 400
-            click "Reset"
+            click "Begin again"
             expect "blank before the name."
             expect "1 of 4 checks" 60
-            click "Check my rules"
+            click "Grade"
             expect-not "blank before the name."
             expect "Passed with all of 10 seeds." 200
             expect "This lesson is done."
@@ -182,7 +182,7 @@ class Lessons(WindowUser):
             click "Next lesson"
             expect "2. Operators: propose, select, apply" 30
             expect "Make the mowing robot mow"
-            expect "Check my rules"
+            expect "Grade"
             expect "of 5 checks"
             expect-not "This lesson is done."
             {picture("lesson-next")}

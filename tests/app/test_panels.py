@@ -129,7 +129,7 @@ class Panels(WindowUser):
     def test_a_run_that_begins_again_leaves_the_recordings_before_it(self):
         done = self.play("""
             until 0.5
-            click "Reset"
+            click "Begin again"
             until 0.2
             click "Next seed"
             until 0.2
@@ -208,7 +208,7 @@ class Panels(WindowUser):
             expect-not "^kind ammo"
             key Escape
             click "idler"
-            expect "no long-term memory is switched on"
+            expect "No long-term memory is switched on"
             """, record=f"--record={file}")
         self.replay(file, """
             until 1

@@ -236,7 +236,7 @@ STORY = (
           click "Save"
           expect "Saved"
         """),
-    ("Start again with the next seed", """
+    ("Begin again with the next seed", """
         click "Next seed"
           expect "seed 2"
           expect "walker"

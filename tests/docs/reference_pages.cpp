@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Writes the pages of docs/ that are generated from tables of the source, and the page's table of panels.
+// Writes the pages of docs/ that are generated from tables of the source, and the page's tables of panels and of
+// commands of the run.
 //
 //   reference_pages FOLDER           writes them into the folder, usually docs
 //   reference_pages --check FOLDER   fails if one of the folder's pages differs
@@ -16,6 +17,7 @@
 #include "script/api_reference.h"
 #include "vocabulary/vocabulary.h"
 #include "workbench/contents_json.h"
+#include "workbench/flow_info.h"
 
 int main(int argc, char** argv) {
   const bool checks = argc == 3 && std::string_view(argv[1]) == "--check";
@@ -30,6 +32,7 @@ int main(int argc, char** argv) {
   pages.push_back({"soar_commands.md", soarbox::cli::CommandReference()});
   pages.push_back({"workbench.md", soarbox::workbench::WorkbenchReference()});
   pages.push_back({"../web/src/panels/panel_table.ts", soarbox::workbench::PanelTable()});
+  pages.push_back({"../web/src/app/flow_table.ts", soarbox::workbench::FlowTable()});
   const std::filesystem::path folder = argv[argc - 1];
   int status = 0;
   for (const soarbox::script::ReferencePage& page : pages) {

@@ -175,6 +175,23 @@ class Runs(ServeCase):
         again.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 5)
         self.assertTrue(again.blocks[0][2] & 1)
 
+    def test_a_page_that_comes_to_a_paused_run_gets_its_scene_after_any_amount_of_text(self):
+        world = self.folder / "wordy"
+        world.mkdir()
+        (world / "scenario.toml").write_text('[[agent]]\nname = "one"\nrules = "one.soar"\n', encoding="utf-8")
+        rules = "".join(f"sp {{{'wordy' * 20}*{i} (state <s> ^a {i}) --> (<s> ^b {i})}}\n" for i in range(2000))
+        (world / "one.soar").write_text(rules, encoding="utf-8")
+        server = self.serve(world)
+        place = server.new_place()
+        page = self.opened(server, place, "scenario:wordy", "rules")
+        page.until_contents("rules", lambda rules: len(json.dumps(rules)) > 200_000)
+        page.ask(request="flow", what="pause")
+        page.until(lambda message: message["message"] == "flow" and message["paused"])
+        late = self.page(server, place)
+        late.until_contents("rules")
+        late.until(lambda message: message["message"] == "flow" and late.blocks)
+        self.assertTrue(late.blocks[0][2] & 1, "the first block is full")
+
     def test_a_world_of_ones_own_is_served_and_every_place_gets_a_copy(self):
         world = self.folder / "my_world"
         world.mkdir()

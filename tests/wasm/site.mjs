@@ -24,7 +24,7 @@ test("a world runs, its minds say why, its past is shown, and new rules take eff
   await picture(page, "site_world");
   await page.locator(".past").focus();
   await page.keyboard.press("Home");
-  await page.waitForSelector("button:has-text('Go on from here'):enabled");
+  await page.waitForSelector("button:has-text('Resume here'):enabled");
   await page.locator("button", { hasText: "To the newest" }).click();
 
   // Another rule for the rabbit.

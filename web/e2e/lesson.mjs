@@ -36,8 +36,8 @@ test("checks are neutral before there is anything to judge, restart with Apply, 
   await page.locator(".past").focus();
   await page.keyboard.press("Home");
   await until(async () => (await page.locator(".check.is-passed").count()) === 0, "the past shows what was known then");
-  await page.waitForSelector("button:has-text('Go on from here'):enabled");
-  await page.locator("button", { hasText: "Go on from here" }).click();
+  await page.waitForSelector("button:has-text('Resume here'):enabled");
+  await page.locator("button", { hasText: "Resume here" }).click();
   await page.waitForSelector(".is-live");
   await page.waitForSelector(".panel.mission .note:has-text('earlier moment')");
   assert.equal(await page.locator(".check.is-passed").count(), 0);

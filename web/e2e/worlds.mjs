@@ -86,9 +86,9 @@ test("soldiers are drawn, reasons are shown, and the past is visited and left ag
   await page.locator(".past").focus();
   for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowLeft");
   await until(async () => (await shownTime(page)) <= before - 0.5, "a past moment is shown");
-  await page.waitForSelector("button:has-text('Go on from here'):enabled");
+  await page.waitForSelector("button:has-text('Resume here'):enabled");
   await picture(page, "skirmish_past");
-  await page.locator("button", { hasText: "Go on from here" }).click();
+  await page.locator("button", { hasText: "Resume here" }).click();
   await page.waitForSelector(".is-live");
   await page.locator(".stage canvas").focus();
   await page.keyboard.press(".");

@@ -2,7 +2,6 @@
 #include "app/engine/engine_page.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include "diagnostics/problem.h"
 #include "sim/input_names.h"
 #include "workbench/contents_json.h"
+#include "workbench/flow_info.h"
 #include "workbench/requests_json.h"
 
 namespace soarbox::app {
@@ -20,20 +20,6 @@ namespace {
 
 using workbench::Flow;
 using Json = EnginePage::Json;
-
-constexpr std::array<std::pair<std::string_view, Flow>, 11> kFlows{{
-    {"step-tick", Flow::kStepTick},
-    {"step-turn", Flow::kStepTurn},
-    {"step-decision", Flow::kStepDecision},
-    {"step-phase", Flow::kStepPhase},
-    {"step-change", Flow::kStepChange},
-    {"faster", Flow::kFaster},
-    {"slower", Flow::kSlower},
-    {"normal-speed", Flow::kNormalSpeed},
-    {"unlimited", Flow::kUnlimited},
-    {"begin-again", Flow::kReset},
-    {"next-seed", Flow::kNextSeed},
-}};
 
 std::string TextOf(const Json& json) {
   return JsonText(json);
@@ -134,18 +120,19 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
       asked.pause = what == "pause";
       return {};
     }
-    const auto found = std::ranges::find(kFlows, what, &std::pair<std::string_view, Flow>::first);
-    if (found == kFlows.end()) {
+    const workbench::FlowInfo* const found = workbench::FindFlow(what);
+    if (found == nullptr) {
       std::string words = "pause, go-on";
-      for (const auto& [word, flow] : kFlows) words += ", " + std::string(word);
+      for (const workbench::FlowInfo& info : workbench::kFlowInfos)
+        if (workbench::IsRequest(info.flow)) words += ", " + std::string(info.word);
       return NewProblem("flow knows no '" + what + "'", "it is one of " + words);
     }
-    if (found->second == Flow::kReset)
+    if (found->flow == Flow::kReset)
       if (const auto seed = json.find("seed"); seed != json.end()) {
         if (!seed->is_number_unsigned()) return NewProblem("a seed is a whole number from 0");
         asked.seed = seed->get<std::uint64_t>();
       }
-    asked.flows.push_back(found->second);
+    asked.flows.push_back(found->flow);
     return {};
   }
   if (request == "overlays") {

@@ -23,6 +23,8 @@ constexpr float kNarrow_px = 480;
 constexpr std::size_t kMeasured = 200;
 /// Maximum number of rows that are visible at once in a table before other parts.
 constexpr std::size_t kMostUnboxed = 8;
+/// Maximum fraction of the room that names of agents take from columns with longer texts.
+constexpr float kNames = 0.6f;
 /// With more rows, a table draws only the visible ones, each as one line.
 constexpr std::size_t kMostWrapped = 200;
 
@@ -153,7 +155,12 @@ std::size_t WidestOf(const doc::Table& table, const std::vector<float>& needed, 
   return widest;
 }
 
-/// Narrow columns have the widths of their texts; wider ones share the rest.
+/// Whether the first column has the names of agents.
+bool NamesAgents(const doc::Table& table) {
+  return !table.rows.empty() && table.rows.front().sign.has_value();
+}
+
+/// Narrow columns have the widths of their texts; wider ones share the rest. Names of agents get more than the others.
 std::vector<float> FittedWidths(const doc::Table& table, const std::vector<float>& needed,
                                 const std::vector<std::size_t>& shown, float room) {
   const float pad = 2 * ImGui::GetStyle().CellPadding.x + 2;
@@ -164,7 +171,8 @@ std::vector<float> FittedWidths(const doc::Table& table, const std::vector<float
   std::vector<float> widths(shown.size());
   float left = room - pad * static_cast<float>(shown.size());
   for (std::size_t n = 0; n < order.size(); ++n) {
-    const float share = std::max(1.0f, left / static_cast<float>(order.size() - n));
+    const float even = left / static_cast<float>(order.size() - n);
+    const float share = std::max({1.0f, even, NamesAgents(table) && shown[order[n]] == 0 ? kNames * left : 0});
     const float wanted = std::ceil(needed[shown[order[n]]] / 4 + 0.5f) * 4;
     widths[order[n]] = table.columns[shown[order[n]]].is_number ? wanted : std::floor(std::min(wanted, share));
     left -= widths[order[n]];
@@ -247,6 +255,16 @@ void DrawCell(PanelFrame& frame, const doc::Cell& cell, bool wraps) {
   ImGui::EndGroup();
 }
 
+/// A cell with the name of an agent, without the middle of the name if it is too wide: the end distinguishes agents.
+void DrawName(PanelFrame& frame, doc::Cell cell) {
+  if (cell.spans.empty()) return;
+  const float others = ImGui::CalcTextSize(TextOf(frame, cell.spans).c_str()).x -
+                       ImGui::CalcTextSize(TextOf(frame, cell.spans.front()).c_str()).x;
+  std::string& name = cell.spans.front().text;
+  name = CutBeforeNumber(name, ImGui::GetContentRegionAvail().x - others);
+  DrawCell(frame, cell, false);
+}
+
 /// Draws the first cell, with the selection of the row, its fold and its icon. Returns whether the rows below are
 /// visible.
 bool BeginRow(PanelFrame& frame, const doc::Table& table, const doc::TableRow& row) {
@@ -293,7 +311,11 @@ void DocumentView::DrawRows(PanelFrame& frame, const doc::Table& table, TableSta
       ImGui::TableNextColumn();
       const IdScope cell_id(static_cast<int>(c));
       if (c == columns.front() && !BeginRow(frame, table, row)) hidden_below = row.depth;
-      if (c < row.cells.size()) DrawCell(frame, row.cells[c], wraps && table.columns[c].wraps);
+      if (c < row.cells.size() && c == columns.front() && row.sign) {
+        DrawName(frame, row.cells[c]);
+      } else if (c < row.cells.size()) {
+        DrawCell(frame, row.cells[c], wraps && table.columns[c].wraps);
+      }
       if (!table.press && c == columns.front()) Tooltip(row.hint);
     }
   };

@@ -64,8 +64,8 @@ class MissionPanel final : public Panel {
     ColoredText(bad > 0 ? theme::kBad : good == all ? theme::kGood : theme::kText, words);
     if (moment.branches > 0)
       WrappedText(theme::kWarn,
-                  "You went back in time and continued: these checks are from the earlier run. Reset begins a run that "
-                  "is checked.");
+                  "You went back in time and continued: these checks are from the earlier run. Begin again for a "
+                  "run that is checked.");
   }
 
   static void DrawCheck(PanelFrame& frame, const workbench::CheckRow& check) {
@@ -146,8 +146,8 @@ class MissionPanel final : public Panel {
     if (ButtonIf(lesson.hints.size() < lesson.hint_count, hint.c_str(),
                  "A nudge first, then the idea, then the outline of the rule"))
       frame.Ask(workbench::LessonRequest{What::kHint});
-    FlowLine(ButtonWidth("Check my rules"));
-    if (ButtonIf(!lesson.is_graded, "Check my rules",
+    FlowLine(ButtonWidth("Grade"));
+    if (ButtonIf(!lesson.is_graded, "Grade",
                  "Runs your saved rules with ten seeds and says whether the lesson is done"))
       frame.Ask(workbench::LessonRequest{What::kGrade});
     if (lesson.is_graded) {

@@ -7,6 +7,7 @@
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel_layout.h"
 #include "viewer/panels/widgets.h"
+#include "workbench/flow_info.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -139,8 +140,7 @@ void Workspace::DrawFileMenu(PanelFrame& frame) {
   }
   ImGui::Separator();
   if (ImGui::MenuItem("Save picture")) frame.Ask(workbench::SavePictureRequest{});
-  Tooltip(
-      "Writes the window as soarbox-TICK.png into the folder where the program was started; existing files are kept");
+  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file");
   ImGui::Separator();
   CommandItem(frame, ViewerCommand::kQuit);
 }
@@ -222,7 +222,12 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
   const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const float pad = ImGui::GetStyle().FramePadding.x, gap = ImGui::GetStyle().ItemSpacing.x;
   const float icon = ImGui::GetFontSize() + 2 * pad + frame.Px(4);
-  const float words_width = width_of("PauseTickDecisionPhaseResetNext seed") + 6 * 0.6f * pad;
+  using workbench::Flow;
+  const auto word_of = [](Flow flow) { return workbench::InfoOf(flow).button; };
+  float words_width = 0;
+  for (const Flow flow :
+       {Flow::kTogglePause, Flow::kStepTick, Flow::kStepDecision, Flow::kStepPhase, Flow::kReset, Flow::kNextSeed})
+    words_width += width_of(std::string(word_of(flow))) + 0.6f * pad;
   const float speed_width = width_of("Speed") + frame.Px(40 + 80 + 4) + 3 * gap + ButtonWidth("Max");
   const float rest =
       6 * icon + frame.Px(28) + 2 * gap + width_of(state + clock) + 2 * ImGui::GetStyle().WindowPadding.x;
@@ -235,14 +240,17 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
       frame.Command(command);
     ImGui::SameLine(0, frame.Px(4));
   };
-  button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause, status.paused ? "Run" : "Pause");
-  button(Icon::kStepTick, ViewerCommand::kSingleStep, frame.contents.moment.turn_ticks > 1 ? "Turn" : "Tick");
+  button(status.paused ? Icon::kPlay : Icon::kPause, ViewerCommand::kTogglePause,
+         status.paused ? "Run" : word_of(Flow::kTogglePause));
+  button(Icon::kStepTick, ViewerCommand::kSingleStep,
+         word_of(frame.contents.moment.turn_ticks > 1 ? Flow::kStepTurn : Flow::kStepTick));
   const bool is_run = !frame.contents.moment.is_recording;
-  button(Icon::kStepDecision, ViewerCommand::kStepDecision, "Decision", is_run && frame.contents.has_mind);
-  button(Icon::kStepPhase, ViewerCommand::kStepPhase, "Phase", is_run && frame.contents.has_mind);
+  button(Icon::kStepDecision, ViewerCommand::kStepDecision, word_of(Flow::kStepDecision),
+         is_run && frame.contents.has_mind);
+  button(Icon::kStepPhase, ViewerCommand::kStepPhase, word_of(Flow::kStepPhase), is_run && frame.contents.has_mind);
   ImGui::SameLine(0, frame.Px(14));
-  button(Icon::kReset, ViewerCommand::kReset, "Reset");
-  button(Icon::kNextSeed, ViewerCommand::kNextSeed, "Next seed", is_run);
+  button(Icon::kReset, ViewerCommand::kReset, word_of(Flow::kReset));
+  button(Icon::kNextSeed, ViewerCommand::kNextSeed, word_of(Flow::kNextSeed), is_run);
   ImGui::SameLine(0, frame.Px(14));
 
   if (has_slider) {
@@ -256,7 +264,7 @@ void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_pe
     ImGui::SetNextItemWidth(frame.Px(80));
     constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput;
     if (ImGui::SliderFloat("##speed", &speed, 0.1f, 16, "", kFlags)) frame.Ask(workbench::SpeedRequest{speed});
-    Tooltip("Simulated seconds per second of real time; keys + and -");
+    Tooltip("Simulated seconds per second of yours; keys + and -");
     ImGui::SameLine(0, frame.Px(4));
     if (ImGui::Button("Max")) frame.Command(ViewerCommand::kUnlimited);
     Tooltip(InfoOf(ViewerCommand::kUnlimited).meaning);
@@ -312,8 +320,8 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
 
   const std::string now = TimeOf(frame, at.shown_tick) + " / " + TimeOf(frame, at.last_tick);
   const float pad = ImGui::GetStyle().FramePadding.x, icon = ImGui::GetFontSize() + 2 * pad;
-  const auto word = [&](const char* text) { return ImGui::CalcTextSize(text).x + icon + 0.6f * pad; };
-  const char* resume = "Resume here";
+  const auto word = [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x + icon + 0.6f * pad; };
+  const std::string resume(workbench::kResumeButton);
   float right = ImGui::CalcTextSize(now.c_str()).x + frame.Px(16) + word(newest) + frame.Px(6);
   if (offers_resume) right += word(resume) + frame.Px(6);
   ImGui::SetNextItemWidth(
@@ -325,7 +333,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   if (ImGui::SliderScalar("##scrubber", ImGuiDataType_U64, &tick, &least, &most, "")) seek(tick);
   if (offers_resume) ImGui::PopStyleColor();
   ImGui::EndDisabled();
-  Tooltip(tip("Drag to see any moment of the run: scene, panels and plots follow"));
+  Tooltip(tip("Drag to see any moment of the run: scene, panels and plots go along"));
   ImGui::SameLine(0, frame.Px(8));
   ColoredText(at.is_live || at.is_recording ? theme::kText : theme::kWarn, now);
   ImGui::SameLine(0, frame.Px(8));
@@ -355,7 +363,9 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   using Row = std::pair<std::string_view, std::string_view>;
   const auto table = [&](const char* title, std::span<const Row> rows) {
     Heading(frame, title);
-    const FactTable keys(title, frame.Px(110), ImGuiTableFlags_RowBg);
+    float width = frame.Px(110);
+    for (const auto& [key, what] : rows) width = std::max(width, ImGui::CalcTextSize(std::string(key).c_str()).x);
+    const FactTable keys(title, width, ImGuiTableFlags_RowBg);
     for (const auto& [key, what] : rows)
       if (keys.Name(key, theme::kAccent)) WrappedText(what);
   };

@@ -46,7 +46,7 @@ Nodes Rules(const Contents& contents) {
     if (is_untold) nodes.push_back(Text(view.note, Role::kQuiet));
     if (!is_untold || contents.not_recorded.empty())
       nodes.push_back(Empty("No rule has been learned yet.",
-                            "chunk always lets the agent learn from what it works out in substates."));
+                            "With chunk always, the agent learns from what it works out in substates."));
     return nodes;
   }
   Table table;

@@ -2,22 +2,22 @@
 import { button, h, type Child } from "../dom/view";
 import { clock, short } from "../panels/parts";
 import type { Run } from "../run/run";
+import { FLOWS, RESUME } from "./flow_table";
 import { icon } from "./icons";
 
 /** Run, pause, steps and speed. */
 export function flowControls(run: Run): Child {
   const { flow, hello } = run, disabled = hello === null || run.state === "ended" || hello.may_edit === false, isRun = hello?.only_shows !== true;
-  const turn = (hello?.turn_ticks ?? 1) > 1 ? "turn" : "tick";
-  const flowButton = (name: Child, what: string, title: string, key: string, more = ""): Child =>
-    button(name, () => run.ask("flow", { what }), { key: what, attributes: { title: `${title} (${key})`, "aria-label": title, disabled } }, `button.flow${more}`);
+  const flowButton = (name: Child, what: string, title: string, key: string, more = "", meaning = ""): Child =>
+    button(name, () => run.ask("flow", { what }), { key: what, attributes: { title: `${title} (${key})${meaning === "" ? "" : `: ${meaning}`}`, "aria-label": title, disabled } }, `button.flow${more}`);
+  const command = (what: keyof typeof FLOWS, key: string, more = "", name: Child = FLOWS[what].button): Child => flowButton(name, what, FLOWS[what].title, key, more, FLOWS[what].meaning);
+  const turn = FLOWS[(hello?.turn_ticks ?? 1) > 1 ? "step-turn" : "step-tick"];
   return h("div.flow-bar", { attributes: { role: "group", "aria-label": "Run" } },
     flow.paused ? flowButton([icon("play"), h("span", null, "Run")], "go-on", "Run", "Space", ".primary") : flowButton([icon("pause"), h("span", null, "Pause")], "pause", "Pause", "Space"),
-    flowButton(turn === "turn" ? "Turn" : "Tick", "step-turn", `Go on by one ${turn}`, ".", ".step"), isRun && flowButton("Decision", "step-decision", "Go on by one decision of the selected agent", "D", ".step"),
-    isRun && flowButton("Phase", "step-phase", "Go on by one phase of the selected agent", "P", ".step"),
-    isRun && flowButton("Change", "step-change", "Go on to the next change in the selected agent", "C", ".step.rare"),
-    flowButton([icon("restart"), h("span.wide", null, "Begin again")], "begin-again", "Begin again", "R"),
-    isRun && flowButton("Next seed", "next-seed", "Begin again with the next seed", "no key", ".step.rare"),
-    h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, flowButton("−", "slower", "Slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), flowButton("+", "faster", "Faster", ">")));
+    flowButton(turn.button, "step-turn", turn.title, ".", ".step", turn.meaning), isRun && command("step-decision", "D", ".step"), isRun && command("step-phase", "P", ".step"), isRun && command("step-change", "C", ".step.rare"),
+    command("begin-again", "R", "", [icon("restart"), h("span.wide", null, FLOWS["begin-again"].button)]),
+    isRun && command("next-seed", "no key", ".step.rare"),
+    h("span.speed", { attributes: { role: "group", "aria-label": "Speed" } }, command("slower", "<"), h("output", { attributes: { "aria-label": "Speed" } }, flow.speed === "unlimited" ? "max" : `${short(flow.speed)}×`), command("faster", ">")));
 }
 
 /** How long the slider keeps its new position without an answer, in milliseconds. */
@@ -70,7 +70,7 @@ export function scrubber(run: Run, wanted: WantedTick, redraw: () => void): Chil
       on: { input: (event) => seek(Number((event.target as HTMLInputElement).value)) },
     }),
     h("span.moment", null, clock(shown * step), h("span.quiet", null, ` / ${clock(last * step)}`)),
-    !isLive && mayAsk && hello.only_shows !== true && button([icon("resume"), h("span", null, "Go on from here")], () => {
+    !isLive && mayAsk && hello.only_shows !== true && button([icon("resume"), h("span", null, RESUME)], () => {
       wanted.forget();
       run.ask("resume");
     }, {

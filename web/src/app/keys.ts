@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
+import { FLOWS } from "./flow_table";
+
 /** Keys of the page. Letters work outside of text fields. */
 export interface Key { keys: string; does: string; group: "Run" | "Picture" | "Panels" | "Rules" | "Page" }
 
+const of = (keys: string, what: keyof typeof FLOWS): Key => ({ keys, does: FLOWS[what].title, group: "Run" });
+
 export const KEYS: readonly Key[] = [
   { keys: "Space", does: "Run, or pause", group: "Run" },
-  { keys: ".", does: "One tick", group: "Run" },
-  { keys: "D", does: "One decision of the selected agent", group: "Run" },
-  { keys: "P", does: "One phase of the selected agent", group: "Run" },
-  { keys: "C", does: "On to the next change in the selected agent", group: "Run" },
+  of(".", "step-tick"),
+  of("D", "step-decision"),
+  of("P", "step-phase"),
+  of("C", "step-change"),
   { keys: "< and >", does: "Slower, faster", group: "Run" },
-  { keys: "R", does: "Begin again", group: "Run" },
+  of("R", "begin-again"),
   { keys: "L", does: "Back to the newest moment", group: "Run" },
   { keys: "Drag, arrow keys", does: "Turn around what is looked at", group: "Picture" },
   { keys: "Shift and drag or arrow", does: "Move along the ground", group: "Picture" },

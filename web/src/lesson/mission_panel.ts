@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
+import { FLOWS } from "../app/flow_table";
 import { icon } from "../app/icons";
 import type { Check, Contents, Lesson, LessonOffer, Time } from "../run/contents";
 import { infoOf, type MakePanel, type PanelContext } from "../panels/panel";
@@ -113,13 +114,13 @@ export const missionPanel: MakePanel = (context) => {
     const mission = contents.mission!, time = contents.moment?.time, step = time?.step_s ?? 1 / 30, { passed, of } = passedOf(mission, time, context.attempt), why = whyOpen(time, context.attempt), mayAsk = context.run.hello?.may_edit !== false;
     const counted = mission.checks.filter((one) => !one.is_marker);
     return h("section", { key: "checks" }, h("div.row", null, h("h3", null, "Checks"), h("span.quiet", null, `${passed} of ${of}`), h("progress", { attributes: { max: Math.max(of, 1), value: passed, "aria-label": `${passed} of ${of} checks passed` } })),
-      why !== "" && mayAsk && h("div.row.note", { attributes: { role: "status" } }, h("span", null, why), button("Begin again", () => context.run.ask("flow", { what: "begin-again" }), {}, "button.small")),
+      why !== "" && mayAsk && h("div.row.note", { attributes: { role: "status" } }, h("span", null, why), button(FLOWS["begin-again"].button, () => context.run.ask("flow", { what: "begin-again" }), {}, "button.small")),
       h("ul.checks", null, counted.map((one) => checkView(context, one, time, step))),
       mission.lesson !== null && [
         h("p.quiet", null, "The checks follow this one run. The grade runs your rules from the beginning, with several seeds."),
         mayAsk && h("label.choice", { attributes: { title: "A running world begins again when you apply rules, so that the checks follow your new rules" } }, h("input", { checked: context.attempt.restarts, attributes: { type: "checkbox" }, on: { change: (event) => {
           context.attempt.restarts = (event.target as HTMLInputElement).checked;
-        } } }), "Begin again with each Apply"),
+        } } }), `${FLOWS["begin-again"].button} with each Apply`),
       ]);
   };
   return {

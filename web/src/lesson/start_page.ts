@@ -40,9 +40,11 @@ function courseSection(title: string, lessons: PlaceInfo["lessons"], next: strin
     h("ol.cards", null, lessons.map((one) => lessonCard(one, one.name === next, maps, events))));
 }
 
-/** Other courses are named after the worlds that they teach. */
+/** Titles of the courses that come with the program; other courses keep their names. The lessons of `guide` have its projects' numbers. */
+const COURSES: Readonly<Record<string, string>> = { eaters: "Eaters", guide: "projects of the Engineers' Guide to Soar", tanks: "TankSoar" };
+
 function titleOfCourse(course: string): string {
-  return course === "" ? "Lessons" : `Lessons: ${course}`;
+  return course === "" ? "Lessons" : `Lessons: ${COURSES[course] ?? course}`;
 }
 
 /** The start page: lessons with progress, worlds, recordings, and the user's files. */

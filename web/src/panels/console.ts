@@ -21,7 +21,7 @@ export const consolePanel: MakePanel = (context) => {
       return [
         h("ol.console", { attributes: { "aria-label": "Output", "aria-live": "polite" }, patched: (element) => {
           if (element.scrollHeight - element.scrollTop - element.clientHeight < 80) element.scrollTop = element.scrollHeight;
-        } }, lines.map((one) => h(`li.${one.kind}`, null, one.kind === "input" ? `${agent}> ${one.text}` : one.text))),
+        } }, lines.length === 0 && h("li.hint", null, "Type a Soar command: print s1, matches RULE, preferences, help ..."), lines.map((one) => h(`li.${one.kind}`, null, one.kind === "input" ? `${agent}> ${one.text}` : one.text))),
         words.length > 1 && h("div.row.words", null, words.slice(0, 24).map((word) => button(word, () => take(word), {}, "button.small"))),
         h("form.row", { on: { submit: (event) => {
           event.preventDefault();
