@@ -140,7 +140,7 @@ test("the past is shown, and what goes on from there is a copy that leaves the k
   await page.locator(".past").focus();
   for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowLeft");
   await shows(page, "memory", /\^count\s*7/);
-  await page.locator("button", { hasText: "Go on from here" }).click();
+  await page.locator("button", { hasText: "Resume here" }).click();
   await page.waitForSelector(".is-live");
   await show(page, "Futures");
   await shows(page, "futures", /went on from/);
