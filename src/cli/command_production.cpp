@@ -14,6 +14,7 @@
 #include "cli/matches_printer.h"
 #include "cli/printed_rule.h"
 #include "cli/rule_crowds.h"
+#include "cli/soar_sort.h"
 #include "cli/source_run.h"
 #include "cli/summary.h"
 
@@ -246,10 +247,10 @@ std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<Product
   return lines;
 }
 
-/// Sorts by count, largest first. Equal counts are in the order of Soar's library: std::sort in ascending order, which
+/// Sorts by count, largest first. Equal counts are in the order of Soar's library, which sorts in ascending order, and
 /// is stable only for short lists.
 void SortCounts(std::vector<Counted>& lines, std::size_t limit) {
-  std::sort(lines.begin(), lines.end(), [](const Counted& a, const Counted& b) { return a.number < b.number; });
+  SortLikeSoar(lines, [](const Counted& a, const Counted& b) { return a.number < b.number; });
   std::reverse(lines.begin(), lines.end());
   if (limit > 0 && lines.size() > limit) lines.resize(limit);
 }

@@ -3,8 +3,9 @@
 //
 // usage: node run_engine.mjs ENGINE [NAME...]     ENGINE: the folder of soarbox-engine.mjs; NAME: only these worlds and lessons
 //
-// Each world runs for some seconds at full speed; each lesson's solution is applied and graded. Prints one line each; the exit
-// status is 1 if anything is not as it should be. Needs the page's packages (npm ci in web/).
+// Each world runs for some seconds at full speed; each lesson's solution is applied and graded; the experiment of a link shows
+// the same moment as the run that it was taken from (its name here: "experiment"). Prints one line each; the exit status is 1 if
+// anything is not as it should be. Needs the page's packages (npm ci in web/).
 import assert from "node:assert/strict";
 import { existsSync, mkdtempSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -34,7 +35,7 @@ class Page {
   errors = [];
   ended = "";
 
-  constructor() {
+  constructor(experiment) {
     this.place = new LocalPlace(() => {
       const port = { onmessage: null, onerror: null, postMessage: (message) => void worker.take(message), terminate: () => undefined };
       const worker = new EngineWorker({
@@ -47,7 +48,7 @@ class Page {
         },
       });
       return port;
-    }, "", false);
+    }, "", false, experiment);
     this.api = new LocalApi(this.place);
     this.place.start({ message: (message) => this.take(message), block: () => (this.blocks += 1), connection: () => undefined });
   }
@@ -114,8 +115,39 @@ async function solveLesson(page, name) {
   return page.contents.mission.lesson.grade[0];
 }
 
+/** Runs a world to a moment, and returns all that is told of its agents there. */
+async function agentsAt(page, what, tick) {
+  await page.open(what);
+  page.ask("look", { panels: ["mission"] });
+  page.ask("flow", { what: "unlimited" });
+  await page.until(() => page.flow !== null && page.flow.tick >= tick, `tick ${tick} is reached`);
+  page.ask("flow", { what: "pause" });
+  page.ask("seek", { tick });
+  await page.until(() => page.contents.moment?.time.shown_tick === tick && page.contents.moment.time.is_live === false, `tick ${tick} is shown`);
+  // Only now, so that what is told is about this moment.
+  page.ask("look", { panels: ["agents", "mission"] });
+  await page.until(() => page.contents.agents !== undefined, "the agents are told");
+  return JSON.stringify(page.contents.agents);
+}
+
+/** What a link carries of a world with changed rules leads to the same moment, and to another one than the rules as they were. */
+async function tryExperiment(_page, _name) {
+  const what = "scenario:soar_flee", file = "rabbit.soar", TICK = 90;
+  const shipped = readFileSync(join(REPOSITORY, "scenarios/soar_flee", file), "utf8"), changed = shipped.replaceAll(/\bflee\b/g, "pursue");
+  const before = await agentsAt(new Page(), what, TICK), page = new Page();
+  await page.open(what);
+  assert.deepEqual((await page.api.changedFiles(what)).files, {}, "nothing is changed yet");
+  await page.api.fetch(`/api/p/local/files/worlds/soar_flee/${file}`, { method: "PUT", body: changed });
+  const { files } = await page.api.changedFiles(what), here = await agentsAt(page, what, TICK);
+  assert.deepEqual(files, { [file]: changed });
+  const other = new Page({ what, files });
+  assert.equal(await agentsAt(other, what, TICK), here, "the link shows the same");
+  assert.notEqual(here, before, "other rules, another moment");
+  return `tick ${TICK} is the same`;
+}
+
 const info = await new Page().api.json("/api/p/local");
-const all = [...info.scenarios.map(({ name }) => ({ name, run: runWorld })), ...info.lessons.map(({ name }) => ({ name, run: solveLesson }))];
+const all = [...info.scenarios.map(({ name }) => ({ name, run: runWorld })), ...info.lessons.map(({ name }) => ({ name, run: solveLesson })), { name: "experiment", run: tryExperiment }];
 assert.ok(info.scenarios.length >= 29 && info.lessons.length >= 23, `${info.scenarios.length} worlds, ${info.lessons.length} lessons`);
 let failed = 0, done = 0;
 for (const { name, run } of all.filter((one) => names.length === 0 || names.includes(one.name))) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The site without a server, in a browser: a world runs, its rules are changed and the change is applied, and it works
-// without a network. run_site.py starts it: SOARBOX_PAGE is the address of the site.
+// The site without a server, in a browser: a world runs, its rules are changed and the change is applied, a link leads
+// somebody else to the same moment of the same experiment, and it works without a network. run_site.py starts it: SOARBOX_PAGE is the address of the site.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
@@ -20,7 +20,7 @@ test("a world runs, its minds say why, its past is shown, and new rules take eff
   await page.waitForSelector(".agents tr.chosen:has-text('rabbit')");
   await show(page, "Why");
   await page.locator(".panel.why button", { hasText: "Why this?" }).click();
-  await page.waitForSelector(".panel.why .reason");
+  await page.waitForSelector(".panel.why .tree li");
   await picture(page, "site_world");
   await page.locator(".past").focus();
   await page.keyboard.press("Home");
@@ -57,6 +57,86 @@ test("a lesson is solved and graded, and its progress is there the next time", a
   await page.reload();
   await until(async () => /porter\*greet/.test(await page.locator(".cm-content").innerText()), "the rules are there again");
   assert.deepEqual(troubles, []);
+  await close();
+});
+
+/** What the panel of agents says of them: their states, operators and commands. */
+const agentsOf = async (page) => (await page.locator(".panel.agents tbody tr").allInnerTexts()).map((row) => row.replaceAll(/\s+/g, " ").trim());
+const isPaused = async (page) => (await page.locator("button[aria-label='Run']").count()) === 1;
+const momentOf = (page) => page.locator(".scrubber .moment").evaluate((moment) => moment.firstChild.textContent);
+
+/** The link to the experiment, from the dialog. */
+async function experimentLink(page) {
+  await page.locator("button[aria-label='Links to share']").click();
+  const link = await page.locator(".dialog input.address[aria-label='This experiment']").inputValue();
+  await picture(page, "site_link");
+  await page.keyboard.press("Escape");
+  return link;
+}
+
+test("a link is an experiment: it shows the same moment of the same rules, paused, and says why", async () => {
+  const rules = `${textOf("scenarios/soar_flee/rabbit.soar")}\nsp {rabbit*note*here\n   (state <s> ^superstate nil)\n-->\n   (<s> ^here yes)\n}\n`;
+  // Wide enough for all buttons.
+  const { page, troubles, close } = await openPage(SITE, { draws: false, size: [1600, 900] });
+  await openWorld(page, "soar_flee");
+  await page.locator(".agents button", { hasText: "rabbit" }).click();
+  await page.waitForSelector(".agents tr.chosen:has-text('rabbit')");
+  await page.locator("#tab-edit").click();
+  await page.locator(".panel.edit select").selectOption({ label: "rabbit.soar" });
+  await until(async () => (await inEditor(page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
+  await typeRules(page, rules);
+  await apply(page);
+  await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "the rules are reloaded");
+  // From the next seed, so that the link has to say which.
+  await page.locator("button[aria-label='Begin again with the next seed']").click();
+  await page.waitForSelector(".seed:has-text('seed 2')");
+  await until(async () => (await momentOf(page)) >= "0:03", "the world runs");
+  await page.locator("button[aria-label='Pause']").click();
+  await until(() => isPaused(page), "it stands");
+  const link = await experimentLink(page), moment = await momentOf(page), agents = await agentsOf(page);
+  assert.match(link, /#world=soar_flee&t=[\d.]+&seed=2&agent=rabbit&rules=[\w-]+$/);
+  assert.ok(link.length < 4000, `the link has ${link.length} letters`);
+
+  // Somebody else, whose browser knows nothing of it.
+  const other = await openPage(link, { draws: false });
+  await other.page.waitForSelector(".pill:has-text('An experiment from a link')");
+  await until(async () => (await momentOf(other.page)) === moment && (await isPaused(other.page)), "the moment is shown, paused");
+  await other.page.waitForSelector(".panel.why .tree li");
+  await other.page.waitForSelector(".seed:has-text('seed 2')");
+  await until(async () => (await agentsOf(other.page)).join("\n") === agents.join("\n"), "the agents do what they did");
+  await picture(other.page, "site_experiment");
+  await other.page.locator("#tab-edit").click();
+  await until(async () => (await inEditor(other.page)).includes("rabbit*note*here"), "the rules of the link are in the editor");
+  // A reload shows it again, and a world that is opened from where one begins is one's own.
+  await other.page.reload();
+  await until(async () => (await momentOf(other.page)) === moment, "the moment is shown again");
+  await other.page.locator("button.home").click();
+  await openWorld(other.page, "soar_flee");
+  await other.page.locator(".agents button", { hasText: "rabbit" }).click();
+  await other.page.locator("#tab-edit").click();
+  await until(async () => (await inEditor(other.page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
+  assert.equal((await inEditor(other.page)).includes("rabbit*note*here"), false, "the link has changed nothing of one's own");
+  assert.equal(await other.page.locator(".pill:has-text('An experiment from a link')").count(), 0);
+  // A link that was cut off.
+  await other.page.goto(link.slice(0, -40));
+  await other.page.waitForSelector("[role=alert]:has-text('damaged')");
+  await other.page.locator("button", { hasText: "Lessons and worlds" }).click();
+  await other.page.waitForSelector(".start h1");
+  assert.deepEqual([...troubles, ...other.troubles], []);
+  await other.close();
+  await close();
+});
+
+test("the link of a lesson has the rules of its editor in it", async () => {
+  const { page, troubles, close } = await openPage(SITE, { draws: false });
+  await openLesson(page, 1);
+  await typeRules(page, textOf("lessons/01-a-rule/solution/porter.soar"));
+  const link = await experimentLink(page), other = await openPage(link, { draws: false });
+  await until(async () => /porter\*greet/.test(await other.page.locator(".cm-content").innerText()), "the rules are in the other editor");
+  await other.page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
+  await other.page.waitForSelector(".panel.mission .passed");
+  assert.deepEqual([...troubles, ...other.troubles], []);
+  await other.close();
   await close();
 });
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Api, Refused, takeToken, type PlaceInfo } from "./app/api";
-import { parseAddress } from "./app/address";
+import { parseAddress, unpackFiles } from "./app/address";
 import { App } from "./app/app";
 import { applyTheme, themeNow } from "./app/theme";
 import { ClassTable } from "./class/class_table";
@@ -40,11 +40,11 @@ async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
   return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(place)}`);
 }
 
-/** `canMove`: there may be another place at the root of the server. */
-function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/"): void {
+/** `canMove`: there is another page that may work, such as another place at the root of the server. */
+function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/", elsewhere = "/", itsName = "A new place"): void {
   const told = error as { message?: string; hint?: string };
   patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
-    h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button("A new place", () => location.assign("/"))))))]);
+    h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button(itsName, () => location.assign(elsewhere))))))]);
 }
 
 /** The contents of an element of a single-file page: compressed data in base64. */
@@ -61,17 +61,19 @@ async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
     const inPage = document.getElementById("soarbox-worker")?.textContent;
     const worker = inPage === undefined || inPage === null ? new URL("assets/worker.js", document.baseURI).href : URL.createObjectURL(new Blob([inPage], { type: "text/javascript" }));
     const files = engine === "" ? { wasm: await partOf("soarbox-wasm"), data: await partOf("soarbox-data") } : new URL(engine, document.baseURI).href;
-    const place = new LocalPlace(() => new Worker(worker) as unknown as Port, files), api = new LocalApi(place);
+    const { what, rules } = parseAddress(location.hash), brought = rules === "" ? null : await unpackFiles(rules);
+    if (rules !== "" && brought === null) throw new Refused("The rules in this link are damaged: it may have been cut off.", "Ask for the link again.", 0);
+    const place = new LocalPlace(() => new Worker(worker) as unknown as Port, files, true, brought === null ? undefined : { what, files: brought }), api = new LocalApi(place);
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") place.keepNow();
     });
     const info = await api.json<PlaceInfo>("/api/p/local");
     root.replaceChildren();
-    new App(root, api, info);
+    new App(root, api, info, brought === null ? {} : { experiment: { packed: rules, names: Object.keys(brought) } });
     // From the second visit on, the site works without a network, unless the browser does not support this (without TLS).
     if (engine !== "") void navigator.serviceWorker?.register(new URL("offline.js", document.baseURI)).catch(() => undefined);
   } catch (error) {
-    tell(root, error, false);
+    tell(root, error, location.hash !== "", location.href.replace(/#.*$/, ""), "Lessons and worlds");
   }
 }
 

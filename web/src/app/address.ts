@@ -10,6 +10,12 @@ export interface Address {
   file: string;
   /** A shared text for that file, packed; empty: none. */
   text: string;
+  /** The files of an experiment, packed; empty: what is shown is in the user's place. The rest is of experiments only. */
+  rules: string;
+  /** From which seed it begins; null: from the one that its file says. */
+  seed: number | null;
+  /** Whom *Why* is about; empty: nobody. */
+  agent: string;
 }
 
 const NAMES = [["lesson", "lesson:"], ["world", "scenario:"], ["recording", "recording:"], ["match", "match:"]] as const;
@@ -18,25 +24,29 @@ const LONGEST_S = 3600;
 export function parseAddress(hash: string): Address {
   const fields = new URLSearchParams(hash.replace(/^#/, ""));
   const found = NAMES.map(([field, kind]) => [kind, fields.get(field) ?? ""] as const).find(([, name]) => name !== "");
-  const seconds = Number(fields.get("t") ?? "");
+  const seconds = Number(fields.get("t") ?? ""), seed = fields.get("seed") ?? "";
   return {
     what: found === undefined ? "" : found[0] + found[1], file: fields.get("file") ?? "", text: fields.get("text") ?? "",
     seconds: fields.has("t") && Number.isFinite(seconds) && seconds >= 0 && seconds <= LONGEST_S ? seconds : null,
+    rules: fields.get("rules") ?? "", seed: /^\d{1,15}$/.test(seed) ? Number(seed) : null, agent: fields.get("agent") ?? "",
   };
 }
 
 /** The fragment with #; empty for lessons and worlds. */
-export function formatAddress({ what, seconds, file, text }: Address): string {
+export function formatAddress({ what, seconds, file, text, rules, seed, agent }: Address): string {
   const fields = new URLSearchParams();
   for (const [field, kind] of NAMES) if (what.startsWith(kind)) fields.set(field, what.slice(kind.length));
   if ([...fields].length === 0) return "";
   if (seconds !== null) fields.set("t", String(Math.round(seconds * 1000) / 1000));
   if (file !== "") fields.set("file", file);
   if (text !== "") fields.set("text", text);
+  if (seed !== null) fields.set("seed", String(seed));
+  if (agent !== "") fields.set("agent", agent);
+  if (rules !== "") fields.set("rules", rules);
   return `#${fields.toString()}`;
 }
 
-export const NOWHERE: Address = { what: "", seconds: null, file: "", text: "" };
+export const NOWHERE: Address = { what: "", seconds: null, file: "", text: "", rules: "", seed: null, agent: "" };
 
 /** A text as a part of an address. */
 export async function packText(text: string): Promise<string> {
@@ -63,6 +73,35 @@ export async function unpackText(packed: string): Promise<string | null> {
         return null;
       }
     }
+  } catch {
+    return null;
+  }
+}
+
+/** The files of a lesson or world that differ from the program's. */
+export interface ChangedFiles {
+  /** Where they are in the place, with / at its end. */
+  folder: string;
+  /** Their texts, by their names below the folder. */
+  files: Readonly<Record<string, string>>;
+  /** Files that are no texts. */
+  leftOut: readonly string[];
+}
+
+const MOST_FILES = 100;
+
+export async function packFiles(files: ChangedFiles["files"]): Promise<string> {
+  return packText(JSON.stringify(files));
+}
+
+/** The files that were packed; null: they are damaged, too long, or have names that lead elsewhere. */
+export async function unpackFiles(packed: string): Promise<Record<string, string> | null> {
+  try {
+    const value: unknown = JSON.parse((await unpackText(packed)) ?? "null");
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return null;
+    const files = Object.entries(value as Record<string, unknown>);
+    const isGood = ([name, text]: [string, unknown]): boolean => typeof text === "string" && name.split("/").every((part) => part !== "" && !part.startsWith(".") && !/[\\\0]/.test(part));
+    return files.length <= MOST_FILES && files.every(isGood) ? (value as Record<string, string>) : null;
   } catch {
     return null;
   }

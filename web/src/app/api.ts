@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { SocketSource } from "../run/socket_source";
+import type { ChangedFiles } from "./address";
 import type { RunSource } from "../run/source";
 
 /** The name of the place of a page without a server. */
@@ -134,6 +135,11 @@ export class Api {
   /** Whether there is a server. Without one, this browser has one place, and no link leads to it from elsewhere. */
   get hasServer(): boolean {
     return true;
+  }
+
+  /** The files of a lesson or world that the user has changed; null: a server does not say. */
+  async changedFiles(_what: string): Promise<ChangedFiles | null> {
+    return null;
   }
 
   /** The address of the page, without the fragment. */

@@ -11,7 +11,7 @@ import { clock } from "../panels/parts";
 import { keysDialog, linkDialog, type Link } from "./dialogs";
 import { icon } from "./icons";
 import { isTyping } from "./keys";
-import { formatAddress, NOWHERE, packText, type Address } from "./address";
+import { formatAddress, NOWHERE, packFiles, packText, type Address, type ChangedFiles } from "./address";
 import { Navigator } from "./navigator";
 import { Reach } from "./reach";
 import { fileName, firstFile } from "../editor/first_file";
@@ -33,6 +33,8 @@ export interface Guest {
   link?: string;
   /** The page is a frame in a page of another site, with these panels. */
   panels?: readonly string[];
+  /** It shows the experiment of a link, in a place that is not kept: the packed files of the link, and their names. */
+  experiment?: { readonly packed: string; readonly names: readonly string[] };
 }
 
 /** The page of a place: the start page, and the open run. */
@@ -51,6 +53,10 @@ export class App {
   private shown: { remark: Remark; id: number }[] = [];
   private nextRemark = 1;
   private openedGiven = false;
+  /** An experiment begins again with the seed of its link, once; and was asked why. */
+  private isSeeded = false;
+  private isSeeding = false;
+  private isAsked = false;
   /** The run that the address named when it was opened; "": none since a run exists. */
   private openedByAddress = "";
   /** File and text from the address, shown as soon as there is a run. */
@@ -75,7 +81,7 @@ export class App {
     const tab = [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
     const { key, link } = guest, path = key !== undefined ? `/api/p/${info.place}/watch?key=${encodeURIComponent(key)}` : link !== undefined ? `/api/w/${link}/watch` : `/api/p/${info.place}/run?tab=${tab}`;
     root.classList.toggle("embedded", guest.panels !== undefined);
-    this.run = new Run(api.source(path), this.watches ? "" : info.place);
+    this.run = new Run(api.source(path), this.watches || guest.experiment !== undefined ? "" : info.place);
     this.desk = this.watches || info.learner === "" ? null : new LearnerDesk(api, `/api/p/${info.place}`, this.run, () => {
       this.draw();
       this.drawRemarks();
@@ -87,6 +93,9 @@ export class App {
     this.navigator = new Navigator(this.watches, (address) => this.goTo(address));
     this.reach = new Reach(this.run);
     this.isHome = this.navigator.address.what === "";
+    const { experiment } = this.guest, brought = experiment === undefined || experiment.names.length === 0 ? "" : `, with ${experiment.names.join(", ")}`;
+    if (experiment !== undefined) this.say({ text: `The link brought this experiment${brought}. Your own files are as they were.`, hint: "What you change here is gone when you leave it. The link button gives it away again.", isError: false });
+    else if (this.navigator.address.rules !== "") this.say({ text: "The rules of this link are not shown here: it is from a site without a server.", hint: "Open it at the address that it was made for.", isError: true });
     this.takeGiven(this.navigator.address);
     this.run.on("hello", ({ what }) => this.begun(what));
     this.run.on("state", (state) => {
@@ -122,6 +131,8 @@ export class App {
   }
 
   private open(what: string): void {
+    // Whatever else is opened is in the user's own place.
+    if (this.guest.experiment !== undefined && what !== this.navigator.address.what) return location.assign(this.api.pageAddress + formatAddress({ ...NOWHERE, what }));
     this.isHome = false;
     this.navigator.go(what);
     this.reach.forget();
@@ -131,6 +142,8 @@ export class App {
 
   /** Back, Forward, or an address that was typed. */
   private goTo(address: Address): void {
+    // An experiment has a place of its own.
+    if (!this.api.hasServer && address.rules !== (this.guest.experiment?.packed ?? "")) return location.reload();
     this.takeGiven(address);
     this.isHome = address.what === "";
     if (this.isHome) this.fetchInfo();
@@ -159,10 +172,18 @@ export class App {
       return;
     }
     this.openedByAddress = "";
-    if (!this.watches) localStorage.setItem(LAST + this.info.place, what);
+    const isExperiment = this.guest.experiment !== undefined;
+    if (isExperiment && address.seed !== null && this.run.hello?.seed !== address.seed && !this.isSeeded) {
+      this.isSeeded = this.isSeeding = true;
+      this.run.ask("flow", { what: "begin-again", seed: address.seed });
+      return;
+    }
+    this.isSeeding = false;
+    if (!this.watches && !isExperiment) localStorage.setItem(LAST + this.info.place, what);
     if (address.what === what) {
       this.isHome = false;
-      if (address.seconds !== null) this.reach.start(address.seconds);
+      if (address.seconds !== null) this.reach.start(address.seconds, isExperiment && address.agent !== "" && !this.isAsked ? () => this.runPage?.askWhy(address.agent) : null);
+      this.isAsked = true;
     } else if (!this.navigator.isHome || this.watches) {
       this.isHome = false;
       this.navigator.stay(what);
@@ -199,7 +220,7 @@ export class App {
     } else if (edit !== undefined && edit.edit.file !== "" && this.given === null) {
       this.navigator.note({ file: edit.edit.file === firstFile(this.run.contents) ? "" : fileName(edit.edit.file) });
     }
-    if (moment !== undefined && !this.reach.isUnderWay) this.navigator.note({ seconds: moment.time.is_live ? null : moment.time.shown_tick * moment.time.step_s });
+    if (moment !== undefined && !this.reach.isUnderWay && !this.isSeeding) this.navigator.note({ seconds: moment.time.is_live ? null : moment.time.shown_tick * moment.time.step_s });
   }
 
   private noteLessons(): void {
@@ -209,6 +230,7 @@ export class App {
   }
 
   private goHome(): void {
+    if (this.guest.experiment !== undefined) return location.assign(this.api.pageAddress);
     this.isHome = true;
     this.navigator.go("");
     this.reach.forget();
@@ -306,6 +328,7 @@ export class App {
     patch(this.head, [
       button([icon("home"), h("span.brand", null, "Soarbox")], () => this.goHome(), { attributes: { title: "Lessons and worlds", "aria-label": "Soarbox: lessons and worlds" } }, "button.home"),
       !this.isHome && title !== "" && h("h1.run-title", null, title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
+      this.guest.experiment !== undefined && h("span.pill", { attributes: { title: "It is in a place of its own, which is not kept" } }, "An experiment from a link"),
       this.watches && this.watchBar(), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
       this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
       h("span.space"), this.connectionView(),
@@ -409,8 +432,9 @@ export class App {
     const { address } = this.navigator, { hello } = this.run, title = this.titleOfRun(), edit = this.run.contents.edit?.edit, links: Link[] = [], isShown = !this.isHome && hello !== null && hello.what === address.what;
     if (isShown && !hello.what.startsWith("recording:")) {
       const when = address.seconds === null ? "" : ` at ${clock(address.seconds)}`;
-      links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: this.api.pageAddress + formatAddress({ ...address, text: "" }) });
-      // A page without a server does not show the text of a link yet (docs/site.md).
+      links.push({ title: `${title}${when}`, about: "Opens it for anybody in a place of their own. Nobody sees or changes your place.", address: this.api.pageAddress + formatAddress({ ...address, text: "", rules: "", seed: null, agent: "" }) });
+      const changed = await this.api.changedFiles(hello.what);
+      if (changed !== null) links.push(await this.experimentLink(changed));
       if (edit !== undefined && edit.file !== "" && this.api.hasServer) {
         const text = await packText(this.runPage?.editorText ?? edit.text);
         links.push({ title: `A copy of your ${fileName(edit.file)}`, about: "The same, with your text in the editor: others can try it and change their copy.", address: this.api.pageAddress + formatAddress({ ...NOWHERE, what: hello.what, file: fileName(edit.file), text }) });
@@ -426,6 +450,20 @@ export class App {
     if (this.api.hasServer) links.push({ title: "Your whole place", about: "Keep this link: it leads to your files, lessons and recordings, on any machine. Everybody who has it can change everything here, as you can.", address: `${location.origin}/p/${this.info.place}/${isShown ? formatAddress({ ...address, text: "" }) : ""}`, isPlace: true });
     this.links = links;
     this.draw();
+  }
+
+  /** The link that has the user's files in it, and leads to the moment that is shown. */
+  private async experimentLink(changed: ChangedFiles): Promise<Link> {
+    const { hello, contents, flow } = this.run, { moment, edit } = contents, file = edit?.edit.file ?? "", text = this.runPage?.editorText ?? null;
+    const files = { ...changed.files };
+    if (text !== null && edit?.edit.text !== text && file.startsWith(changed.folder)) files[file.slice(changed.folder.length)] = text;
+    // The flow is told more often than the contents.
+    const tick = moment?.time.is_live === false ? moment.time.shown_tick : Math.max(moment?.time.last_tick ?? 0, flow.tick), seconds = tick * (hello?.step_s ?? 0), names = Object.keys(files);
+    const address = this.api.pageAddress + formatAddress({ ...NOWHERE, what: hello?.what ?? "", seconds, seed: hello?.seed ?? null, agent: moment?.agent ?? "", rules: await packFiles(files) });
+    const withFiles = names.length === 0 ? "You have changed no files." : `With your ${names.join(", ")}.`;
+    return { title: "This experiment", address, about: [`${withFiles} Opens this moment, paused, and says why ${moment?.agent || "an agent"} does what it does. The world begins with these files and this seed.`,
+      changed.leftOut.length > 0 && `It leaves out ${changed.leftOut.join(", ")}: only texts fit into a link.`,
+      this.runPage?.isPieced === true && "Rules changed while the world ran, or you went on from an earlier moment: the link may show another run."].filter(Boolean).join(" ") };
   }
 
   /** The link by which others watch what runs here. */

@@ -5,17 +5,20 @@ import type { Run } from "../run/run";
 export class Reach {
   private tick: number | null = null;
   private isFast = false;
+  /** What follows when the moment is reached; with it, the world is paused there. */
+  private then: (() => void) | null = null;
 
   constructor(private readonly run: Run) {
     run.on("flow", () => this.tryIt());
     run.on("contents", (names) => names.includes("moment") && this.tryIt());
   }
 
-  start(seconds: number): void {
+  start(seconds: number, then: (() => void) | null = null): void {
     const { hello } = this.run;
     if (hello === null || !hello.may_edit) return;
     this.tick = Math.round(seconds / hello.step_s);
     this.isFast = false;
+    this.then = then;
     this.tryIt();
   }
 
@@ -25,16 +28,19 @@ export class Reach {
 
   /** The user went elsewhere: gives up. */
   forget(): void {
-    this.tick = null;
+    this.tick = this.then = null;
   }
 
   private tryIt(): void {
     const { run, tick } = this, time = run.contents.moment?.time;
     if (tick === null || time === undefined || run.hello === null) return;
     if (time.is_recording || Math.max(time.last_tick, run.flow.tick) >= tick) {
-      this.tick = null;
+      const { then } = this;
+      this.tick = this.then = null;
+      if (then !== null && !run.flow.paused) run.ask("flow", { what: "pause" });
       if (this.isFast) run.ask("flow", { what: "normal-speed" });
       run.ask("seek", { tick: Math.min(tick, time.is_recording ? time.last_tick : tick) });
+      then?.();
     } else if (!this.isFast) {
       this.isFast = true;
       run.ask("flow", { what: "unlimited" });

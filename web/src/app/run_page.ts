@@ -146,6 +146,19 @@ export class RunPage {
     this.reveal("edit");
   }
 
+  /** Why this agent does what it does. */
+  askWhy(agent: string): void {
+    this.isChosen = true;
+    this.run.ask("select", { agent });
+    this.run.ask("ask", { about: "agent" });
+    this.reveal("why");
+  }
+
+  /** Whether the run has other rules than at its beginning, or went on from an earlier moment. */
+  get isPieced(): boolean {
+    return this.attempt.changedAt !== null || (this.run.contents.moment?.time.branch_tick ?? null) !== null;
+  }
+
   get editorText(): string | null {
     return this.edit.text;
   }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { RunMessage } from "../run/source";
 import { EngineWorker, type EngineModule, type EngineSettings, type MakeEngine } from "./engine";
-import type { FromWorker, LoadedEngine, ToWorker } from "./messages";
+import type { Experiment, FromWorker, LoadedEngine, ToWorker } from "./messages";
 import { LocalApi, LocalPlace, type Port } from "./worker_source";
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
@@ -80,7 +80,7 @@ class FakeEngine {
       stat: (path) => ({ mode: this.files.has(path) ? 0 : 1 }),
       isDir: (mode) => mode === 1,
       mkdirTree: () => undefined,
-      analyzePath: (path) => ({ exists: [...this.files.keys()].some((file) => file.startsWith(`${path}/`)) }),
+      analyzePath: (path) => ({ exists: this.files.has(path) || [...this.files.keys()].some((file) => file.startsWith(`${path}/`)) }),
       filesystems: { IDBFS: {} },
       mount: () => undefined,
       syncfs: (fromBrowser, done) => {
@@ -92,7 +92,7 @@ class FakeEngine {
 }
 
 /** A page and its worker, without a thread between them. Timers do nothing until they are called. */
-function pageWith(fake: FakeEngine, grader = new FakeEngine()) {
+function pageWith(fake: FakeEngine, grader = new FakeEngine(), experiment?: Experiment) {
   const timers: { call: () => void; ms: number; isOff: boolean }[] = [], ports: (Port & { isOver: boolean })[] = [];
   const makePort = (): Port => {
     const port: Port & { isOver: boolean } = { isOver: false, onmessage: null, onerror: null, postMessage: (message: ToWorker) => void worker.take(message), terminate: () => (port.isOver = true) };
@@ -109,7 +109,7 @@ function pageWith(fake: FakeEngine, grader = new FakeEngine()) {
     ports.push(port);
     return port;
   };
-  const place = new LocalPlace(makePort, "engine.mjs"), messages: RunMessage[] = [], blocks: Uint8Array[] = [], states: string[] = [];
+  const place = new LocalPlace(makePort, "engine.mjs", true, experiment), messages: RunMessage[] = [], blocks: Uint8Array[] = [], states: string[] = [];
   place.start({ message: (message) => messages.push(message), block: (block) => blocks.push(block), connection: (state) => states.push(state) });
   return { place, messages, blocks, states, timers, ports, settled: () => new Promise((resolve) => setTimeout(resolve, 5)) };
 }
@@ -213,4 +213,46 @@ test("the place answers the same requests as a server", async () => {
   assert.equal(await response.text(), "PUT files/a.soar sp {}");
   assert.equal(await (await api.fetch("/api/p/local")).text(), "GET  ");
   page.place.close();
+});
+
+/** An engine with a world and a lesson of the program. */
+function withShipped(fake: FakeEngine): FakeEngine {
+  for (const [path, text] of [["scenarios/field/scenario.toml", "world"], ["scenarios/field/hare.soar", "hare"], ["scenarios/field/maps/hill.png", "\0"],
+    ["lessons/tanks/t1/lesson.toml", "task"], ["lessons/tanks/t1/tank.soar", "tank"], ["lessons/tanks/t1/solution/tank.soar", "solved"]] as const) fake.files.set(`/soarbox/${path}`, bytesOf(text));
+  return fake;
+}
+
+test("what the user has changed in a world or a lesson is told, and nothing else", async () => {
+  const fake = withShipped(new FakeEngine()), page = pageWith(fake), api = new LocalApi(page.place), put = (path: string, text: string) => fake.files.set(`/place/home/${path}`, bytesOf(text));
+  assert.deepEqual(await api.changedFiles("scenario:field"), { folder: "/place/home/worlds/field/", files: {}, leftOut: [] });
+  put("worlds/field/scenario.toml", "world");
+  put("worlds/field/hare.soar", "other hare");
+  put("worlds/field/rules/more.soar", "more");
+  fake.files.set("/place/home/worlds/field/photo.png", Uint8Array.of(0xff, 0xfe));
+  put("worlds/mine/scenario.toml", "my world");
+  put("soarbox-lessons/t1/tank.soar", "my tank");
+  assert.deepEqual(await api.changedFiles("scenario:field"), { folder: "/place/home/worlds/field/", files: { "hare.soar": "other hare", "rules/more.soar": "more" }, leftOut: ["photo.png"] });
+  assert.deepEqual((await api.changedFiles("scenario:mine"))?.files, { "scenario.toml": "my world" });
+  assert.deepEqual(await api.changedFiles("lesson:t1"), { folder: "/place/home/soarbox-lessons/t1/", files: { "tank.soar": "my tank" }, leftOut: [] });
+  for (const what of ["lesson:t9", "recording:a", "scenario:..", "scenario:a/b"]) assert.deepEqual((await api.changedFiles(what))?.files, {}, what);
+  page.place.close();
+});
+
+test("the experiment of a link has the program's files and its own, in a place that is not kept", async () => {
+  const fake = withShipped(new FakeEngine()), page = pageWith(fake, undefined, { what: "scenario:field", files: { "hare.soar": "other hare" } }), text = (path: string) => new TextDecoder().decode(fake.files.get(path));
+  await page.settled();
+  assert.equal(text("/place/home/worlds/field/hare.soar"), "other hare");
+  assert.equal(text("/place/home/worlds/field/scenario.toml"), "world");
+  assert.ok(fake.files.has("/place/home/worlds/field/maps/hill.png"));
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  page.place.keepNow();
+  assert.equal(fake.kept, 0);
+  assert.deepEqual(page.messages.filter(({ message }) => message === "told"), []);
+  page.place.close();
+
+  const lesson = withShipped(new FakeEngine()), another = pageWith(lesson, undefined, { what: "lesson:t1", files: { "tank.soar": "my tank" } });
+  await another.settled();
+  assert.deepEqual([...lesson.files.keys()].filter((path) => path.startsWith("/place/")), ["/place/home/soarbox-lessons/t1/tank.soar"]);
+  another.place.close();
 });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import { changedFiles, filesBelow, writeExperiment, writeFiles } from "./experiment";
 import type { EngineFiles, FromWorker, KeptFile, LoadedEngine, ToWorker } from "./messages";
 
 /** The part of the engine's module (src/app/worker) that is used. */
@@ -54,21 +55,6 @@ const CHANGES_NOTHING = new Set(["look", "flow", "overlays", "scene", "input", "
 /** The files that grading uses, and the file that records passed lessons. */
 const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
 
-function filesBelow(FS: EngineModule["FS"], folder: string): KeptFile[] {
-  if (!FS.analyzePath(folder).exists) return [];
-  return FS.readdir(folder).filter((name) => name !== "." && name !== "..").flatMap((name) => {
-    const path = `${folder}/${name}`;
-    return FS.isDir(FS.stat(path).mode) ? filesBelow(FS, path) : [{ path, bytes: FS.readFile(path) }];
-  });
-}
-
-function writeFiles(FS: EngineModule["FS"], files: readonly KeptFile[]): void {
-  for (const { path, bytes } of files) {
-    FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
-    FS.writeFile(path, bytes);
-  }
-}
-
 function withTexts<T>(engine: EngineModule, texts: readonly string[], call: (addresses: number[]) => T): T {
   const addresses = texts.map((text) => engine.stringToNewUTF8(text));
   try {
@@ -92,7 +78,7 @@ export class EngineWorker {
   constructor(private readonly around: Surroundings) {}
 
   async take(message: ToWorker): Promise<void> {
-    if (message.kind === "begin") return this.begin(message.engine, message.keep);
+    if (message.kind === "begin") return this.begin(message);
     if (message.kind === "grade-here") return this.gradeHere(message);
     if (this.module === null) return;
     switch (message.kind) {
@@ -104,12 +90,14 @@ export class EngineWorker {
         return this.guarded(() => this.answer(message.call, message.method, message.path, message.body));
       case "keep":
         return this.keep();
+      case "changes":
+        return this.guarded(() => this.say({ kind: "changes", call: message.call, changes: changedFiles(this.engine.FS, message.what) }));
       case "graded":
         return this.guarded(() => this.graded(message.text, message.isOver, message.files));
     }
   }
 
-  private async begin(engine: EngineFiles, keep: boolean): Promise<void> {
+  private async begin({ engine, keep, experiment }: Extract<ToWorker, { kind: "begin" }>): Promise<void> {
     try {
       const { make, loaded } = await this.around.load(engine);
       this.module = await make({
@@ -125,6 +113,7 @@ export class EngineWorker {
         },
       });
       this.isKept = keep && (await this.findKept());
+      if (experiment !== undefined) writeExperiment(this.module.FS, experiment.what, experiment.files);
       this.say({ kind: "ready", isKept: this.isKept || !keep });
     } catch (error) {
       this.say({ kind: "failed", text: String(error) });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import type { ChangedFiles } from "../app/address";
 
 /** The source of the engine for a worker: the address of a folder, or the contents of its files. */
 export type EngineFiles = string | { wasm: ArrayBuffer; data: ArrayBuffer };
@@ -7,13 +8,18 @@ export interface LoadedEngine { module: WebAssembly.Module; data: ArrayBuffer }
 /** A file of the place by its path, "/place/home/...". */
 export interface KeptFile { path: string; bytes: Uint8Array }
 
+/** The lesson or world of a link, and the files that it brings. */
+export interface Experiment { what: string; files: Readonly<Record<string, string>> }
+
 /** What the page says to the worker that runs its engine. */
 export type ToWorker =
-  | { kind: "begin"; engine: EngineFiles; keep: boolean }
+  // With an experiment, the place is empty but for its files.
+  | { kind: "begin"; engine: EngineFiles; keep: boolean; experiment?: Experiment }
   | { kind: "open"; what: string; id?: number }
   | { kind: "request"; text: string }
   | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
   | { kind: "keep" }
+  | { kind: "changes"; call: number; what: string }
   // Instead of all others, to a worker that only grades; it answers with `graded`.
   | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   /** The new output of that worker; `files`: its changed files, when it is done. */
@@ -27,6 +33,7 @@ export type FromWorker =
   | { kind: "begun"; what: string }
   | { kind: "refused"; error: string; hint: string; id?: number }
   | { kind: "ended"; text: string }
+  | { kind: "changes"; call: number; changes: ChangedFiles }
   | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array }
   | { kind: "grade"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   | { kind: "stop-grading" }

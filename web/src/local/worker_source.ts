@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Listener, Request, RunMessage, RunSource } from "../run/source";
 import { readMessage } from "../run/socket_source";
+import type { ChangedFiles } from "../app/address";
 import { Api, Refused } from "../app/api";
-import type { EngineFiles, FromWorker, ToWorker } from "./messages";
+import type { EngineFiles, Experiment, FromWorker, ToWorker } from "./messages";
 
 const BUSY_AFTER_MS = 200, HANGS_AFTER_MS = 60_000;
 const NOT_LOADED = "The engine of this page cannot be loaded.";
@@ -24,6 +25,7 @@ export class LocalPlace implements RunSource {
   private what = "";
   private hasRun = false;
   private readonly waiting = new Map<number, { resolve: (response: Response) => void; reject: (error: unknown) => void }>();
+  private readonly waitingForChanges = new Map<number, { resolve: (changes: ChangedFiles) => void; reject: (error: unknown) => void }>();
   private nextCall = 1;
   private isReady = false;
   private early: ToWorker[] = [];
@@ -34,7 +36,8 @@ export class LocalPlace implements RunSource {
   private grader: Port | null = null;
   private isKept = true;
 
-  constructor(private readonly makePort: () => Port, private readonly engine: EngineFiles, private readonly keep = true) {}
+  /** With an experiment, the place has only its files, and nothing is kept. */
+  constructor(private readonly makePort: () => Port, private readonly engine: EngineFiles, private readonly keep = true, private readonly experiment?: Experiment) {}
 
   start(listener: Listener): void {
     this.listener = listener;
@@ -79,6 +82,16 @@ export class LocalPlace implements RunSource {
     });
   }
 
+  /** The files of a lesson or world that differ from the program's. */
+  async changes(what: string): Promise<ChangedFiles> {
+    this.connect();
+    const call = this.nextCall++;
+    return new Promise((resolve, reject) => {
+      this.waitingForChanges.set(call, { resolve, reject });
+      this.post({ kind: "changes", call, what });
+    });
+  }
+
   private connect(): void {
     if (this.port !== null) {
       if (this.isReady) this.open();
@@ -89,7 +102,7 @@ export class LocalPlace implements RunSource {
     this.isReady = false;
     port.onmessage = ({ data }) => this.take(data);
     port.onerror = ({ message }) => this.crashed(message ?? CRASHED);
-    port.postMessage({ kind: "begin", engine: this.engine, keep: this.keep });
+    port.postMessage({ kind: "begin", engine: this.engine, keep: this.keep && this.experiment === undefined, ...(this.experiment === undefined ? {} : { experiment: this.experiment }) });
   }
 
   private post(message: ToWorker): void {
@@ -135,6 +148,10 @@ export class LocalPlace implements RunSource {
         return this.crashed(message.text);
       case "answer":
         return this.answered(message.call, message.status, message.type, message.bytes);
+      case "changes":
+        this.waitingForChanges.get(message.call)?.resolve(message.changes);
+        this.waitingForChanges.delete(message.call);
+        return;
       case "grade":
         return this.grade({ ...message, kind: "grade-here" });
       case "stop-grading":
@@ -200,8 +217,9 @@ export class LocalPlace implements RunSource {
     this.hasRun = false;
     this.early = [];
     this.noLongerBusy();
-    for (const { reject } of this.waiting.values()) reject(new Refused(what, text, 500));
+    for (const { reject } of [...this.waiting.values(), ...this.waitingForChanges.values()]) reject(new Refused(what, text, 500));
     this.waiting.clear();
+    this.waitingForChanges.clear();
     this.listener?.message({ message: "ended", text: `${what} (${text})`, can_open_again: true });
   }
 
@@ -236,6 +254,10 @@ export class LocalApi extends Api {
 
   override get hasServer(): boolean {
     return false;
+  }
+
+  override async changedFiles(what: string): Promise<ChangedFiles | null> {
+    return this.place.changes(what);
   }
 
   /** Of the page itself, which may be a file. */
