@@ -10,6 +10,7 @@
 
 #include "diagnostics/problem.h"
 #include "model/gltf_file.h"
+#include "picture/jpeg_reader.h"
 #include "picture/png_reader.h"
 
 namespace soarbox::model {
@@ -280,9 +281,16 @@ class ModelReader {
   const picture::Pixels* TextureOf(std::uint64_t image) {
     const auto known = textures_.find(image);
     if (known != textures_.end()) return &known->second;
-    picture::PngRead read = picture::ReadPng(file_.ImageBytes(image));
+    const std::string bytes = file_.ImageBytes(image);
+    picture::PngRead read;
+    if (picture::IsJpeg(bytes)) {
+      picture::JpegRead jpeg = picture::ReadJpeg(bytes);
+      read = {std::move(jpeg.pixels), std::move(jpeg.problem)};
+    } else {
+      read = picture::ReadPng(bytes);
+    }
     if (!read.problem.empty())
-      file_.Fail("images[" + std::to_string(image) + "]: " + read.problem + " (textures are PNG files)");
+      file_.Fail("images[" + std::to_string(image) + "]: " + read.problem + " (textures are PNG or JPEG files)");
     pixels_ += read.pixels.rgba.size() / 4;
     if (file_.ok() && pixels_ > kMostPixels)
       file_.Fail("its textures have more than 16 million pixels: make them smaller");

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "model/gltf.h"
 #include "picture/png.h"
@@ -75,26 +77,43 @@ TEST(Gltf, NodesTurnScaleAndMove) {
   EXPECT_EQ(read->corners[1].position, (world::Vec3{0, 7, 0}));
 }
 
-TEST(Gltf, ATextureIsSampledAtTheCorners) {
-  picture::Image image(2, 1, {0, 0, 0, 1});
-  image.At(1, 0)[1] = 255;
-  const std::string png = picture::PngOf(image), places = Floats({0.1f, 0, 0.9f, 0, 0.1f, 0});
+/// A triangle with an image as its texture, sampled near its left and right side.
+std::string Textured(const std::string& image) {
+  const std::string places = Floats({0.1f, 0, 0.9f, 0, 0.1f, 0});
   const std::string json =
       R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
           "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
           "buffers": [{"byteLength": )" +
-      std::to_string(60 + png.size()) +
+      std::to_string(60 + image.size()) +
       R"(}], "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24},
                              {"buffer": 0, "byteOffset": 60, "byteLength": )" +
-      std::to_string(png.size()) +
+      std::to_string(image.size()) +
       R"(}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
                            {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
-          "images": [{"bufferView": 2, "mimeType": "image/png"}], "textures": [{"source": 0}],
+          "images": [{"bufferView": 2}], "textures": [{"source": 0}],
           "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]})";
-  const Result<Model> read = ReadGltf(Glb(json, kTriangle + places + png), kAlone);
+  return Glb(json, kTriangle + places + image);
+}
+
+TEST(Gltf, ATextureIsSampledAtTheCorners) {
+  picture::Image image(2, 1, {0, 0, 0, 1});
+  image.At(1, 0)[1] = 255;
+  const Result<Model> read = ReadGltf(Textured(picture::PngOf(image)), kAlone);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_FLOAT_EQ(read->corners[0].green, 0);
   EXPECT_NEAR(read->corners[1].green, 1, 0.001);
+}
+
+TEST(Gltf, ATextureMayBeAJpegFile) {
+  std::ifstream in(std::string(SOARBOX_SOURCE_DIR) + "/tests/picture/progressive.jpg", std::ios::binary);
+  const std::string jpeg{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const Result<Model> read = ReadGltf(Textured(jpeg), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_LT(read->corners[0].red, 0.1f);
+  EXPECT_GT(read->corners[1].red, 0.6f);
+  EXPECT_EQ(ProblemOf(Textured(jpeg.substr(0, 300))),
+            "images[0]: the file ends within a segment (textures are PNG or JPEG files)");
+  EXPECT_EQ(ProblemOf(Textured("no image")), "images[0]: this is no PNG file (textures are PNG or JPEG files)");
 }
 
 TEST(Gltf, ABufferMayBeAFileBesideTheModel) {

@@ -3,14 +3,18 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "picture/drawing.h"
 #include "picture/gif.h"
+#include "picture/jpeg_reader.h"
 #include "picture/png.h"
 #include "picture/png_reader.h"
 #include "picture/stroke_font.h"
@@ -258,6 +262,64 @@ TEST(Png, SaysWhyAFileIsNotRead) {
   EXPECT_EQ(with(19, 3), "its pixels are damaged");
   EXPECT_EQ(with(25, 7), "its colours are of no known kind");
   EXPECT_EQ(with(25, 3), "it has no palette");
+}
+
+std::string JpegFile(const std::string& name) {
+  std::ifstream in(std::string(SOARBOX_SOURCE_DIR) + "/tests/picture/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Another program wrote these files: red grows to the right, green downwards, blue is a wave.
+TEST(Jpeg, ReadsBaselineProgressiveAndRestartedFiles) {
+  for (const char* name : {"baseline.jpg", "progressive.jpg", "restarts.jpg"}) {
+    const JpegRead read = ReadJpeg(JpegFile(name));
+    ASSERT_EQ(read.problem, "") << name;
+    ASSERT_EQ(read.pixels.width, 37);
+    ASSERT_EQ(read.pixels.height, 21);
+    for (int y = 0; y < 21; ++y) {
+      for (int x = 0; x < 37; ++x) {
+        const std::uint8_t* pixel = read.pixels.rgba.data() + 4 * (37 * y + x);
+        // Colours have a quarter of the samples.
+        EXPECT_NEAR(pixel[0], x * 255 / 37, 16) << name << ' ' << x << ' ' << y;
+        EXPECT_NEAR(pixel[1], y * 255 / 21, 16) << name << ' ' << x << ' ' << y;
+        EXPECT_NEAR(pixel[2], 128 + 100 * std::sin(x * 0.2) * std::cos(y * 0.15), 24) << name << ' ' << x << ' ' << y;
+        EXPECT_EQ(pixel[3], 255);
+      }
+    }
+  }
+  // What is coded in other steps is the same picture.
+  EXPECT_EQ(ReadJpeg(JpegFile("baseline.jpg")).pixels.rgba, ReadJpeg(JpegFile("progressive.jpg")).pixels.rgba);
+  EXPECT_EQ(ReadJpeg(JpegFile("baseline.jpg")).pixels.rgba, ReadJpeg(JpegFile("restarts.jpg")).pixels.rgba);
+}
+
+TEST(Jpeg, ReadsGrayFiles) {
+  const JpegRead read = ReadJpeg(JpegFile("gray_progressive.jpg"));
+  ASSERT_EQ(read.problem, "");
+  ASSERT_EQ(read.pixels.rgba.size(), 4u * 50 * 60);
+  for (std::size_t i = 0; i < read.pixels.rgba.size(); i += 4) {
+    EXPECT_EQ(read.pixels.rgba[i], read.pixels.rgba[i + 1]);
+    EXPECT_EQ(read.pixels.rgba[i], read.pixels.rgba[i + 2]);
+  }
+}
+
+TEST(Jpeg, SaysWhyAFileIsNotRead) {
+  const std::string file = JpegFile("baseline.jpg");
+  EXPECT_EQ(ReadJpeg("").problem, "this is no JPEG file");
+  EXPECT_EQ(ReadJpeg(file.substr(0, 100)).problem, "the file ends within a segment");
+  EXPECT_EQ(ReadJpeg(file.substr(0, 20)).problem, "the file ends before its picture");
+  EXPECT_EQ(ReadJpeg(file.substr(0, file.size() - 150)).problem, "the file ends within its picture");
+  const std::size_t frame = file.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  const auto with = [&](std::size_t at, char value) {
+    std::string changed = file;
+    changed[frame + at] = value;
+    return ReadJpeg(changed).problem;
+  };
+  EXPECT_EQ(with(1, '\xc9'),
+            "it is lossless or arithmetically coded, which is not read: save it as an ordinary JPEG or as PNG");
+  EXPECT_EQ(with(4, 12), "it has not 8 bits per channel");
+  EXPECT_EQ(with(5, 99), "it has no pixels, or more than 8 million, or more than 4096 on a side");
+  EXPECT_EQ(with(9, 4), "it is neither gray nor of three colours (CMYK is not read): save it as RGB");
 }
 
 }  // namespace

@@ -111,6 +111,10 @@ Result<bool> SetBodyProperty(BodyKind& body, const std::string& name, const Valu
   }
   if (name == "looks") {
     const std::string* text = std::get_if<std::string>(&value);
+    if (text != nullptr && (text->ends_with(".glb") || text->ends_with(".gltf"))) {
+      return Bad("the option 'looks' names the model " + *text + ", but only scripts attach models from files",
+                 "write looks = \"capsule\" and Core.CreateMesh(agent, \"" + *text + "\") in a script of the world");
+    }
     if (text == nullptr || std::find(std::begin(kLooks), std::end(kLooks), *text) == std::end(kLooks)) {
       std::string known;
       for (const std::string_view looks : kLooks) known += (known.empty() ? "\"" : ", \"") + std::string(looks) + "\"";

@@ -120,6 +120,7 @@ class Scenarios(ScenarioCase):
                 ('seconds = "60"\n' + AGENT, "1:11", "a number from 0 to 1000000", ""),
                 (AGENT.replace('"hero.soar"', '["hero.soar"]'), "3:9", "'rules' takes a text in quotes", ""),
                 (AGENT + 'kind = "soldier"\n', "4:8", "no agent has an option 'kind'", "did you mean 'body'?"),
+                (AGENT + 'looks = "duck.glb"\n', "4:9", "'looks' names the model duck.glb", 'Core.CreateMesh(agent, "duck.glb")'),
                 (AGENT + 'leader = "boss"\n', "4:10", "the leader of hero, 'boss', is not above it", "comes before"),
                 (AGENT.replace("hero.soar", "scout.soar"), "3", "scout.soar", "")):
             with self.subTest(text):

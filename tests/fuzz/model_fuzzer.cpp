@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Files of worlds: models (glTF), images (PNG) and sounds (WAV). What is read stays within its limits.
+// Files of worlds: models (glTF), images (PNG, JPEG) and sounds (WAV). What is read stays within its limits.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "model/gltf.h"
+#include "picture/jpeg_reader.h"
 #include "picture/png_reader.h"
 #include "world/wav_file.h"
 
@@ -22,5 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const soarbox::picture::PngRead image = soarbox::picture::ReadPng(file);
   const auto pixels = static_cast<std::size_t>(image.pixels.width) * static_cast<std::size_t>(image.pixels.height);
   if (image.problem.empty() && image.pixels.rgba.size() != 4 * pixels) std::abort();
+  const soarbox::picture::JpegRead photo = soarbox::picture::ReadJpeg(file);
+  const auto dots = static_cast<std::size_t>(photo.pixels.width) * static_cast<std::size_t>(photo.pixels.height);
+  if (photo.problem.empty() && photo.pixels.rgba.size() != 4 * dots) std::abort();
   return soarbox::world::WhyNoWav(file).size() > 200 ? std::abort(), 0 : 0;
 }

@@ -20,6 +20,7 @@ export const KEYS: readonly Key[] = [
   { keys: "Shift and drag or arrow", does: "Move along the ground", group: "Picture" },
   { keys: "Wheel, pinch, + and -", does: "Nearer, further", group: "Picture" },
   { keys: "O, F, M", does: "Orbit, follow the selected agent, map", group: "Picture" },
+  { keys: "U", does: "Sound on or off", group: "Picture" },
   { keys: "A", does: "Show everybody", group: "Picture" },
   { keys: "N", does: "Select the next agent", group: "Picture" },
   { keys: "All keys, the mouse", does: "Over the picture, the world's scripts receive them, too", group: "Picture" },

@@ -251,6 +251,7 @@ export class RunPage {
       case "o": case "O": this.stage.setCamera("orbit"); return true;
       case "f": case "F": this.stage.setCamera("follow"); return true;
       case "m": case "M": this.stage.setCamera("map"); return true;
+      case "u": case "U": this.stage.toggleSound(); return true;
       case "a": case "A": this.stage.view?.frameAll(); return true;
       case "n": case "N": return this.selectNext();
       default: return false;

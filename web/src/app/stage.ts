@@ -18,7 +18,7 @@ const RESIZED_AFTER_MS = 400;
 const SHAPES = "shapes:";
 /** Prefix of the names of contents with images and sounds. */
 const ASSETS = "assets:";
-const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full";
+const OVERLAYS_KEY = "soarbox.overlays", DETAIL_KEY = "soarbox.detail", FULL = "full", SOUND_KEY = "soarbox.sound", OFF = "off";
 
 /** The picture of the world with labels, camera buttons and overlays. The scene's code is loaded when it is needed. */
 export class Stage {
@@ -65,6 +65,7 @@ export class Stage {
       h("div.group", { attributes: { role: "group", "aria-label": "Camera" } }, CAMERAS.map((one): Child => button(icon(one.mode), () => this.setCamera(one.mode),
         { attributes: { title: `${one.title} (${one.key})`, "aria-label": one.title, "aria-pressed": String(mode === one.mode) } }, "button.tool")),
       button(icon("all"), () => view?.frameAll(), { attributes: { title: this.keeps ? "The camera keeps everybody in the picture, until you move it" : "Show everybody, and keep them in the picture (A)", "aria-label": "Show everybody", "aria-pressed": String(this.keeps) } }, "button.tool"),
+      button(icon(this.isSilent ? "silence" : "sound"), () => this.toggleSound(), { attributes: { title: "The sounds of the world (U)", "aria-label": "Sound", "aria-pressed": String(!this.isSilent) } }, "button.tool"),
       button(icon("more"), () => {
         this.isOpen = !this.isOpen;
         this.draw();
@@ -102,6 +103,17 @@ export class Stage {
     localStorage.setItem(OVERLAYS_KEY, [...on].join());
     this.askOverlays();
     this.view?.wake();
+    this.draw();
+  }
+
+  /** The user has switched the sounds off, in this browser. */
+  private get isSilent(): boolean {
+    return localStorage.getItem(SOUND_KEY) === OFF;
+  }
+
+  toggleSound(): void {
+    localStorage.setItem(SOUND_KEY, this.isSilent ? "" : OFF);
+    if (this.view !== null) this.view.sounds.isOn = !this.isSilent;
     this.draw();
   }
 
@@ -146,6 +158,7 @@ export class Stage {
       return;
     }
     this.view = view;
+    view.sounds.isOn = !this.isSilent;
     const kept = localStorage.getItem(OVERLAYS_KEY);
     if (kept !== null) {
       view.on.clear();
