@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Answers that beginners might give to lessons, graded through the real command. Each was written for one
-misunderstanding, before anybody saw what it is told; those whose names begin with f or g were written after all hints,
-without a look at them. A right answer passes; of a wrong one the first thing that `soarbox learn check` says must name
-the misunderstanding."""
+misunderstanding, before anybody saw what it is told; those whose names begin with f, g or h were written after all
+hints, without a look at them. A right answer passes; of a wrong one the first thing that `soarbox learn check` says
+must name the misunderstanding."""
 import concurrent.futures
 import json
 import pathlib
@@ -17,12 +17,19 @@ HERE = pathlib.Path(__file__).resolve().parent
 LESSONS = HERE.parents[1] / "lessons"
 ANSWERS = json.loads((HERE / "answers" / "answers.json").read_text(encoding="utf-8"))
 
-# Answers with a headline that names only part of the cause, or a symptom.
-HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "g20-success-below.soar"}
+# Answers with a headline that names only a part of the cause, a symptom, or something else.
+HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "g20-success-below.soar",
+        "h2-proposal-tests-itself.soar", "h7-serve-yes.soar", "h8-cart-name.soar", "h9-no-place-on-operator.soar",
+        "h10-no-change.soar", "h10-reversed-variables.soar", "h12-selected.soar", "h12-copied.soar",
+        "h13-name-of-extract.soar", "h13-no-record.soar", "h14-revoked-on-substate.soar", "h15-carries-not-can.soar",
+        "h18-place-of-fact.soar", "h20-goal-on-state.soar", "h20-two-places.soar", "h21-food-on-state.soar",
+        "he4-short-words.soar"}
 
 
 def lesson_of(answer):
     course, _, number = answer["lesson"].rpartition(" ")
+    if "-" in number:  # The name of a folder: the numbers of this course follow its course.toml.
+        return [course], number, LESSONS / course / number
     folder = next((LESSONS / course).glob(f"{course[:1]}{number}-*" if course else f"{int(number):02}-*"))
     return ([course] if course else []), number, folder
 
