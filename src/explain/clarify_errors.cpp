@@ -439,7 +439,7 @@ bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
 
 /// "constant sate is used where only a variable can match": `state` is missing or misspelt.
 void ClarifyState(Diagnostic& problem) {
-  const std::string word = Between(problem.message, "constant ", " stands where");
+  const std::string word = Between(problem.message, "constant ", " is used where");
   if (word.empty()) return;
   const std::size_t bracket = word.find('<');
   if (bracket != kNowhere && bracket > 0) {

@@ -97,7 +97,8 @@ TEST(SlipsOfLogic, AParameterThatNothingBinds) {
         "(state <s> ^operator <o> ^io <i*1>)\n    (<o> ^name go" + conditions + ")\n    (<i*1> ^output-link <out>)",
         "(<out> ^move-to <c>)\n    (<c> ^waypoint <place>)");
   };
-  EXPECT_THAT(Found(rule("")), ElementsAre(HasSubstr("binds <place>: ^waypoint of its command becomes a new object")));
+  EXPECT_THAT(Found(rule("")),
+              ElementsAre(HasSubstr("binds <place>: ^waypoint of its command becomes a new, empty object")));
   EXPECT_THAT(Found(rule(" ^where <place>")), IsEmpty());
   const std::string propose =
       Rule("p", "(state <s> ^superstate nil)", "(<s> ^operator <o> +)\n    (<o> ^name go ^where <place>)");

@@ -113,7 +113,7 @@ TEST(Gltf, ATextureMayBeAJpegFile) {
   EXPECT_GT(read->corners[1].red, 0.6f);
   EXPECT_EQ(ProblemOf(Textured(jpeg.substr(0, 300))),
             "images[0]: the file ends within a segment (textures are PNG or JPEG files)");
-  EXPECT_EQ(ProblemOf(Textured("no image")), "images[0]: this is no PNG file (textures are PNG or JPEG files)");
+  EXPECT_EQ(ProblemOf(Textured("no image")), "images[0]: this is not a PNG file (textures are PNG or JPEG files)");
 }
 
 TEST(Gltf, ABufferMayBeAFileBesideTheModel) {

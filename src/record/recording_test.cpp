@@ -202,7 +202,7 @@ TEST_F(RecordingTest, ABoundedRecordingKeepsItsEndAndAllInputs) {
 TEST_F(RecordingTest, WhatIsNoRecordingIsRefusedByName) {
   EXPECT_NE(Reader::Open(folder() / "absent").error().message.find("no such file"), std::string::npos);
   PutBytes(file(), "sp {a (state <s> ^superstate nil) --> (halt)}");
-  EXPECT_NE(Reader::Open(file()).error().message.find("no recording"), std::string::npos);
+  EXPECT_NE(Reader::Open(file()).error().message.find("not a recording"), std::string::npos);
   EXPECT_FALSE(Reader::Open(folder()));
   EXPECT_FALSE(Writer::Create(folder() / "no" / "such" / "folder", SomeHeader()));
 }

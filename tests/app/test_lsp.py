@@ -76,7 +76,7 @@ class LanguageServer(WithFolder):
             return node if len(path) == 1 else find(node["children"], *path[1:])
 
         datamap = self.editor.ask("soarbox/datamap", asked)
-        self.assertIn("yes", find(datamap, "here")["detail"])
+        self.assertEqual(find(datamap, "here")["detail"], "text")
         self.assertIn("number", find(datamap, "io", "input-link", "agent", "range")["detail"])
         self.assertTrue(find(datamap, "io", "output-link", "move-to")["children"])
 

@@ -111,7 +111,7 @@ sp {climber*apply*learn
         self.assertIn("error", self.answer("tools/call", name="read_lesson", arguments={"lesson": 99}))
 
     def test_rules_are_formatted_and_have_a_datamap(self):
-        text = self.call("format_rules", text="sp {b (state <s> ^superstate nil) --> (<s> ^here yes)}")
+        text = self.call("format_rules", text="sp {b\n(state <s> ^superstate nil)\n-->\n(<s> ^here yes)}")
         self.assertIn("sp {b\n   (state <s> ^superstate nil)\n-->\n", text)
         (self.folder / "inside" / "b.soar").write_text("sp {b (state <s> ^superstate nil ^colour red) --> (<s> ^here yes)}\n")
         self.assertIn("colour", self.call("make_datamap", path="b.soar"))

@@ -234,7 +234,7 @@ SLIPS = {
     "a star of a web page": ("hero*propose*go", "hero\\*propose*go", 1, "it has \\*, which web pages write for *", "write * here and elsewhere"),
     "signs of a web page": ("(<me> ^health", "(&lt;me&gt; ^health", 3, "it has &lt;, which web pages write for <", "write < here"),
     "a preference of long ago": ("^operator <o> +)", "^operator <o> + &)", 5, "found '&'", "parallel preferences (&) are gone"),
-    "a goal of long ago": ("(state <s>", "(goal <s>", 2, "constant goal stands", "a goal is a state now"),
+    "a goal of long ago": ("(state <s>", "(goal <s>", 2, "constant goal is used", "a goal is a state now"),
     "a command of long ago": (None, "o-support-mode 4", 1, "Soar no longer has a command 'o-support-mode'", "leave it out"),
     "an option of long ago": (None, "excise -all", 1, "No such option", "options have two dashes: excise --all"),
     "a function of long ago": ("(<out> ^wander <c>)", "(<out> ^wander <c>)\n   (tcl |puts hi|)", 13, "calls the function tcl", "Soar has no Tcl any more"),

@@ -83,6 +83,7 @@ ALLOWED = {
     "cli/print_stream.h PrintStream": 16,
     "kernel/imagery/tracked_list.h TrackedList": 16,
     "kernel/learn/justification.h Justifier": 16,
+    "serve/page_session.h Session": 16,
 }
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 TEXT = re.compile(r'"(?:\\.|[^"\\\n])*"')

@@ -40,7 +40,7 @@ class TheCheckOfLayers(unittest.TestCase):
     def test_what_an_agent_consists_of_knows_all_parts(self):
         self.assert_passes("kernel/decide/agent_core.h", "kernel/learn/chunker.h")
 
-    def test_only_a_list_of_files_may_use_the_engine(self):
+    def test_only_a_list_of_files_may_use_the_core(self):
         self.assert_passes("kernel/decide/firing.cpp", "kernel/decide/agent_core.h")
         self.assert_finds("kernel/learn/chunker.cpp", "kernel/decide/agent_core.h")
         self.assert_finds("kernel/longterm/installer.cpp", "kernel/decide/agent_core.h")
@@ -48,16 +48,16 @@ class TheCheckOfLayers(unittest.TestCase):
         self.assert_finds("kernel/decide/firing.h", "kernel/decide/agent_core.h")
         self.assert_finds("kernel/learn/chunking_test.cpp", "kernel/decide/agent_core.h")
 
-    def test_the_list_of_those_who_use_the_engine_never_grows(self):
-        self.assertLessEqual(len(check_layers.USERS_OF_ENGINE), 16)
+    def test_the_list_of_those_who_use_the_core_never_grows(self):
+        self.assertLessEqual(len(check_layers.USERS_OF_CORE), 16)
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for file in check_layers.USERS_OF_ENGINE:
+            for file in check_layers.USERS_OF_CORE:
                 (root / file).parent.mkdir(parents=True, exist_ok=True)
                 (root / file).write_text('#include "kernel/decide/agent_core.h"\n', encoding="utf-8")
-            self.assertEqual(list(check_layers.strangers_to_engine(root)), [])
+            self.assertEqual(list(check_layers.strangers_to_core(root)), [])
             (root / "kernel/decide/firing.cpp").write_text('#include "kernel/decide/firing.h"\n', encoding="utf-8")
-            self.assertEqual(len(list(check_layers.strangers_to_engine(root))), 1)
+            self.assertEqual(len(list(check_layers.strangers_to_core(root))), 1)
 
     def test_tests_may_use_the_face(self):
         self.assert_passes("kernel/match/rete_test.cpp", "kernel/agent.h")

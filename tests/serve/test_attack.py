@@ -45,7 +45,7 @@ class Messages(Attack):
         page.until_message("none")
         for text in ('{"request":"x","a":' + "[" * 70 + "]" * 70 + "}", json.dumps({"request": "x", "a": [0] * 30_000}), "[" * 500_000):
             page.send_frame(1, text.encode())
-            self.assertIn("no request", page.until_message("error")["error"])
+            self.assertIn("not a request", page.until_message("error")["error"])
         # Input below the limits is accepted, whatever surrounds it.
         page.send_frame(1, json.dumps({"a": {"request": "y", "id": 1}, "request": "x", "id": "mine", "b": [["id"]]}).encode())
         answer = page.until_message("error")

@@ -71,7 +71,7 @@ class Desk(ClassCase):
                                  (f"/api/class/{self.key}/arena/chess", {"seeds": 1}, "no game"),
                                  (f"/api/class/{self.key}/arena/eaters", {"seeds": 99}, "1 to 10 seeds"),
                                  (f"/api/class/{self.key}/arena/eaters", {"seeds": 1}, "two learners"),
-                                 (f"/api/p/{ada}/arena/eaters", {"file": "worlds/eaters/scenario.toml"}, "no file of rules"),
+                                 (f"/api/p/{ada}/arena/eaters", {"file": "worlds/eaters/scenario.toml"}, "not a file of rules"),
                                  (f"/api/p/{ada}/arena/eaters", {"file": "worlds/eaters/mine.soar"}, "no file of rules 'worlds"),
                                  (f"/api/p/{ada}/arena/eaters", {"file": "../../x.soar"}, "no file of rules"),
                                  (f"/api/p/{stranger}/hand", {"is_up": True}, "nobody in a class"),
