@@ -8,6 +8,7 @@
 #include "diagnostics/number_from_chars.h"
 #include "editors/dap_server.h"
 #include "editors/dap_words.h"
+#include "explain/command_text.h"
 
 namespace soarbox::editors {
 namespace {
@@ -17,19 +18,14 @@ struct MarkCondition {
   std::string path, op, value;
 };
 
-std::string Trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
-}
-
 MarkCondition ReadMarkCondition(const std::string& text) {
   // The operators with two characters come first. "<s>" at the beginning is a state.
   constexpr std::array<std::string_view, 7> kOperators = {" == ", " != ", " <= ", " >= ", " = ", " < ", " > "};
   for (const std::string_view op : kOperators)
     if (const std::size_t at = text.find(op); at != std::string::npos)
-      return {Trimmed(text.substr(0, at)), Trimmed(op), Trimmed(text.substr(at + op.size()))};
-  return {Trimmed(text), {}, {}};
+      return {explain::Trimmed(text.substr(0, at)), explain::Trimmed(op),
+              explain::Trimmed(text.substr(at + op.size()))};
+  return {explain::Trimmed(text), {}, {}};
 }
 
 bool IsNumberText(const std::string& text, double& number) {
@@ -97,7 +93,7 @@ bool DapServer::StopsFor(const std::string& reason) {
       const std::unique_ptr<explain::Inspector> mind = debuggee_->Inspect(agent);
       const auto value_of = [&](const std::string& path) {
         const debugger::WatchValue value =
-            mind == nullptr ? debugger::WatchValue() : debugger::LookAtWatch(*mind, Trimmed(path));
+            mind == nullptr ? debugger::WatchValue() : debugger::LookAtWatch(*mind, explain::Trimmed(path));
         return value.is_error ? std::string() : value.text;
       };
       if (!mark.condition.empty()) {
@@ -119,7 +115,7 @@ bool DapServer::StopsInScript(std::uint32_t owner) {
   if (log == script_logs_.end()) return true;
   const auto value_of = [&](const std::string& expression) {
     try {
-      return EvaluateInScript(owner, 0, Trimmed(expression), false).at("result").get<std::string>();
+      return EvaluateInScript(owner, 0, explain::Trimmed(expression), false).at("result").get<std::string>();
     } catch (const DapRefusal& refused) {
       return "{" + refused.message + "}";
     }

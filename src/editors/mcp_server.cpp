@@ -231,10 +231,15 @@ std::string McpServer::NewRecording(std::string& name) {
   return (own_ / (name + ".soarrec")).string();
 }
 
-fs::path McpServer::WriteText(const std::string& text, const std::string& name) {
+fs::path McpServer::NewPath(const std::string& name) {
   const fs::path file = own_ / std::to_string(++count_) / name;
   std::error_code error;
   fs::create_directory(file.parent_path(), error);
+  return file;
+}
+
+fs::path McpServer::WriteText(const std::string& text, const std::string& name) {
+  const fs::path file = NewPath(name);
   if (!(std::ofstream(file, std::ios::binary) << text).flush())
     throw McpRefusal{kMcpInvalidParams, "these rules cannot be kept for the run"};
   return file;
@@ -279,9 +284,7 @@ McpJson McpServer::FormatRules(const McpJson& arguments) {
 
 McpJson McpServer::MakeDatamap(const McpJson& arguments) {
   const std::string rules = FileOf(arguments, "path");
-  const fs::path file = WriteText({}, "project.vsa.json");
-  std::error_code error;
-  fs::remove(file, error);
+  const fs::path file = NewPath("project.vsa.json");
   McpJson said = Run({"datamap", rules, "-o", file.string()});
   const std::optional<std::string> text = ReadText(file);
   return text ? TextAnswer(*text) : said;

@@ -64,6 +64,8 @@ class McpServer {
   std::string SourceOf(const Json& arguments, const char* name);
   std::string NewRecording(std::string& name);
   Json Run(std::vector<std::string> arguments, std::size_t most = 60'000);
+  /// The path of a file that does not exist, in a new folder.
+  std::filesystem::path NewPath(const std::string& name);
   std::filesystem::path WriteText(const std::string& text, const std::string& name);
 
   std::filesystem::path program_, folder_, own_;
