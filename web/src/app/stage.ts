@@ -81,7 +81,8 @@ export class Stage {
   /** `data-outside` is the number of living agents that the picture does not show. */
   private noteFramed(keeps: boolean, outside: number, living: number): void {
     this.element.dataset["outside"] = String(outside);
-    const isLost = living > 0 && outside === living, isEmpty = living === 0 && (this.run.scene?.agents.size ?? 1) === 0 && this.mayAsk;
+    // A camera that keeps everybody in the picture is on its way to them.
+    const isLost = !keeps && living > 0 && outside === living, isEmpty = living === 0 && (this.run.scene?.agents.size ?? 1) === 0 && this.mayAsk;
     if (keeps === this.keeps && isLost === this.isLost && isEmpty === this.isEmpty) return;
     this.isEmpty = isEmpty;
     this.keeps = keeps;
