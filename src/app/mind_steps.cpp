@@ -4,8 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "sim/commands_elsewhere.h"
-
 namespace soarbox::app {
 namespace {
 
@@ -38,10 +36,10 @@ std::string SaidIn(const sim::Simulation& simulation, const std::string& agent) 
 std::string StepDecision(RunSession& session, const std::string& agent) {
   constexpr const char* kBudget = "soar max-nil-output-cycles";
   sim::Simulation& simulation = session.simulation();
-  if (sim::SendsCommandsElsewhere(simulation)) {
+  if (simulation.sends_commands_elsewhere()) {
     const Result<std::string> ran = simulation.Command(agent, "run --decision 1 --self");
     if (!ran) return ran.error().message;
-    session.Idle(true);
+    session.FollowUp();
     return agent + ": one decision";
   }
   const Result<std::string> budget = simulation.Command(agent, kBudget);
@@ -71,8 +69,8 @@ std::string StepPhase(RunSession& session, const std::string& agent) {
   sim::Simulation& simulation = session.simulation();
   const Result<std::string> answer = simulation.Command(agent, "run -p 1 --self");
   if (!answer) return answer.error().message;
-  const bool is_elsewhere = sim::SendsCommandsElsewhere(simulation);
-  if (is_elsewhere) session.Idle(true);
+  const bool is_elsewhere = simulation.sends_commands_elsewhere();
+  if (is_elsewhere) session.FollowUp();
   std::string next;
   if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent)) next = mind->Mind().phase;
   return agent + ": one phase" + (next.empty() ? "" : ", next is " + next) +
@@ -84,7 +82,7 @@ std::string StepPhase(RunSession& session, const std::string& agent) {
 MindStepped StepMind(RunSession& session, const std::string& agent, MindStep step) {
   if (agent.empty()) return {"Select the Soar agent whose mind is to take a step"};
   if (!session.simulation().HasMind(agent)) return {agent + " has no Soar mind to step"};
-  if (step == MindStep::kPhase) return {StepPhase(session, agent), sim::SendsCommandsElsewhere(session.simulation())};
+  if (step == MindStep::kPhase) return {StepPhase(session, agent), session.simulation().sends_commands_elsewhere()};
   return {StepDecision(session, agent), true};
 }
 

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "app/exit_codes.h"
-#include "sim/commands_elsewhere.h"
 #include "sim/foreign_bodies.h"
 #include "world/world.h"
 
@@ -88,9 +87,8 @@ void RunSession::Join(std::unique_ptr<dis::Gateway> gateway) {
 
 void RunSession::SendCommandsToFollowed() {
   if (followed_ == nullptr) return;
-  sim::SendCommandsElsewhere(*simulation_, [this](const std::string& agent, const std::string& line) {
-    return followed_->Command(agent, line);
-  });
+  simulation_->SendCommandsElsewhere(
+      [this](const std::string& agent, const std::string& line) { return followed_->Command(agent, line); });
 }
 
 bool RunSession::TakeFollowed() {
@@ -172,12 +170,14 @@ void RunSession::AdvanceTick() {
   }
 }
 
-void RunSession::Idle(bool catches_up) {
+void RunSession::FollowUp() {
+  CatchUp();
+  Idle();
+}
+
+void RunSession::Idle() {
   TakeEdits();
-  if (followed_ != nullptr) {
-    if (catches_up) CatchUp();
-    ReportNews();
-  }
+  if (followed_ != nullptr) ReportNews();
   if (gateway_ != nullptr) gateway_->Idle(*simulation_);
   simulation_->Idle();
   PrintEvents();

@@ -32,9 +32,10 @@ class RunSession final : public workbench::LiveRun {
 
   /// Advances one tick and prints what happened.
   void Tick();
-  /// Serves debuggers while paused, and prints the resulting events. With `catches_up`, first advances to what the
-  /// followed agents have done by now.
-  void Idle(bool catches_up = false);
+  /// Serves debuggers while paused, and prints the resulting events.
+  void Idle();
+  /// Advances to what the followed agents have done by now, and prints what happened.
+  void FollowUp();
   /// True once the requested time has passed or the user has requested the end (Ctrl-C).
   bool IsOver() const;
   /// From now on evaluates the checks of a mission. Call it before ticks are recorded or watched. Null: no mission.

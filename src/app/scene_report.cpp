@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/base64.h"
 #include "app/shape_contents.h"
+#include "bytes/base64.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
 #include "diagnostics/json_text.h"
@@ -72,7 +72,7 @@ class Moments {
       contents_.push_back({{"tick", tick}, {"agent", ""}, {"name", told.name}, {"content", std::move(told.content)}});
     const stream::Block block = encoder_.Encode(scene);
     scene_bytes_ += block.bytes.size();
-    scene_.push_back({{"tick", tick}, {"full", block.is_full}, {"block", Base64(block.bytes)}});
+    scene_.push_back({{"tick", tick}, {"full", block.is_full}, {"block", ToBase64(block.bytes)}});
   }
 
   /// Contents that do not belong to one mind are stored under "", others under the agent's name.
@@ -182,7 +182,7 @@ Result<std::string> RecordedRun(const std::filesystem::path& file) {
     if (!fits && tried < kMostTries) continue;
     whole["scene"] = moments.TakeScene();
     // The contents are repetitive: compressed, they take an eighth.
-    whole["contents"] = Base64(stream::Deflate(JsonText(moments.TakeContents())));
+    whole["contents"] = ToBase64(stream::Deflate(JsonText(moments.TakeContents())));
     break;
   }
   return JsonText(whole);

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/base64.h"
+#include "bytes/base64.h"
 #include "stream/deflate.h"
 #include "viewer/backdrop_meshes.h"
 #include "viewer/body_mesh.h"
@@ -107,7 +107,7 @@ std::string BytesOf(const MeshData& mesh, const std::vector<viewer::SkinVertex>&
 }
 
 Json Packed(const std::string& bytes) {
-  return Base64(stream::Deflate(bytes));
+  return ToBase64(stream::Deflate(bytes));
 }
 
 /// A shape with two levels of detail; if they are equal, only one is sent.
@@ -174,7 +174,7 @@ void ShapeContents::AddAssets(const world::SceneSnapshot& scene, std::vector<Tol
     if (world::AssetName(key).empty() || told_.size() >= kMost || !told_.insert(key).second) return;
     const auto file = world::FindAsset(key);
     // A recording of a world whose files were too large to be kept: nothing is shown or played.
-    if (file != nullptr) found.push_back({"assets:" + key, Json{{"bytes", Base64(*file)}}});
+    if (file != nullptr) found.push_back({"assets:" + key, Json{{"bytes", ToBase64(*file)}}});
   };
   for (const world::UiSnapshot& panel : scene.ui) add(panel.material);
   for (const world::SoundSnapshot& sound : scene.sounds) add(sound.file);

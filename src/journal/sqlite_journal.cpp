@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bytes/byte_stream.h"
+#include "bytes/percent_code.h"
 #include "diagnostics/problem.h"
 
 namespace soarbox::journal {
@@ -85,10 +86,7 @@ Diagnostic RefusalOfForeign(const std::string& path) {
   std::string address = "file:";
   for (const char c : path) {
     if (c == '%' || c == '?' || c == '#') {
-      constexpr std::string_view kDigits = "0123456789ABCDEF";
-      address += '%';
-      address += kDigits[static_cast<unsigned char>(c) >> 4];
-      address += kDigits[static_cast<unsigned char>(c) & 15];
+      AppendPercentCode(address, c);
     } else {
       address += c;
     }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "bytes/base64.h"
+#include "bytes/percent_code.h"
+
 namespace soarbox::model {
 namespace {
 
@@ -19,40 +22,6 @@ std::uint32_t LittleAt(std::string_view bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = 4; i-- > 0;) number = number << 8 | static_cast<std::uint8_t>(bytes[at + i]);
   return number;
-}
-
-/// Undoes base 64 (RFC 4648); false if there is another sign in it.
-bool FromBase64(std::string_view text, std::string& bytes) {
-  constexpr std::string_view kSigns = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char sign : text) {
-    const std::size_t value = kSigns.find(sign);
-    if (value == std::string_view::npos) return false;
-    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xffffff;
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> count & 0xff);
-  }
-  return true;
-}
-
-/// Undoes %20 and the like in the name of a file.
-std::string FromUri(std::string_view uri) {
-  const auto digit = [](char sign) {
-    if (sign >= '0' && sign <= '9') return sign - '0';
-    if (sign >= 'a' && sign <= 'f') return sign - 'a' + 10;
-    return sign >= 'A' && sign <= 'F' ? sign - 'A' + 10 : -1;
-  };
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool is_code = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-    name += is_code ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
-    if (is_code) i += 2;
-  }
-  return name;
 }
 
 std::size_t BytesOf(std::uint64_t component) {
@@ -218,19 +187,17 @@ std::string GltfFile::Resource(const Json& object, const std::string& what) {
   const std::string uri = found->get<std::string>();
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
-    std::string bytes;
-    if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64") ||
-        !FromBase64(std::string_view(uri).substr(comma + 1), bytes)) {
-      Fail(what + " has a data URI that is not base 64");
-      return {};
-    }
-    return bytes;
+    std::optional<std::string> bytes;
+    if (comma != std::string::npos && std::string_view(uri).substr(0, comma).ends_with(";base64"))
+      bytes = FromBase64(std::string_view(uri).substr(comma + 1));
+    if (!bytes) Fail(what + " has a data URI that is not base 64");
+    return bytes.value_or("");
   }
   if (uri.find(':') != std::string::npos) {
     Fail(what + " is not beside the model: " + uri.substr(0, 80));
     return {};
   }
-  Result<std::string> read = neighbour_(FromUri(uri));
+  Result<std::string> read = neighbour_(PercentDecoded(uri));
   if (read) return std::move(*read);
   const Diagnostic& error = read.error();
   Fail(what + ": " + error.message + (error.hint.empty() ? "" : " (" + error.hint + ")"));

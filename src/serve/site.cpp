@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bytes/percent_code.h"
 #include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
@@ -16,30 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int HexOf(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-/// Decodes "%20" to a blank; invalid codes are unchanged.
-std::string Decoded(std::string_view text) {
-  std::string decoded;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_code = text[i] == '%' && i + 2 < text.size() && HexOf(text[i + 1]) >= 0 && HexOf(text[i + 2]) >= 0;
-    decoded += is_code ? static_cast<char>(16 * HexOf(text[i + 1]) + HexOf(text[i + 2])) : text[i];
-    if (is_code) i += 2;
-  }
-  return decoded;
-}
-
 /// Splits a path at slashes and decodes the parts; an encoded slash does not split.
 std::vector<std::string> PartsOf(std::string_view target) {
   target = target.substr(0, target.find_first_of("?#"));
   std::vector<std::string> parts;
   for (std::size_t at = target.starts_with('/') ? 1 : 0; at < target.size();) {
     const std::size_t end = std::min(target.find('/', at), target.size());
-    parts.push_back(Decoded(target.substr(at, end - at)));
+    parts.push_back(PercentDecoded(target.substr(at, end - at)));
     at = end + 1;
   }
   return parts;
@@ -53,7 +37,7 @@ std::string QueryOf(std::string_view target, std::string_view name) {
     const std::size_t end = std::min(target.find('&'), target.size());
     const std::string_view pair = target.substr(0, end);
     if (pair.starts_with(name) && pair.substr(name.size()).starts_with('='))
-      return Decoded(pair.substr(name.size() + 1));
+      return PercentDecoded(pair.substr(name.size() + 1));
     target.remove_prefix(std::min(end + 1, target.size()));
   }
   return {};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "script/script_host.h"
 #include "sim/apply_input.h"
 #include "sim/arena.h"
-#include "sim/commands_elsewhere.h"
 #include "sim/foreign_bodies.h"
 #include "sim/input_door.h"
 #include "sim/minds.h"
@@ -48,23 +46,6 @@ Diagnostic WithCallers(const script::ScriptError& error) {
   if (const std::string callers = script::CallersIn(error.traceback); !callers.empty())
     diagnostic.hint += (diagnostic.hint.empty() ? "" : "; ") + callers;
   return diagnostic;
-}
-
-/// Simulations that send their commands elsewhere. There are rarely any.
-struct Redirections {
-  std::mutex mutex;
-  std::map<const Simulation*, CommandsElsewhere> by_simulation;
-};
-Redirections& AllRedirections() {
-  static Redirections redirections;
-  return redirections;
-}
-
-CommandsElsewhere ElsewhereOf(const Simulation& simulation) {
-  Redirections& all = AllRedirections();
-  const std::lock_guard lock(all.mutex);
-  const auto found = all.by_simulation.find(&simulation);
-  return found == all.by_simulation.end() ? CommandsElsewhere() : found->second;
 }
 
 /// Whether a script refused a command. An error in the script has been reported as such.
@@ -135,6 +116,7 @@ struct Simulation::Impl final : script::ScriptListener {
   InputDoor door;
   std::vector<std::pair<CommandInput, Result<std::string>>> answered;  ///< Between the last tick and the next.
   std::optional<std::uint64_t> flood_told_at;                          ///< Tick.
+  CommandsElsewhere elsewhere;                                         ///< Empty: commands go to its own minds.
   std::vector<world::EntityId> order;                                  ///< Temporary: agents to update in this tick.
   EventList events;
   TickCosts costs;
@@ -450,21 +432,14 @@ void Simulation::Impl::Act(world::EntityId id) {
 }
 
 Simulation::Simulation(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Simulation::~Simulation() {
-  SendCommandsElsewhere(*this, {});
+Simulation::~Simulation() = default;
+
+bool Simulation::sends_commands_elsewhere() const {
+  return static_cast<bool>(impl_->elsewhere);
 }
 
-bool SendsCommandsElsewhere(const Simulation& simulation) {
-  return static_cast<bool>(ElsewhereOf(simulation));
-}
-
-void SendCommandsElsewhere(const Simulation& simulation, CommandsElsewhere elsewhere) {
-  Redirections& all = AllRedirections();
-  const std::lock_guard lock(all.mutex);
-  if (elsewhere)
-    all.by_simulation[&simulation] = std::move(elsewhere);
-  else
-    all.by_simulation.erase(&simulation);
+void Simulation::SendCommandsElsewhere(CommandsElsewhere elsewhere) {
+  impl_->elsewhere = std::move(elsewhere);
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario, const SimulationSettings& settings) {
@@ -656,8 +631,7 @@ void Simulation::EndScripts() {
 void Simulation::Submit(Input input) {
   const auto* const line = std::get_if<CommandInput>(&input.value);
   if (line != nullptr && !line->agent.empty()) {
-    if (const CommandsElsewhere elsewhere = ElsewhereOf(*this))
-      return impl_->ReportAnswer(*line, elsewhere(line->agent, line->line));
+    if (impl_->elsewhere) return impl_->ReportAnswer(*line, impl_->elsewhere(line->agent, line->line));
   }
   if (impl_->door.Submit(std::move(input))) return;
   Diagnostic warning;
@@ -669,7 +643,7 @@ void Simulation::Submit(Input input) {
 }
 
 Result<std::string> Simulation::Command(const std::string& agent, const std::string& line) {
-  if (const CommandsElsewhere elsewhere = ElsewhereOf(*this)) return elsewhere(agent, line);
+  if (impl_->elsewhere) return impl_->elsewhere(agent, line);
   Result<std::string> answer = impl_->soar->Execute(agent, line, impl_->settings.typed_by_strangers);
   impl_->answered.emplace_back(CommandInput{agent, line}, answer);
   impl_->door.Note(impl_->answered.back().first);

@@ -14,6 +14,7 @@
 #include "explain/inspector.h"
 #include "explain/why_node.h"
 #include "script/world_budget.h"
+#include "sim/commands_elsewhere.h"
 #include "sim/input.h"
 #include "sim/live_edits.h"
 #include "sim/mind_log.h"
@@ -127,6 +128,12 @@ class Simulation {
   /// The line is recorded as an input of the next tick, which also reports it as an event, so that a recording of the
   /// inputs replays it.
   Result<std::string> Command(const std::string& agent, const std::string& line);
+  /// Redirects command lines for its agents (Command and Submit) to `elsewhere`, because its agents mirror those of
+  /// another kernel. Redirected lines are not inputs of the simulation. Their output is reported as the answer. An
+  /// empty function ends the redirection.
+  void SendCommandsElsewhere(CommandsElsewhere elsewhere);
+  /// Whether command lines are redirected: the simulation mirrors the agents of another kernel.
+  bool sends_commands_elsewhere() const;
   /// The inputs of the last tick, in the order in which they took effect, including commands of attached debuggers to
   /// the minds. Submitting the same inputs to another simulation of the same scenario and seed gives the same run.
   /// Valid until the next tick.

@@ -33,7 +33,7 @@ ALLOWED = {
     "kernel/decide/modules.h Modules": 31,
     "kernel/decide/rule_context.h RuleContext": 29,
     "kernel/match/rete.h Rete": 30,
-    "sim/simulation.h Simulation": 32,
+    "sim/simulation.h Simulation": 34,
     "sml/client/client_memory.h WorkingMemory": 31,
     "viewer/viewer.h Viewer": 28,
     "world/physics_world.h PhysicsWorld": 34,

@@ -35,7 +35,7 @@ ALLOWED = {
     "explain": {"diagnostics", "mind", "rule_reading", "wording", "vocabulary"},
     "world": {"diagnostics"},
     # Models from files, as triangles.
-    "model": {"diagnostics", "picture", "world"},
+    "model": {"bytes", "diagnostics", "picture", "world"},
     "stream": {"bytes", "world"},
     "script": {"diagnostics", "picture", "world", "model"},
     # So does sim.
@@ -48,13 +48,13 @@ ALLOWED = {
     "debugger": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "sim", "record"},
     # Editors use the kernel's own parser; a build with an official Soar has neither module.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
-    "editors": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
+    "editors": {"bytes", "diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},
     # Contents and requests for all views of a run: it draws nothing.
     "workbench": {"diagnostics", "mind", "wording", "explain", "world", "sim", "record", "debugger"},
     # HTTP and WebSockets: it starts engines, and does not depend on panels or worlds.
-    "serve": {"diagnostics"},
+    "serve": {"bytes", "diagnostics"},
     "viewer": {"diagnostics", "picture", "world", "model", "sim", "record", "debugger", "workbench"},
-    "app": {"diagnostics", "picture", "kernel", "mind", "wording", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
+    "app": {"bytes", "diagnostics", "picture", "kernel", "mind", "wording", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "serve/lti/base64_url.h"
+#include "bytes/base64.h"
 #include "serve/lti/jwt.h"
 #include "serve/lti/launch.h"
 #include "serve/lti/web_address.h"

@@ -22,7 +22,6 @@
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "serve/wall.h"
-#include "sim/commands_elsewhere.h"
 #include "sim/scenario_file.h"
 #include "vocabulary/vocabulary.h"
 #include "workbench/desk.h"
@@ -103,7 +102,7 @@ class LiveEngine {
         surroundings_(page, pace_, &lessons_, options.home),
         panels_(page) {
     // What a kernel does is shown as soon as it is known; its first agents are there from the start.
-    if (sim::SendsCommandsElsewhere(session.simulation())) {
+    if (session.simulation().sends_commands_elsewhere()) {
       pace_.Obey(Flow::kUnlimited);
       session.Tick();
     }

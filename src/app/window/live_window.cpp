@@ -8,7 +8,6 @@
 #include "app/exit_codes.h"
 #include "app/next_run.h"
 #include "app/window/run_commands.h"
-#include "sim/commands_elsewhere.h"
 #include "sim/scenario_file.h"
 #include "world/world.h"
 
@@ -74,7 +73,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       lessons_(scenario_, session.lesson()),
       window_desk_(viewer, pace_, &lessons_) {
   // What a kernel does is shown as soon as it is known; its first agents are there from the start.
-  if (sim::SendsCommandsElsewhere(session.simulation())) {
+  if (session.simulation().sends_commands_elsewhere()) {
     pace_.Obey(workbench::Flow::kUnlimited);
     session.Tick();
   }

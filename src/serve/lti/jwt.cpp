@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bytes/base64.h"
 #include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
-#include "serve/lti/base64_url.h"
 
 namespace soarbox::lti {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "serve/lti/base64_url.h"
+#include "bytes/base64.h"
 #include "serve/lti/jwt.h"
 
 namespace soarbox::lti {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bytes/base64.h"
 #include "diagnostics/json_text.h"
-#include "serve/lti/base64_url.h"
 #include "serve/lti/rsa_key.h"
 #include "serve/random_id.h"
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bytes/base64.h"
 #include "diagnostics/json_text.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "serve/lti/base64_url.h"
 #include "serve/lti/jwt.h"
 #include "serve/random_id.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "serve/lti/base64_url.h"
+#include "bytes/base64.h"
 #include "serve/lti/jwt.h"
 
 namespace soarbox::lti {

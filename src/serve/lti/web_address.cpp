@@ -3,28 +3,15 @@
 
 #include <algorithm>
 
+#include "bytes/percent_code.h"
+
 namespace soarbox::lti {
 namespace {
 
-int HexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 std::string FormDecoded(std::string_view text) {
-  std::string decoded;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_code =
-        text[i] == '%' && i + 2 < text.size() && HexDigit(text[i + 1]) >= 0 && HexDigit(text[i + 2]) >= 0;
-    if (is_code) {
-      decoded += static_cast<char>(16 * HexDigit(text[i + 1]) + HexDigit(text[i + 2]));
-      i += 2;
-    } else {
-      decoded += text[i] == '+' ? ' ' : text[i];
-    }
-  }
-  return decoded;
+  std::string spaced(text);
+  std::ranges::replace(spaced, '+', ' ');
+  return PercentDecoded(spaced);
 }
 
 bool IsWordCharacter(char c) {
@@ -32,15 +19,12 @@ bool IsWordCharacter(char c) {
 }
 
 std::string FormEncoded(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string encoded;
   for (const char c : text) {
-    if (IsWordCharacter(c) || c == '-' || c == '.' || c == '_' || c == '~') {
+    if (IsWordCharacter(c) || c == '-' || c == '.' || c == '_' || c == '~')
       encoded += c;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    encoded += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    else
+      AppendPercentCode(encoded, c);
   }
   return encoded;
 }

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "serve/lti/base64_url.h"
-
 namespace soarbox::lti {
 namespace {
 
+#include "bytes/base64.h"
 TEST(WebAddress, AnAddressHasHostPortAndPath) {
   const auto plain = ReadWebAddress("https://school.example"), full = ReadWebAddress("http://[::1]:8080/lti?a=1#x");
   ASSERT_TRUE(plain && full);
@@ -50,6 +49,9 @@ TEST(Base64Url, BytesComeBackAndOddTextsAreRefused) {
   EXPECT_EQ(ToBase64Url("\xfb\xff\xfe"), "-__-");
   for (const char* const odd : {"A", "AB=", "AB==", "A B", "+/+/", "AB", "AAB", "AAAAA"})
     EXPECT_FALSE(FromBase64Url(odd)) << odd;
+  EXPECT_EQ(ToBase64("\xfb\xff\xfe!"), "+//+IQ==");
+  for (const char* const text : {"+//+IQ==", "+//+IQ"}) EXPECT_EQ(FromBase64(text), "\xfb\xff\xfe!");
+  for (const char* const odd : {"-__-", "+//+IQ===", "=", "A==="}) EXPECT_FALSE(FromBase64(odd)) << odd;
 }
 
 }  // namespace
