@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Require(launch->line_item.empty() || lti::IsPrivate(*lti::ReadWebAddress(launch->line_item)));
   }
   if (const auto keys = lti::ReadKeySet(text)) Require(keys->size() <= 100);
-  if (const auto bytes = lti::FromBase64Url(text)) Require(lti::ToBase64Url(*bytes) == text);
-  Require(lti::FromBase64Url(lti::ToBase64Url(text)) == text);
+  if (const auto bytes = FromBase64Url(text)) Require(ToBase64Url(*bytes) == text);
+  Require(FromBase64Url(ToBase64Url(text)) == text);
   Require(lti::ReadForm(lti::WriteForm(lti::ReadForm(text))) == lti::ReadForm(text));
   if (const auto address = lti::ReadWebAddress(text))
     Require(lti::ReadWebAddress(address->origin() + address->path).has_value());
