@@ -59,6 +59,7 @@ inline std::optional<std::string> FromUnpaddedBase64(std::string_view text, std:
 
 /// The same for a text in the usual alphabet, with or without padding.
 inline std::optional<std::string> FromBase64(std::string_view text) {
+  if (text.ends_with('=') && text.size() % 4 != 0) return std::nullopt;
   for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
   return FromUnpaddedBase64(text, kBase64Letters);
 }
