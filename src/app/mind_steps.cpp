@@ -39,7 +39,7 @@ std::string StepDecision(RunSession& session, const std::string& agent) {
   if (simulation.sends_commands_elsewhere()) {
     const Result<std::string> ran = simulation.Command(agent, "run --decision 1 --self");
     if (!ran) return ran.error().message;
-    session.FollowUp();
+    session.Idle();
     return agent + ": one decision";
   }
   const Result<std::string> budget = simulation.Command(agent, kBudget);
@@ -70,7 +70,7 @@ std::string StepPhase(RunSession& session, const std::string& agent) {
   const Result<std::string> answer = simulation.Command(agent, "run -p 1 --self");
   if (!answer) return answer.error().message;
   const bool is_elsewhere = simulation.sends_commands_elsewhere();
-  if (is_elsewhere) session.FollowUp();
+  if (is_elsewhere) session.Idle();
   std::string next;
   if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent)) next = mind->Mind().phase;
   return agent + ": one phase" + (next.empty() ? "" : ", next is " + next) +

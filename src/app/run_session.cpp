@@ -87,8 +87,10 @@ void RunSession::Join(std::unique_ptr<dis::Gateway> gateway) {
 
 void RunSession::SendCommandsToFollowed() {
   if (followed_ == nullptr) return;
-  simulation_->SendCommandsElsewhere(
-      [this](const std::string& agent, const std::string& line) { return followed_->Command(agent, line); });
+  simulation_->SendCommandsElsewhere([this](const std::string& agent, const std::string& line) {
+    is_behind_ = true;
+    return followed_->Command(agent, line);
+  });
 }
 
 bool RunSession::TakeFollowed() {
@@ -170,13 +172,9 @@ void RunSession::AdvanceTick() {
   }
 }
 
-void RunSession::FollowUp() {
-  CatchUp();
-  Idle();
-}
-
 void RunSession::Idle() {
   TakeEdits();
+  if (std::exchange(is_behind_, false)) CatchUp();
   if (followed_ != nullptr) ReportNews();
   if (gateway_ != nullptr) gateway_->Idle(*simulation_);
   simulation_->Idle();

@@ -32,10 +32,9 @@ class RunSession final : public workbench::LiveRun {
 
   /// Advances one tick and prints what happened.
   void Tick();
-  /// Serves debuggers while paused, and prints the resulting events.
+  /// Serves debuggers while paused, and prints the resulting events. After a command to followed agents, first advances
+  /// to what they have done by now.
   void Idle();
-  /// Advances to what the followed agents have done by now, and prints what happened.
-  void FollowUp();
   /// True once the requested time has passed or the user has requested the end (Ctrl-C).
   bool IsOver() const;
   /// From now on evaluates the checks of a mission. Call it before ticks are recorded or watched. Null: no mission.
@@ -96,6 +95,7 @@ class RunSession final : public workbench::LiveRun {
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<dis::Gateway> gateway_;
   std::unique_ptr<KernelWatch> followed_;
+  bool is_behind_ = false;  ///< A command may have changed the followed agents.
   std::filesystem::path lesson_;
   std::unique_ptr<record::Recorder> recorder_;
   OnTick on_tick_;
