@@ -11,7 +11,7 @@ constexpr ApiFunction kAgentFunctions[] = {
      "Pushes the agent during the next step. The forces of one step add up. An agent without a body does not move.",
      R"(agent:ApplyForce(Vector.new(0, 0, 500)))"},
     {"Agent.GetDistanceAlongPath", "agent: Agent, point: Vector [m]", "number [m]",
-     "The distance along the path to its point nearest to this one; nothing without a path.",
+     "The distance along the path to the point of the path that is nearest to this one; nothing without a path.",
      R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
 print(agent:GetDistanceAlongPath(Vector.new(2, 0, 4)))  --> 4)"},
     {"Agent.GetForward", "agent: Agent", "Vector", "The direction that the agent faces, with length 1.",
@@ -32,14 +32,15 @@ print(agent:GetLeader() == other)  --> true)",
     {"Agent.GetMass", "agent: Agent", "number [kg]", "The agent's mass; initially 90.7.",
      R"(print(string.format("%.1f", agent:GetMass()))  --> 90.7)"},
     {"Agent.GetMaxForce", "agent: Agent", "number [N]",
-     "The greatest force that scripts and ForceToTargetSpeed let the agent use; initially 1000.",
+     "The maximum force of ForceToTargetSpeed, Push and WalkTo; initially 1000. ApplyForce does not observe it.",
      R"(print(agent:GetMaxForce())  --> 1000)"},
     {"Agent.GetMaxSpeed", "agent: Agent", "number [m/s]",
      "The top speed that scripts observe; initially 7. The world does not enforce it.",
      R"(print(agent:GetMaxSpeed())  --> 7)"},
     {"Agent.GetNeighbours", "agent: Agent, distance: number 0..1e6 [m], team: string = any", "table",
-     "The agents within a distance, without the agent itself, in the order in which they were made; with a team, only "
-     "those of that team. It does not look at agents that are far away, so a flock of 1,000 can afford it.",
+     "The agents within a distance, without the agent itself, in the order of their creation. With a team, only the "
+     "agents of that team. The cost depends only on the number of agents nearby, so it is low even in a flock of "
+     "1,000.",
      R"(print(#agent:GetNeighbours(10))  --> 1)", true},
     {"Agent.GetNearestPointOnPath", "agent: Agent, point: Vector [m]", "Vector [m]",
      "The point on the path nearest to this one; nothing without a path.",
@@ -95,8 +96,8 @@ print(agent:HasPath())  --> false)"},
      "Removes the agent's body for good. Nothing collides with it any more, and only SetPosition moves it.",
      R"(agent:RemovePhysics())"},
     {"Agent.Self", "", "Agent",
-     "The agent whose script calls; nil in the sandbox's own scripts. For modules that do not get the agent as an "
-     "argument.",
+     "The agent that the calling script belongs to; nil in the sandbox's own scripts. Use it in modules that do not "
+     "get the agent as an argument.",
      R"(print(Agent.Self())  --> nil)", true},
     {"Agent.SetForward", "agent: Agent, direction: Vector", "",
      "Turns the agent. A direction without a horizontal part changes nothing.",
@@ -144,11 +145,11 @@ print(agent:GetTeam())  --> team2)"},
     {"Agent.SetVelocity", "agent: Agent, velocity: Vector -100000..100000 [m/s]", "",
      "Changes the agent's velocity at once.", R"(agent:SetVelocity(Vector.new(0, 5, 0)))"},
     {"Agent.Show", "agent: Agent, name: string, value: value = nil", "",
-     "Shows a part of the agent's state to people: in the panel Mind, in recordings, and as what the agent does. The "
-     "value is a number, a text, a vector or a table of such values, of any depth. In a table, `active = true` marks "
-     "what "
-     "is chosen or under way, `name` and `value` give the text of its own line; list items come in order, other fields "
-     "by name. nil removes it. The first thing that is shown, or one called \"doing\", is what the agent does.",
+     "Shows a part of the agent's state to people, in the panel Mind and in recordings. The value is a number, a text, "
+     "a vector or a table of such values, of any depth; nil removes it. In a table, `active = true` marks an entry "
+     "that is chosen or in progress, and `name` and `value` are the text of the table's own line. List items are shown "
+     "in their order, other fields sorted by name. Labels show the first value, or the one called \"doing\", as the "
+     "agent's activity.",
      R"(agent:Show("state", "patrol")
 agent:Show("scores", { attack = 0.2, flee = { value = 0.9, active = true } })
 agent:Show("tree", { { name = "fight", active = true, { name = "reload", active = true }, { name = "shoot" } } }))",

@@ -7,12 +7,12 @@ namespace {
 constexpr ApiFunction kAnimationFunctions[] = {
     {"Animation.AttachToBone",
      "mesh: Scene, bone: string, other: Node, offset: Vector [m] = none, rotation: Vector [deg] = none", "",
-     "Attaches a node to a bone. From then on it moves with the bone, and its position and rotation are relative to "
-     "the bone.",
+     "Attaches a node to a bone. The node then moves with the bone, and its position and rotation are relative to the "
+     "bone.",
      R"(local hat = Core.CreateBox(sandbox, 0.2, 0.1, 0.2)
 Animation.AttachToBone(mesh, "b_Head1", hat, Vector.new(0, 0.2, 0)))"},
     {"Animation.GetAnimation", "mesh: Scene, name: string", "Animation",
-     "One of the mesh's animations. It begins at its start, with weight 1, looping, and disabled.",
+     "One of the mesh's animations. Initially it is disabled and looping, has weight 1, and is at its start.",
      R"(local idle = Animation.GetAnimation(mesh, "stand_idle_aim")
 Animation.SetEnabled(idle, true))"},
     {"Animation.GetBoneNames", "mesh: Scene", "table of string",
@@ -32,7 +32,7 @@ Animation.SetEnabled(idle, true))"},
      R"(print(Animation.GetNormalizedTime(animation))  --> 0)"},
     {"Animation.GetTime", "animation: Animation", "number [s]", "The current time in the animation.",
      R"(print(Animation.GetTime(animation))  --> 0)"},
-    {"Animation.GetWeight", "animation: Animation", "number", "Its weight among the enabled animations.",
+    {"Animation.GetWeight", "animation: Animation", "number", "The animation's weight among the enabled animations.",
      R"(print(Animation.GetWeight(animation))  --> 1)"},
     {"Animation.IsEnabled", "animation: Animation", "boolean", "Whether the animation is switched on.",
      R"(print(Animation.IsEnabled(animation))  --> false)"},
@@ -45,9 +45,9 @@ Animation.SetEnabled(idle, true))"},
      R"(Animation.SetEnabled(animation, true)
 print(Animation.IsEnabled(animation))  --> true)"},
     {"Animation.SetLocomotion", "mesh: Scene, walks: boolean, style: string = ready", "",
-     "Makes a soldier mesh walk, run, turn and fall automatically, as its agent does. The style is ready, aim, crouch "
-     "or unarmed (with empty hands). Animations that scripts enable take precedence; the legs keep walking while the "
-     "soldier shoots or reloads.",
+     "If walks is true, a soldier mesh walks, runs, turns and falls automatically, as its agent moves. The style is "
+     "ready, aim, crouch or unarmed (with empty hands). Animations that scripts enable take precedence; the legs keep "
+     "walking while the soldier shoots or reloads.",
      R"(Animation.SetLocomotion(mesh, true, "aim"))", true},
     {"Animation.SetLooping", "animation: Animation, looping: boolean", "",
      "Sets whether the animation starts again at its end or stays there.", R"(Animation.SetLooping(animation, false))"},
@@ -60,7 +60,8 @@ print(Animation.GetNormalizedTime(animation))  --> 0.5)"},
      "end.",
      R"(Animation.SetTime(animation, 0.2))"},
     {"Animation.SetWeight", "animation: Animation, weight: number", "",
-     "Sets its weight among the enabled animations. If their sum is above 1, the weights are scaled down.",
+     "Sets the animation's weight among the enabled animations. If the sum of all weights is above 1, they are scaled "
+     "down.",
      R"(Animation.SetWeight(animation, 0.25)
 print(Animation.GetWeight(animation))  --> 0.25)"},
     {"Animation.StepAnimation", "animation: Animation, delta: number [ms]", "",

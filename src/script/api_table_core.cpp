@@ -7,9 +7,10 @@ namespace {
 constexpr ApiFunction kCoreFunctions[] = {
     {"Core.AddHinge",
      "object: Object, point: Vector -1e6..1e6 [m], axis: Vector, other: value = none, settings: table = none", "",
-     "Lets an object turn about an axis through the point only, like a door. The axis stays where it is, or moves with "
-     "another object. Settings: low and high, the limits of the angle in degrees from the present orientation, and "
-     "friction, the maximum torque in N m that brakes it. The hinge is removed together with either object.",
+     "Attaches an object to an axis through the point, so that it can only turn about this axis, like a door. The axis "
+     "is fixed in the world, or moves with the other object. Settings: low and high, the limits of the angle in "
+     "degrees from the present orientation, and friction, the maximum braking torque in N m. The hinge is removed "
+     "together with either object.",
      R"(Core.AddHinge(object, Vector.new(4, 1, 5), Vector.new(0, 1, 0), nil, {low = -90, high = 90, friction = 2}))",
      true},
     {"Core.ApplyAngularImpulse", "object: Object, impulse: Vector -1e12..1e12 [N m s]", "",
@@ -18,7 +19,7 @@ constexpr ApiFunction kCoreFunctions[] = {
      "Pushes at the centre of mass during the next step. The forces of one step add up.",
      R"(Core.ApplyForce(object, Vector.new(0, 0, 100)))"},
     {"Core.ApplyImpulse", "object: Object, force: Vector -1e12..1e12 [N]", "",
-     "Pushes for one step, like ApplyForce: the speed changes by force / mass / 30.",
+     "Applies a force for one step, like ApplyForce: the speed changes by force / mass / 30.",
      R"(-- 15000 N on a block of 15 kg give it 33 m/s.
 Core.SetMass(object, 15)
 Core.ApplyImpulse(object, Vector.new(0, 0, 15000)))"},
@@ -41,16 +42,15 @@ Core.SetPosition(ring, Vector.new(0, -0.7, 0)))"},
     {"Core.CreateCylinder", "parent: Thing, height: number 0..1e6 [m], radius: number 0..1e6 [m]", "Node",
      "An upright cylinder whose base is at the node's origin.", R"(Core.CreateCylinder(sandbox, 3, 0.2))"},
     {"Core.CreateDirectionalLight", "parent: Thing, direction: Vector", "Node",
-     "Light from far away in this direction that casts shadows, like the sun.",
+     "A distant light that shines in this direction and casts shadows, like the sun.",
      R"(local sun = Core.CreateDirectionalLight(sandbox, Vector.new(1, -1, 1))
 Core.SetLightDiffuse(sun, Vector.new(1.8, 1.4, 0.9)))"},
     {"Core.CreateLine", "parent: Thing, from: Vector [m], to: Vector [m]", "Node",
-     "A thin line between two points in the parent's space. It stays until you remove it.",
+     "A thin line between two points in the parent's space. It is drawn until you remove it.",
      R"(local line = Core.CreateLine(sandbox, Vector.new(), Vector.new(0, 5, 0)))"},
     {"Core.CreateMesh", "parent: Thing, mesh: string", "Node",
      "A mesh of the media library, or a model from a .glb or .gltf file of the scenario's folder (docs/lua/models.md). "
-     "An "
-     "unknown name gives a box of 1 m and a warning; a file that cannot be read is an error that says why.",
+     "An unknown name gives a box of 1 m and a warning; a file that cannot be read is an error that states the reason.",
      R"(Core.CreateMesh(agent, "models/nobiax_modular/modular_block.mesh"))"},
     {"Core.CreateParticle", "parent: Thing, effect: string", "Node", "Starts a particle effect at the node's origin.",
      R"(local smoke = Core.CreateParticle(sandbox, "BulletImpact")
@@ -78,24 +78,25 @@ Core.SetLightRange(lamp, 10))"},
      "Half the diagonal of the bounding box of an object, agent or node.",
      R"(print(Core.GetRadius(object) > 0.8)  --> true)"},
     {"Core.GetRotation", "object: Object", "Vector [deg]",
-     "Pitch, yaw and roll of an object, each taken from one of its axes. In general, they differ from the argument of "
-     "SetRotation.",
+     "Pitch, yaw and roll of an object, each computed from one of its axes. In general, they differ from the argument "
+     "of SetRotation.",
      R"(Core.SetRotation(object, Vector.new(0, 30, 0))
 print(string.format("%.0f", Core.GetRotation(object).y))  --> 30)"},
     {"Core.IsVisible", "node: Scene", "boolean", "Whether a node is visible.",
      R"(print(Core.IsVisible(node))  --> true)", true},
-    {"Core.IsVisisble", "node: Scene", "boolean", "IsVisible, as the first sandbox spells it.",
+    {"Core.IsVisisble", "node: Scene", "boolean", "The same as IsVisible, with the spelling of the first sandbox.",
      R"(print(Core.IsVisisble(node))  --> true)"},
     {"Core.Remove", "node: Node", "",
      "Removes a node from the scene, with everything attached to it. For objects, use Sandbox.RemoveObject.",
      R"(Core.Remove(node))"},
     {"Core.RemoveHinges", "object: Object", "",
-     "Removes the hinges that were added for this object: it moves freely again.", R"(Core.RemoveHinges(object))",
-     true},
+     "Removes the hinges that were added for this object, so that it moves freely again.",
+     R"(Core.RemoveHinges(object))", true},
     {"Core.ResetParticle", "effect: Thing", "", "Plays a particle effect from its start.",
      R"(Core.ResetParticle(effect))"},
     {"Core.SetAxis", "thing: Placed, x: Vector, y: Vector, z: Vector", "",
-     "Turns an object or a node so that its axes are these three: perpendicular, of length 1, right-handed.",
+     "Turns an object or a node so that these vectors are its axes. They must be perpendicular, right-handed and of "
+     "length 1.",
      R"(Core.SetAxis(object, Vector.new(0, 0, -1), Vector.new(0, 1, 0), Vector.new(1, 0, 0)))"},
     {"Core.SetGravity", "object: Object, acceleration: Vector -100000..100000 [m/s^2]", "",
      "Gives an object its own gravity.", R"(Core.SetGravity(object, Vector.new(0, -1.6, 0)))"},
@@ -107,7 +108,7 @@ print(string.format("%.0f", Core.GetRotation(object).y))  --> 30)"},
     {"Core.SetLightSpecular", "light: Scene, color: Vector", "", "Sets the colour of a light's highlights.",
      R"(Core.SetLightSpecular(light, Vector.new(1)))"},
     {"Core.SetLineStartEnd", "line: Thing, from: Vector [m], to: Vector [m]", "",
-     "Moves the ends of a line that CreateLine made.",
+     "Moves the ends of a line that CreateLine created.",
      R"(local line = Core.CreateLine(sandbox, Vector.new(), Vector.new(1))
 Core.SetLineStartEnd(line, Vector.new(), agent:GetPosition()))"},
     {"Core.SetMass", "object: Object, mass: number 0..1e9 [kg]", "",
@@ -116,8 +117,7 @@ Core.SetLineStartEnd(line, Vector.new(), agent:GetPosition()))"},
 print(Core.GetMass(object))  --> 0)"},
     {"Core.SetMaterial", "node: Scene, material: string", "",
      "Gives everything attached to a node this material (docs/lua/names.md). An unknown name gives White and a "
-     "warning. "
-     "Figures like Soarbox/Sheep draw a box as a sheep of its size; its body stays a box.",
+     "warning. A figure such as Soarbox/Sheep draws a box as a sheep of the same size; its body remains a box.",
      R"(Core.SetMaterial(node, "Ground2"))"},
     {"Core.SetParticleDirection", "effect: Node, direction: Vector", "", "Sets the direction of a particle effect.",
      R"(Core.SetParticleDirection(effect, Vector.new(0, 1, 0)))"},
@@ -131,8 +131,8 @@ print(Core.GetPosition(object).y)  --> 4)"},
      R"(Core.SetVisible(node, false)
 print(Core.IsVisible(node))  --> false)",
      true},
-    {"Core.SetVisisble", "node: Scene, visible: boolean", "", "SetVisible, as the first sandbox spells it.",
-     R"(Core.SetVisisble(node, true))"},
+    {"Core.SetVisisble", "node: Scene, visible: boolean", "",
+     "The same as SetVisible, with the spelling of the first sandbox.", R"(Core.SetVisisble(node, true))"},
 };
 
 }  // namespace

@@ -15,31 +15,29 @@ constexpr ApiFunction kPlacesFunctions[] = {
      "of the mesh's bounding box).",
      R"(Sandbox.CreateInfluenceMap(sandbox, "default", {CellWidth = 2, CellHeight = 1}))"},
     {"Sandbox.CreateNavigationMesh", "sandbox: Sandbox, name: string, settings: table = none", "",
-     "Finds where agents can walk on the present fixed objects (mass 0), except planes, and replaces a mesh of the "
-     "same name. The work continues while the script runs; the first use waits for it. Settings: WalkableHeight (m; "
-     "1.6), "
-     "WalkableRadius (m; 0.375), WalkableClimbHeight (m; 0.15), WalkableSlopeAngle (degrees; 45), MinimumRegionArea "
-     "and MergeRegionArea (sides of squares in cells; 50 and 100), CellSize (m; 0.1), KeepsPoints (true makes "
-     "FindClosestPoint answer with its argument, as the first sandbox does). Nothing further than 100 m from the "
-     "origin counts.",
+     "Builds a mesh of the places where agents can walk on the present fixed objects (mass 0), except planes. It "
+     "replaces a mesh with the same name. The mesh is built while the script continues; the first use waits for it. "
+     "Settings, with their units and defaults: WalkableHeight (m; 1.6), WalkableRadius (m; 0.375), WalkableClimbHeight "
+     "(m; 0.15), WalkableSlopeAngle (degrees; 45), MinimumRegionArea and MergeRegionArea (sides of squares in cells; "
+     "50 and 100), CellSize (m; 0.1), KeepsPoints (if true, FindClosestPoint returns its argument, as in the first "
+     "sandbox). Everything further than 100 m from the origin is ignored.",
      R"(Sandbox.CreateNavigationMesh(sandbox, "default", {WalkableRadius = 0.4, MinimumRegionArea = 10}))"},
     {"Sandbox.DrawInfluenceMap", "sandbox: Sandbox, layer: number, positive: table, neutral: table, negative: table",
      "",
-     "Colours the cells by their present values, until the next call. The colours are those of 1, 0 and -1: {red, "
-     "green, blue, alpha}.",
+     "Colours the cells by their present values, until the next call. The three colours are those of the values 1, 0 "
+     "and -1: {red, green, blue, alpha}.",
      R"(Sandbox.DrawInfluenceMap(sandbox, 0, {1, 0, 0, 0.9}, {0, 0, 0, 0.75}, {0, 0, 1, 0.9}))"},
     {"Sandbox.End", "sandbox: Sandbox, name: string", "",
-     "Reports that the run has reached this end, as an [[end]] of a scenario file does: a run without a window ends, "
-     "and "
-     "missions ask for it by this name. The world and the scripts go on.",
+     "Reports that the run has reached this end, like an [[end]] of a scenario file. A run without a window ends; "
+     "otherwise the world and the scripts continue. Missions refer to the end by this name.",
      R"(Sandbox.End(sandbox, "all is eaten"))", true},
     {"Sandbox.FindClosestPoint", "sandbox: Sandbox, mesh: string, point: Vector [m]", "Vector [m]",
      "The nearest point on the mesh within 0.5 m sideways and 2 m up or down; the point itself if there is none.",
      R"(local floor = Sandbox.FindClosestPoint(sandbox, "default", agent:GetPosition())
 print(floor.y < 0.2)  --> true)"},
     {"Sandbox.FindPath", "sandbox: Sandbox, mesh: string, from: Vector [m], to: Vector [m]", "table of Vector [m]",
-     "The shortest path on the mesh, with a point wherever it crosses from one polygon to the next. {} if there is no "
-     "path, or if an end is more than 2 m sideways or 5 m up or down from the mesh.",
+     "The shortest path on the mesh, with a point at each border between two polygons that it crosses. {} if there is "
+     "no path, or if an end is more than 2 m sideways or 5 m up or down from the mesh.",
      R"(local path = Sandbox.FindPath(sandbox, "default", Vector.new(-5, 0, 0), Vector.new(-5, 0, 9))
 agent:SetPath(path)
 print(#path > 1)  --> true)"},
@@ -58,13 +56,13 @@ print(Sandbox.GetInfluence(sandbox, 0, agent:GetPosition()))  --> 0.5)",
      R"(local text = Sandbox.ReadText(sandbox, "Quiet.lua"))", true},
     {"Sandbox.SetDebugNavigationMesh", "sandbox: Sandbox, name: string, show: boolean", "", "Shows or hides a mesh.",
      R"(Sandbox.SetDebugNavigationMesh(sandbox, "default", true))"},
-    {"Sandbox.SetDrawInfluenceMap", "sandbox: Sandbox, show: boolean", "", "Shows or hides what DrawInfluenceMap drew.",
-     R"(Sandbox.SetDrawInfluenceMap(sandbox, false))"},
+    {"Sandbox.SetDrawInfluenceMap", "sandbox: Sandbox, show: boolean", "",
+     "Shows or hides the cells that DrawInfluenceMap coloured.", R"(Sandbox.SetDrawInfluenceMap(sandbox, false))"},
     {"Sandbox.SetFalloff", "sandbox: Sandbox, layer: number, falloff: number 0..1", "",
-     "The share of an influence that is lost from cell to cell, 0 to 1; initially 0.",
+     "The fraction of an influence that is lost from cell to cell, 0 to 1; initially 0.",
      R"(Sandbox.SetFalloff(sandbox, 0, 0.2))"},
     {"Sandbox.SetInertia", "sandbox: Sandbox, layer: number, inertia: number 0..1", "",
-     "How much of its value a cell keeps while influences spread, 0 to 1; initially 0.",
+     "The fraction of its value that a cell keeps while influences spread, 0 to 1; initially 0.",
      R"(Sandbox.SetInertia(sandbox, 0, 0.5))"},
     {"Sandbox.SetInfluence", "sandbox: Sandbox, layer: number, position: Vector [m], value: number -1..1", "",
      "Sets the cell at a place to a value from -1 to 1. Places off the mesh are ignored; FindClosestPoint finds one on "

@@ -9,8 +9,9 @@ namespace {
 
 constexpr ApiFunction kSandboxFunctions[] = {
     {"Sandbox.AddCollisionCallback", "sandbox: Sandbox, object: Object, callback: function", "",
-     "Calls callback(sandbox, collision) after each step in which something touches the object. The collision has "
-     "objectA (this object), objectB (the other object or agent), pointA, pointB and normalOnB.",
+     "Calls callback(sandbox, collision) after each step in which an agent or another body touches the object. The "
+     "collision has the fields objectA (this object), objectB (the other object or agent), pointA, pointB and "
+     "normalOnB.",
      R"(Sandbox.AddCollisionCallback(sandbox, object, function(sandbox, collision)
   Sandbox.RemoveObject(sandbox, collision.objectA)
 end))"},
@@ -19,19 +20,21 @@ end))"},
      "strings, booleans, vectors, agents, objects and the sandbox; others are left out.",
      R"(Sandbox.AddEvent(sandbox, "Noise", {position = agent:GetPosition(), loudness = 3}))"},
     {"Sandbox.AddEventCallback", "sandbox: Sandbox, listener: value, callback: function", "",
-     "Lets an agent, an object or the sandbox listen: callback(sandbox, listener, type, event) is called for all "
-     "events. A second callback of the same listener replaces the first.",
+     "Adds a listener, which is an agent, an object or the sandbox: callback(sandbox, listener, type, event) is called "
+     "for all events. A second callback of the same listener replaces the first.",
      R"(Sandbox.AddEventCallback(sandbox, agent, function(sandbox, agent, type, event)
   if type == "Noise" then agent:SetTarget(event.position) end
 end))"},
     {"Sandbox.CreateAgent", "sandbox: Sandbox, script: string", "Agent",
-     "Creates an agent at the origin that this script controls, and calls its Agent_Initialize.",
+     "Creates an agent at the origin that this script controls, and calls the script's Agent_Initialize.",
      R"(local walker = Sandbox.CreateAgent(sandbox, "Quiet.lua")
 walker:SetPosition(Vector.new(2, 0.8, 0)))"},
     {"Sandbox.CreateBox",
      "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
      "0.001..100000 [m], u_tiles: number = 1, v_tiles: number = 1",
-     "Object", "A box with a body of 1 kg at the origin. The arguments say how often the texture repeats on each side.",
+     "Object",
+     "A box with a body of 1 kg at the origin. u_tiles and v_tiles are the numbers of times that the texture is "
+     "repeated on each side.",
      R"(local floor = Sandbox.CreateBox(sandbox, 20, 1, 20, 10, 10)
 Core.SetMass(floor, 0)
 Core.SetPosition(floor, Vector.new(0, -0.5, 0)))"},
@@ -54,15 +57,16 @@ Core.SetMass(bullet, 0.1))"},
      R"(local ground = Sandbox.CreatePlane(sandbox, 200, 200)
 Core.SetMaterial(ground, "Ground2"))"},
     {"Sandbox.CreateSkyBox", "sandbox: Sandbox, material: string, rotation: Vector [deg] = none", "",
-     "Puts a sky around the world and replaces the previous one.",
+     "Creates a sky around the world, which replaces the previous one.",
      R"(Sandbox.CreateSkyBox(sandbox, "ThickCloudsWaterSkyBox", Vector.new(0, 180, 0)))"},
     {"Sandbox.CreateSensor",
      "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
      "0.001..100000 [m]",
      "Object",
-     "Creates an invisible box that nothing collides with. It notices which agents and movable objects come in and "
-     "leave, and sends the event \"SensorEntered\" or \"SensorLeft\" to all listeners (Sandbox.AddEventCallback). The "
-     "event has the fields sensor, and agent or object: who came or left. Agents without physics are not noticed.",
+     "Creates an invisible box that nothing collides with. When an agent or a movable object enters or leaves it, it "
+     "sends the event \"SensorEntered\" or \"SensorLeft\" to all listeners (Sandbox.AddEventCallback). The event has "
+     "the field sensor, and the field agent or object with the one that entered or left. Agents without physics are "
+     "not detected.",
      R"(local goal = Sandbox.CreateSensor(sandbox, 4, 3, 4)
 Sandbox.AddEventCallback(sandbox, goal, function(sandbox, goal, type, event)
   if type == "SensorEntered" and event.sensor == goal then print("goal!") end
@@ -101,7 +105,8 @@ UI.SetText(panel, "hello"))"},
 UI.SetText(sign, "exit"))"},
     {"Sandbox.GetAgents", "sandbox: Sandbox", "table of Agent",
      "All agents in the order of their creation, including dead ones.", R"(print(#Sandbox.GetAgents(sandbox))  --> 2)"},
-    {"Sandbox.GetCameraForward", "sandbox: Sandbox", "Vector", "The direction that the camera looks in, with length 1.",
+    {"Sandbox.GetCameraForward", "sandbox: Sandbox", "Vector",
+     "The direction in which the camera looks, with length 1.",
      R"(print(Sandbox.GetCameraForward(sandbox).z < 0)  --> true)"},
     {"Sandbox.GetCameraLeft", "sandbox: Sandbox", "Vector", "The direction to the camera's left, with length 1.",
      R"(print(Sandbox.GetCameraLeft(sandbox).x < 0)  --> true)"},
@@ -115,19 +120,19 @@ print(Sandbox.GetCameraPosition(sandbox).y)  --> 5)"},
     {"Sandbox.GetDrawPhysicsWorld", "sandbox: Sandbox", "boolean", "Whether the bodies are drawn as wires.",
      R"(print(Sandbox.GetDrawPhysicsWorld(sandbox))  --> false)"},
     {"Sandbox.GetMarkupColor", "sandbox: Sandbox, index: number", "number, table",
-     "The index and the colour of %0 to %9 in markup texts: {red, green, blue, alpha} by name.",
+     "The index and the colour of a code %0 to %9 in markup texts: {red, green, blue, alpha} by name.",
      R"(local _, color = Sandbox.GetMarkupColor(sandbox, 0)
 print(color.red)  --> 1)"},
     {"Sandbox.GetObjects", "sandbox: Sandbox", "table of Object",
      "All objects in ascending order of their numbers, without agents.",
      R"(for _, object in ipairs(Sandbox.GetObjects(sandbox)) do Core.GetMass(object) end)"},
-    {"Sandbox.GetRenderTime", "sandbox: Sandbox", "number [us]", "The time between the last two pictures.",
+    {"Sandbox.GetRenderTime", "sandbox: Sandbox", "number [us]", "The time between the last two frames of the window.",
      R"(print(Sandbox.GetRenderTime(sandbox) > 0)  --> true)"},
     {"Sandbox.GetScreenHeight", "sandbox: Sandbox", "number [px]", "The height of the window; 800 without a window.",
      R"(print(Sandbox.GetScreenHeight(sandbox))  --> 800)"},
     {"Sandbox.GetScreenWidth", "sandbox: Sandbox", "number [px]", "The width of the window; 1280 without a window.",
      R"(print(Sandbox.GetScreenWidth(sandbox))  --> 1280)"},
-    {"Sandbox.GetSimulationTime", "sandbox: Sandbox", "number [us]", "The time that the last step took.",
+    {"Sandbox.GetSimulationTime", "sandbox: Sandbox", "number [us]", "The real time that the last step took.",
      R"(print(Sandbox.GetSimulationTime(sandbox) >= 0)  --> true)"},
     {"Sandbox.GetTimeInMillis", "sandbox: Sandbox", "number [ms]", "The scripts' clock: 33 for each step.",
      R"(local now = Sandbox.GetTimeInMillis(sandbox)
@@ -139,8 +144,8 @@ print(now)  --> 0)"},
     {"Sandbox.PlaySound", "sandbox: Sandbox, file: string, volume: number 0..1 = 1, position: Vector [m] = everywhere",
      "",
      "Plays a sound in the window and in pages: a WAV file of the scenario's folder with 8 or 16 bits, one or two "
-     "channels and up to 8 MB. With a position it is softer from afar and comes from its side. Nothing in the world "
-     "depends on sounds. A file that cannot be used is an error that says why.",
+     "channels and up to 8 MB. A sound with a position has a direction, and gets softer with distance. Nothing in the "
+     "world depends on sounds. A file that cannot be used is an error that states the reason.",
      R"(Sandbox.PlaySound(sandbox, "bell.wav", 0.5, agent:GetPosition()))", true},
     {"Sandbox.RayCastToObject", "sandbox: Sandbox, from: Vector [m], to: Vector [m]", "table",
      "Finds the first body on a line: {result, hitPoint, object}, the last two only if result is true. A ray that "
@@ -149,19 +154,20 @@ print(now)  --> 0)"},
 print(hit.result, hit.hitPoint.y)  --> true	1)"},
     {"Sandbox.RemoveAgent", "sandbox: Sandbox, agent: value", "",
      "Removes an agent, with everything attached to it, at the beginning of the next step. Until then it acts as "
-     "before; then Agent_Cleanup of its script is called and its mind ends. Calling it again is harmless.",
+     "before; then Agent_Cleanup of its script is called and its mind ends. A second call has no effect.",
      R"(Sandbox.RemoveAgent(sandbox, agent))", true},
     {"Sandbox.RemoveObject", "sandbox: Sandbox, object: value", "",
-     "Removes an object from the world at the beginning of the next step. Calling it again is harmless.",
+     "Removes an object from the world at the beginning of the next step. A second call has no effect.",
      R"(Sandbox.RemoveObject(sandbox, object))"},
     {"Sandbox.SetAmbientLight", "sandbox: Sandbox, color: Vector", "",
-     "Sets the light that comes from everywhere; initially none.",
+     "Sets the ambient light, which has no direction; initially there is none.",
      R"(Sandbox.SetAmbientLight(sandbox, Vector.new(0.3)))"},
     {"Sandbox.SetCameraFixed", "sandbox: Sandbox, fixed: boolean", "",
-     "Whether the window shows what this camera sees until the user moves it. Otherwise it goes after the agents.",
+     "If true, the window shows the view of this camera until the user moves the camera. If false, the window keeps "
+     "the agents in view.",
      R"(Sandbox.SetCameraFixed(sandbox, true))", true},
     {"Sandbox.SetCameraForward", "sandbox: Sandbox, direction: Vector", "",
-     "Turns the camera's back to this direction, so that it looks the opposite way, as in the first sandbox.",
+     "Makes the camera look in the opposite of this direction, as in the first sandbox.",
      R"(Sandbox.SetCameraForward(sandbox, Vector.new(0, 0, -1))
 print(Sandbox.GetCameraForward(sandbox).z)  --> 1)"},
     {"Sandbox.SetCameraOrientation", "sandbox: Sandbox, rotation: Vector [deg]", "", "Turns the camera.",
@@ -172,7 +178,7 @@ print(Sandbox.GetCameraForward(sandbox).z)  --> 1)"},
      R"(Sandbox.SetDrawPhysicsWorld(sandbox, true))"},
     {"Sandbox.SetMarkupColor",
      "sandbox: Sandbox, index: number, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
-     "", "Changes the colour of %0 to %9 in markup texts; 0 to 1 per channel.",
+     "", "Changes the colour of a code %0 to %9 in markup texts; 0 to 1 per channel.",
      R"(Sandbox.SetMarkupColor(sandbox, 1, 1, 0, 0))"},
 };
 

@@ -16,58 +16,62 @@ print(agent:GetSpeed() < 7.1)  --> true)",
     {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody",
      "Vector",
      "A force towards the average direction that the neighbours face. Neighbours are the agents of the list within the "
-     "distance and within the angle on either side of the front (180 is all around). It has length 1, or is zero "
-     "without neighbours. Leave the list out if everybody counts: in a large flock that is much faster.",
+     "distance and within the angle on either side of the front (180 is all around). The force has length 1; without "
+     "neighbours it is zero. Leave the list out to include all agents: in a large flock that is much faster.",
      R"(local force = agent:ForceToAlign(10, 180, Sandbox.GetAgents(sandbox)))"},
     {"Agent.ForceToAvoidAgents", "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
-     "Steers sideways to avoid the living agent that it would meet first within this time.",
+     "A force sideways to avoid a collision with another living agent within this time. It considers the first agent "
+     "that would be hit.",
      R"(local force = agent:ForceToAvoidAgents(1.5) * 3)"},
     {"Agent.ForceToAvoidObjects", "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
-     "Steers sideways to avoid movable objects that are ahead within this time. For fixed objects, use the navigation "
-     "mesh.",
+     "A force sideways to avoid movable objects that the agent would reach within this time. For fixed objects, use "
+     "the navigation mesh.",
      R"(local force = agent:ForceToAvoidObjects(1.5) * 3)"},
     {"Agent.ForceToCombine",
      "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
-     "A force towards the centre of the neighbours; ForceToAlign says which agents are neighbours.",
+     "A force towards the centre of the neighbours. Neighbours are defined as for ForceToAlign.",
      R"(local force = agent:ForceToCombine(100, 180, {other})
 print(Vector.Length(force) > 0.99)  --> true)"},
     {"Agent.ForceToEvade", "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
-     "Flees from where the other agent will be, looking at most this time ahead.",
+     "A force away from the predicted position of the other agent. The prediction looks ahead by at most this time.",
      R"(local force = agent:ForceToEvade(other))", true},
     {"Agent.ForceToFleePosition", "agent: Agent, position: Vector [m]", "Vector", "A force straight away from a place.",
      R"(print(agent:ForceToFleePosition(Vector.new(3, 0.8, 0)).x)  --> -3)"},
     {"Agent.ForceToFollowPath", "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",
-     "Steers back to the path, or ahead along it, if the agent would leave it or go backwards within this time.",
+     "A force back to the path if the agent would leave it within this time, or forwards along the path if it would go "
+     "backwards.",
      R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
 local force = agent:ForceToFollowPath(0.5) + agent:ForceToTargetSpeed(3))"},
     {"Agent.ForceToPosition", "agent: Agent, position: Vector [m]", "Vector", "A force straight towards a place.",
      R"(print(agent:ForceToPosition(Vector.new(3, 0.8, 0)).x)  --> 3)"},
     {"Agent.ForceToPursue", "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
-     "Heads for where the other agent will be, looking at most this time ahead.",
+     "A force towards the predicted position of the other agent. The prediction looks ahead by at most this time.",
      R"(local force = agent:ForceToPursue(other))", true},
     {"Agent.ForceToSeparate",
      "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
-     "A force away from the neighbours, stronger the nearer they are; ForceToAlign says which agents are neighbours.",
+     "A force away from the neighbours; the nearer they are, the stronger it is. Neighbours are defined as for "
+     "ForceToAlign.",
      R"(local force = agent:ForceToSeparate(2, 180, Sandbox.GetAgents(sandbox)))"},
     {"Agent.ForceToStayOnPath", "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",
-     "Steers back to the path if the agent would leave it within this time.",
+     "A force back to the path if the agent would leave it within this time.",
      R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
 local force = agent:ForceToStayOnPath(0.5))"},
     {"Agent.ForceToTargetSpeed", "agent: Agent, speed: number [m/s]", "Vector",
-     "A force forwards or backwards that brings the agent to this speed, limited to its greatest force.",
+     "A force forwards or backwards that brings the agent to this speed, limited to its maximum force.",
      R"(print(agent:ForceToTargetSpeed(3).z)  --> 3)"},
     {"Agent.ForceToWander", "agent: Agent, delta: number [ms]", "Vector",
-     "A direction that changes at random. With 33, the time of a step, it jumps from side to side.",
+     "A direction to the side and up or down that changes at random. The larger delta is, the larger the changes are. "
+     "With 33, the duration of a step, the direction jumps from side to side.",
      R"(local force = agent:ForceToWander(33))"},
     {"Agent.Push", "agent: Agent, force: Vector, time: number [s]", "",
-     "Pushes the agent with its full strength during the next step, which lasts this long. The direction is that of "
-     "the force along the ground (its y becomes 0). Also turns the agent to where it is about to move.",
+     "Pushes the agent with its maximum force during the next step, which lasts this long. The direction is that of "
+     "the force along the ground; its y is ignored. Also turns the agent towards its motion.",
      R"(agent:Push(agent:ForceToPosition(Vector.new(9, 0, 0)), 1 / 30)
 print(agent:GetForward().x > 0.99)  --> true)",
      true},
     {"Agent.PushSmoothly", "agent: Agent, force: Vector, acceleration: Vector, time: number [s]", "",
-     "Like Push, but smooth and by way of the velocity. Pass your own vector as the acceleration; it carries values "
-     "from step to step.",
+     "Like Push, but changes the velocity smoothly instead of applying a force. Pass the same vector as the "
+     "acceleration in each step: the function stores its state in it.",
      R"(local acceleration = Vector.new()
 agent:PushSmoothly(Vector.new(0, 0, 3), acceleration, 1 / 30)
 print(acceleration.z > 0)  --> true)",
@@ -75,8 +79,9 @@ print(acceleration.z > 0)  --> true)",
     {"Agent.WalkTo",
      "agent: Agent, position: Vector [m], time: number [s], lookAhead: number 0.1..1000 [s] = 1.5, weight: number = 3",
      "",
-     "Walks towards a place for a step of this length, with the agent's full strength and at most its top speed, and "
-     "avoids agents and movable objects in the way. The weight says how much avoiding counts against getting there.",
+     "Walks towards a place during a step of this length, with the agent's maximum force and at most its top speed. "
+     "Avoids agents and movable objects that are less than lookAhead seconds away. The weight is that of avoiding, "
+     "relative to the force towards the place.",
      R"(agent:WalkTo(Vector.new(9, 0, 0), 1 / 30))", true},
     {"Agent.WalkToTarget", "agent: Agent, time: number [s], lookAhead: number 0.1..1000 [s] = 1.5, weight: number = 3",
      "", "Like Agent.WalkTo, but to the agent's target.",

@@ -8,11 +8,12 @@ constexpr ApiFunction kUiFunctions[] = {
     {"UI.CreateChild", "ui: UI", "UI", "A panel in the same layer, with a position relative to its parent.",
      R"(local child = UI.CreateChild(ui)
 UI.SetPosition(child, 10, 10))"},
-    {"UI.GetBar", "ui: UI", "number", "How much of its width the panel's bar fills, 0 to 1; nil without a bar.",
+    {"UI.GetBar", "ui: UI", "number",
+     "The fraction of the panel's width that its bar fills, 0 to 1; nil without a bar.",
      R"(UI.SetBar(ui, 0.25)
 print(UI.GetBar(ui))  --> 0.25)",
      true},
-    {"UI.GetButton", "ui: UI", "string", "The name of the button that the panel is; nil if it is none.",
+    {"UI.GetButton", "ui: UI", "string", "The panel's name as a button; nil if it is not a button.",
      R"(UI.SetButton(ui, "start", function(sandbox, ui) end)
 print(UI.GetButton(ui))  --> start)",
      true},
@@ -40,19 +41,20 @@ print(UI.GetTextMargin(ui).x)  --> 10)"},
      R"(print(UI.IsVisible(ui))  --> true)"},
     {"UI.Remove", "ui: UI", "", "Removes the panel and all its children.", R"(UI.Remove(ui))", true},
     {"UI.RemoveBar", "ui: UI", "", "Removes the panel's bar.", R"(UI.RemoveBar(ui))", true},
-    {"UI.RemoveButton", "ui: UI", "", "The panel is no longer a button.", R"(UI.RemoveButton(ui))", true},
+    {"UI.RemoveButton", "ui: UI", "", "Turns a button back into a plain panel.", R"(UI.RemoveButton(ui))", true},
     {"UI.RemoveImage", "ui: UI", "", "Removes the panel's image.", R"(UI.RemoveImage(ui))", true},
     {"UI.SetBackgroundColor", "ui: UI, red: number 0..1, green: number 0..1, blue: number 0..1, alpha: number 0..1 = 1",
      "", "Colours the background; 0 to 1 per channel.", R"(UI.SetBackgroundColor(ui, 0, 0, 0.5, 0.8))"},
     {"UI.SetBar",
      "ui: UI, fraction: number 0..1, red: number 0..1 = 0.3, green: number 0..1 = 0.69, blue: number 0..1 = 0.31, "
      "alpha: number 0..1 = 1",
-     "", "Shows a bar that fills this part of the panel's width, over its background and under its text.",
+     "",
+     "Shows a bar that fills this fraction of the panel's width. It is drawn over the background and under the text.",
      R"(UI.SetBar(ui, agent:GetHealth() / 100, 0.8, 0.2, 0.1))", true},
     {"UI.SetButton", "ui: UI, name: string, callback: function", "",
-     "Makes the panel a button: a click in the window or a page calls callback(sandbox, ui) in the next tick. The name "
-     "is unique in the world; recordings and files of inputs use it (docs/lua/names.md). A second call replaces the "
-     "first. A panel that is hidden cannot be pressed.",
+     "Turns the panel into a button: a click in the window or a page calls callback(sandbox, ui) in the next tick. The "
+     "name must be unique in the world; recordings and files of inputs use it (docs/lua/names.md). A second call "
+     "replaces the first. A hidden panel cannot be pressed.",
      R"(UI.SetText(ui, "Start")
 UI.SetButton(ui, "start", function(sandbox, ui)
   UI.SetText(ui, "Running")
@@ -68,12 +70,13 @@ end))",
     {"UI.SetGradientColor",
      "ui: UI, direction: string, red1: number 0..1, green1: number 0..1, blue1: number 0..1, alpha1: number 0..1, "
      "red2: number 0..1, green2: number 0..1, blue2: number 0..1, alpha2: number 0..1",
-     "", "Colours the background from one colour to another: north_south, west_east or diagonal.",
+     "",
+     "Colours the background with a gradient from the first colour to the second. The direction is north_south, "
+     "west_east or diagonal.",
      R"(UI.SetGradientColor(ui, "north_south", 0, 0, 0, 0.75, 0, 0, 0, 0.35))"},
     {"UI.SetImage", "ui: UI, file: string", "",
      "Fills the panel with an image: a PNG file of the scenario's folder with 8 bits per channel, not interlaced, up "
-     "to "
-     "4096 px on each side and 8 MB. A file that cannot be used is an error that says why.",
+     "to 4096 px on each side and 8 MB. A file that cannot be used is an error that states the reason.",
      R"(UI.SetImage(ui, "badge.png"))", true},
     {"UI.SetMarkupText", "ui: UI, text: string", "",
      "Shows text with markup: %0 to %9 change the colour; %@9%, %@14% and %@24% change the font (91, 141 and 241 have "
@@ -89,10 +92,12 @@ end))",
      R"(UI.SetVisible(ui, not UI.IsVisible(ui))
 print(UI.IsVisible(ui))  --> false)"},
     {"UI.SetWorldPosition", "ui: UI, position: Vector [m]", "",
-     "Moves a panel made by CreateUIComponent3d. A panel on the screen does not move; you get a warning.",
+     "Moves a panel that CreateUIComponent3d created. For a panel on the screen, the call has no effect and gives a "
+     "warning.",
      R"(UI.SetWorldPosition(panel, Vector.new(0, 3, 0)))"},
     {"UI.SetWorldRotation", "ui: UI, rotation: Vector [deg]", "",
-     "Turns a panel made by CreateUIComponent3d. A panel on the screen does not turn; you get a warning.",
+     "Turns a panel that CreateUIComponent3d created. For a panel on the screen, the call has no effect and gives a "
+     "warning.",
      R"(UI.SetWorldRotation(panel, Sandbox.GetCameraOrientation(sandbox)))"},
 };
 

@@ -6,8 +6,8 @@ namespace {
 
 constexpr ApiFunction kVectorFunctions[] = {
     {"Vector.new", "x: value = 0, y: value = x, z: value = x", "Vector",
-     "Makes a vector from three numbers, from one number for all three, or as a copy of another vector. Anything else "
-     "gives nil.",
+     "Creates a vector from three numbers, from one number for all three, or as a copy of another vector. Other "
+     "arguments give nil.",
      R"(local v = Vector.new(1, 2, 3)
 print(v.y)  --> 2
 print(Vector.new(v) == v)  --> true)"},
