@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The parts of the client API for all languages. The file of a language includes this one after it has defined
+// The parts of the client API that are the same for all languages. The file of a language includes this file, after it
+// has defined
 //
 //   %soarbox_shared(TYPE)   how objects of the library (kernels, agents, elements) are passed: as shared pointers (life.h)
-//   %soarbox_after_shared   exceptions from this
+//   %soarbox_after_shared   exceptions to this rule
 //
 // and how calls are made (%exception, call.h).
 
@@ -16,7 +17,7 @@
 #include "soarbox_ClientLog.h"
 %}
 
-// Functions that are only for C++, or whose arguments cannot be passed.
+// Functions that are only for C++, or that have arguments which cannot be passed.
 %ignore sml::EventHandlerPlusData;
 %ignore sml::WMElement::GetValueAsString(std::string&) const;
 %ignore sml::StringElement::GetValueAsString(std::string&) const;

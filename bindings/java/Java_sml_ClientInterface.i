@@ -249,7 +249,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
   }
 }
 
-// First the library removes a handler, then the binding.
+// The library removes a handler before the binding drops it.
 %define %soarbox_forgets(CLASS, NAME)
 %extend sml::CLASS {
   %rename(NAME) Soarbox##NAME;
@@ -262,7 +262,7 @@ SWIGEXPORT jint JNICALL JNI_OnLoad(JavaVM* machine, void*) {
 }
 %enddef
 
-// Other threads may read the answer meanwhile, so it is changed at the end in one step.
+// Other threads may read the answer in the meantime, so it is replaced at the end in one step.
 %header %{
 namespace {
 struct OpenAnswer : sml::ClientAnalyzedXML {
@@ -449,7 +449,7 @@ struct OpenAnswer : sml::ClientAnalyzedXML {
   }
 %}
 
-// The words of the protocol are functions in Java: sml_Names.getKParamValue().
+// The constants of the protocol are functions in Java: sml_Names.getKParamValue().
 #define SOARBOX_PUBLIC_API_ONLY
 #define EXPORT
 #define constexpr

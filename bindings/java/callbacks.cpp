@@ -12,7 +12,7 @@ using bindings::KernelEntry;
 
 namespace {
 
-/// Handlers that call the library call handlers: so deep, and no deeper, since the stack of a thread of Java is small.
+/// Maximum depth of handlers that call the library, which calls handlers again. The stack of a Java thread is small.
 constexpr int kDeepest = 24;
 
 JavaVM* machine = nullptr;
@@ -21,7 +21,7 @@ jmethodID handler_run = nullptr;
 jmethodID handler_too_deep = nullptr;
 std::atomic<bool> door_is_shut = false;
 
-/// A thread of the library's own that was in Java. It leaves the virtual machine when it ends.
+/// A thread of the library that was attached to the virtual machine. It is detached when it ends.
 struct Attachment {
   ~Attachment() {
     if (attached && !door_is_shut) machine->DetachCurrentThread();
@@ -29,7 +29,7 @@ struct Attachment {
   bool attached = false;
 };
 
-/// This thread's way into Java; null if the virtual machine lets nobody in any more.
+/// This thread's JNI environment; null if the virtual machine is ending.
 JNIEnv* Environment() {
   if (door_is_shut) return nullptr;
   void* env = nullptr;
@@ -40,7 +40,7 @@ JNIEnv* Environment() {
   return static_cast<JNIEnv*>(env);
 }
 
-/// An object of Java's class Handler, known to the library by its address.
+/// An object of Java's class Handler. The library stores the address of this structure.
 struct Callback : std::enable_shared_from_this<Callback> {
   Callback(JNIEnv* env, jobject handler, std::shared_ptr<KernelEntry> entry)
       : handler(env->NewGlobalRef(handler)), entry(std::move(entry)) {}
@@ -50,7 +50,7 @@ struct Callback : std::enable_shared_from_this<Callback> {
   Callback(const Callback&) = delete;
   Callback& operator=(const Callback&) = delete;
 
-  /// The number of the agent or kernel that it is called for: the same each time, so that Java needs no new object.
+  /// The number of the agent or kernel that it is called for. It is always the same, so Java can reuse its object.
   template <typename T>
   jlong NumberOf(T* object) {
     const std::lock_guard lock(mutex_);
@@ -67,7 +67,7 @@ struct Callback : std::enable_shared_from_this<Callback> {
   jlong number_ = 0;
 };
 
-/// What a handler is given.
+/// The arguments of a handler.
 struct Told {
   int event = 0;
   sml::Kernel* kernel = nullptr;
@@ -80,7 +80,7 @@ struct Told {
   int number = 0;
 };
 
-/// Calls Java within a frame of references of its own.
+/// Calls Java within a separate frame of local references.
 std::string CallHandler(JNIEnv* env, Callback& callback, const Told& told) {
   if (env->PushLocalFrame(8) != 0) {
     env->ExceptionClear();
@@ -92,7 +92,7 @@ std::string CallHandler(JNIEnv* env, Callback& callback, const Told& told) {
   jlong other = 0;
   if (told.element) other = Give(told.element, bindings::Life::Of(told.element));
   if (told.xml) {
-    // A copy; Java lets it go when the handler returns.
+    // A copy; Java releases it when the handler returns.
     auto* copy = new sml::ClientXML(told.xml);
     other = Add({copy, {}, std::shared_ptr<sml::ClientXML>(copy)});
   }
@@ -100,7 +100,7 @@ std::string CallHandler(JNIEnv* env, Callback& callback, const Told& told) {
   jstring first = NewText(env, told.first);
   jstring second = NewText(env, told.second);
   std::string text;
-  // Without memory for the texts, an exception is there already.
+  // If there was no memory for the texts, an exception is already set.
   if (!env->ExceptionCheck()) {
     auto answer =
         static_cast<jstring>(env->CallStaticObjectMethod(handler_class, handler_run, callback.handler, told.event,
@@ -115,12 +115,12 @@ std::string CallHandler(JNIEnv* env, Callback& callback, const Told& told) {
 std::string Run(void* data, const Told& told) {
   const std::shared_ptr<KernelEntry> entry = static_cast<Callback*>(data)->entry.lock();
   if (!entry || !entry->Enter()) return {};
-  // It may be forgotten while it runs.
+  // It may be dropped while it runs.
   const std::shared_ptr<Callback> callback = static_cast<Callback*>(data)->shared_from_this();
   std::string result;
   static thread_local int depth = 0;
   if (JNIEnv* env = Environment()) {
-    // What the call that this handler interrupts is about to return.
+    // The result of the call that this handler interrupts.
     const bindings::Returned returned = bindings::LastReturned();
     const jlong given = LastGiven();
     if (depth < kDeepest) {
@@ -219,7 +219,7 @@ std::string RunFunction(sml::smlRhsEventId id, void* data, sml::Agent* agent, co
   return Run(data, told);
 }
 
-/// Makes a callback, hands it to `registers`, and keeps it if that returns an id.
+/// Creates a callback, passes it to `registers`, and stores it if the result is an id (not 0).
 template <typename Registers>
 int Register(sml::Kernel* kernel, unsigned long long agent_life, jobject handler, Registers registers) {
   JNIEnv* env = Environment();

@@ -7,20 +7,21 @@
 
 #include "call.h"
 
-/// Objects of Java (class sml.Handler) as handlers of the library, and calls of the library from Java.
+/// Registers Java objects (class sml.Handler) as handlers of the library, and calls the library from Java.
 namespace soarbox::java {
 
-/// Calls the library. Calls that concern no kernel take turns: several threads may share a piece of XML.
+/// Calls the library. Calls that belong to no kernel are serialized, because threads may share a piece of XML.
 void CallLibrary(bindings::Call::Hold hold, const std::function<void()>& call);
 
-/// Held while a piece of XML is changed inside a call that concerns a kernel.
+/// Returns the lock to hold while a call that belongs to a kernel changes a piece of XML.
 std::unique_lock<std::recursive_mutex> HoldValues();
 
-/// Learns of the virtual machine and of Java's class Handler; false with an exception in Java if there is none.
+/// Stores the virtual machine and Java's class Handler. Returns false and sets an exception in Java if there is no such
+/// class.
 bool Begin(JavaVM* machine);
-/// Stops all runs and shuts all kernels down; may wait for handlers.
+/// Stops all runs and shuts all kernels down. May wait for handlers.
 using bindings::EndKernels;
-/// No handler goes into Java any more: the virtual machine is about to end.
+/// Prevents all further calls of Java handlers, because the virtual machine is about to end.
 void ShutDoor();
 
 /// Register an object of the class Handler. They return the id; 0 if the library refuses. They throw
@@ -38,7 +39,7 @@ int OnAgent(sml::Kernel& kernel, int event, jobject handler);
 int AddRhsFunction(sml::Kernel& kernel, const char* name, jobject handler);
 int OnClientMessage(sml::Kernel& kernel, const char* client, jobject handler);
 
-/// Forgets what was registered under an id, after the library has.
+/// Drops the handler with this id, after the library has removed it.
 using bindings::Forget;
 
 }  // namespace soarbox::java

@@ -16,7 +16,7 @@ struct Table {
   jlong last = 0;
 };
 
-/// Never destroyed: threads of Java go on while the process ends.
+/// Never destroyed, because Java threads may still run while the process ends.
 Table& TheTable() {
   static auto* table = new Table;
   return *table;
@@ -43,7 +43,7 @@ bool Find(jlong number, Slot& slot) {
 
 void Release(jlong number) {
   Table& table = TheTable();
-  Slot released;  // Destroyed without the lock: a kernel calls handlers then.
+  Slot released;  // Destroyed without the lock, because deleting a kernel calls handlers.
   const std::lock_guard lock(table.mutex);
   const auto found = table.slots.find(number);
   if (found == table.slots.end()) return;

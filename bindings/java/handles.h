@@ -11,8 +11,8 @@
 #include "call.h"
 #include "problems.h"
 
-/// The library's objects behind Java objects. Java objects hold numbers, not pointers. A number that was released, or
-/// never issued, is always detected, on any thread. Numbers are not used again.
+/// Maps Java objects to objects of the library. Java objects contain numbers, not pointers. A number that was released,
+/// or never issued, is always detected, on any thread. Numbers are never reused.
 namespace soarbox::java {
 
 /// One object of the library.
@@ -21,31 +21,31 @@ struct Slot {
                sml::Identifier*, sml::WMElement*, sml::IdentifierSymbol*, sml::ClientTraceXML*, sml::ClientXML*,
                sml::ClientAnalyzedXML*, soarxml::ElementXML*, sml::Events*, sml::ConnectionInfo*, sml::sml_Names*>
       object;
-  std::optional<bindings::Life> life;  ///< Of what a kernel owns.
-  std::shared_ptr<void> own;           ///< Of what Java owns.
+  std::optional<bindings::Life> life;  ///< Of an object that a kernel owns.
+  std::shared_ptr<void> own;           ///< An object that Java owns.
 };
 
-/// The lowest bits of a number say of which class an element is.
+/// The class of an element; stored in the lowest bits of its number.
 enum ElementKind : jlong { kOtherKind = 0, kStringKind = 1, kIntKind = 2, kFloatKind = 3, kIdentifierKind = 4 };
 
 jlong Add(Slot slot, ElementKind kind = kOtherKind);
 /// False if there is no such object.
 bool Find(jlong number, Slot& slot);
-/// Java needs the object no more. Other threads that are using it do not notice.
+/// Releases a number that Java no longer needs. The object remains valid for other threads that are using it.
 void Release(jlong number);
 
-/// Numbers for what the library returned, or a handler was given; 0 for null.
+/// Return the number of an object that the library returned, or that a handler received; 0 for null.
 jlong Give(sml::Kernel* kernel, bindings::Life life);
 jlong Give(sml::Agent* agent, bindings::Life life);
 jlong Give(sml::WMElement* element, bindings::Life life);
 jlong Give(sml::IdentifierSymbol* symbol, bindings::Life life);
-/// A kernel that Java owns.
+/// The same for a kernel that Java owns.
 jlong GiveOwned(sml::Kernel* kernel, bindings::Life life);
 
-/// The number for what the last call of this thread returned.
+/// The number of the object that this thread's last call returned.
 jlong& LastGiven();
 
-/// Makes that number, if the call returned an object; called where nobody else may change the object.
+/// Sets LastGiven, if the call returned an object. Call it while no other thread can change the object.
 template <typename T>
 void GiveReturned(T& result) {
   if constexpr (std::is_pointer_v<T>) {
@@ -60,11 +60,11 @@ void GiveReturned(T& result) {
   }
 }
 
-/// An object that a wrapper was given, kept until the wrapper ends.
+/// An object that a wrapper received as an argument. It is kept alive until the wrapper ends.
 template <typename T>
 class Reached {
  public:
-  /// Null with an exception in Java if Java gave null, an object that was deleted, or one of another class.
+  /// Returns the object. Returns null and sets an exception in Java for null, a deleted object, or another class.
   T* At(JNIEnv* env, jlong number, const char* method) {
     if (number == 0) {
       ThrowForArgument(env, Problem::kNull, method, "an argument is null");

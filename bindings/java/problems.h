@@ -16,11 +16,11 @@ enum class Problem {
   kOther,     ///< RuntimeException
 };
 
-/// Sets the exception in Java, unless one is set already. The message is a sentence for people.
+/// Sets an exception in Java, unless one is already set. The message is a sentence for users.
 void Throw(JNIEnv* env, Problem problem, const std::string& message);
-/// The same, for an argument of a function whose name is written as SWIG does ("Agent_RunSelf__SWIG_1").
+/// The same, for an argument of a function. `function` is its name as SWIG writes it ("Agent_RunSelf__SWIG_1").
 void ThrowForArgument(JNIEnv* env, Problem problem, std::string function, const std::string& what);
-/// Sets the exception in Java for the one that is being handled in C++.
+/// Sets an exception in Java for the C++ exception that is being handled.
 void ThrowCaught(JNIEnv* env);
 
 }  // namespace soarbox::java

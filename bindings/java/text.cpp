@@ -11,7 +11,7 @@ namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-/// How many bytes the sequence that begins here should have; 0 if none begins with this byte.
+/// Number of bytes of the UTF-8 sequence that begins with this byte; 0 if no sequence begins with it.
 std::size_t LengthOf(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first <= 0xDF) return 2;
@@ -20,7 +20,7 @@ std::size_t LengthOf(unsigned char first) {
   return 0;
 }
 
-/// Reads one code point from the beginning of `text` and says how many bytes it took; 0 if they are not UTF-8.
+/// Reads the first code point of `text` and its number of bytes. The number is 0 if the bytes are not UTF-8.
 std::size_t Read(std::string_view text, char32_t& point) {
   static constexpr unsigned char kPayload[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
   static constexpr char32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};

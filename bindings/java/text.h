@@ -6,26 +6,26 @@
 #include <string>
 #include <string_view>
 
-/// Texts between the library (UTF-8) and Java (UTF-16). Bytes that are not UTF-8 survive the way to Java and back:
-/// there they are surrogates U+DC80 to U+DCFF that stand alone.
+/// Converts texts between the library (UTF-8) and Java (UTF-16). A byte that is not valid UTF-8 becomes an unpaired
+/// surrogate, U+DC80 to U+DCFF, in Java, and the same byte again in the library.
 namespace soarbox::java {
 
-/// A new text of Java; null with an exception in Java if there is no memory.
+/// Creates a Java string. Returns null and sets an exception in Java if there is not enough memory.
 jstring NewText(JNIEnv* env, std::string_view text);
-/// The same; null for null.
+/// The same. Returns null for null.
 jstring NewText(JNIEnv* env, const char* text);
 
-/// UTF-8; surrogates without a meaning become U+FFFD.
+/// Converts a Java string to UTF-8. Other unpaired surrogates become U+FFFD.
 std::string TextOf(JNIEnv* env, jstring text);
 
-/// A text that a wrapper was given.
+/// A text that a wrapper received as an argument.
 class Text {
  public:
   enum class Null { kForbidden, kAllowed };
 
-  /// False with an exception in Java if the text is null and must not be, or if the library could not see its end.
+  /// Returns false and sets an exception in Java if the text is null and must not be, or if it contains a zero byte.
   bool Take(JNIEnv* env, jstring text, const char* method, Null null = Null::kForbidden);
-  /// Null if Java gave null.
+  /// Null if the Java string was null.
   char* c_str() { return is_null_ ? nullptr : text_.data(); }
   const std::string& str() const { return text_; }
 

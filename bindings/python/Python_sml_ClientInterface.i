@@ -189,7 +189,7 @@
   }
 }
 
-// First the library removes a handler, then the binding.
+// The library removes a handler before the binding drops it.
 %define %soarbox_forgets(CLASS, NAME)
 %extend sml::CLASS {
   %rename(NAME) Soarbox##NAME;
@@ -201,7 +201,7 @@
 }
 %enddef
 
-// Before the interpreter ends, all calls into it have returned.
+// All calls into the interpreter return before it ends.
 %exception _End { $action }
 %inline %{
 void _End() { soarbox::python::End(); }

@@ -12,7 +12,7 @@ using bindings::KernelEntry;
 
 namespace {
 
-/// Who is in Python on behalf of a handler, and whether anybody may still go there.
+/// Counts the handlers that are running in Python (`inside`). No handler may start after `shut` is set.
 struct Door {
   std::mutex mutex;
   std::condition_variable left;
@@ -37,13 +37,13 @@ Door& TheDoor() {
   return *door;
 }
 
-/// What interrupted a handler of this thread, until the call that it ran in is over.
+/// The exception that interrupted a handler of this thread. Kept until the call that the handler ran in has ended.
 struct Interruption {
   PyObject *type = nullptr, *value = nullptr, *traceback = nullptr;
 };
 thread_local Interruption interruption;
 
-/// A Python function, its data and what it is for.
+/// A Python function, its data, and its description for messages (`what`).
 struct Callback : std::enable_shared_from_this<Callback> {
   Callback(PyObject* function, PyObject* data, const char* what, std::shared_ptr<KernelEntry> entry)
       : function(function), data(data), what(what), entry(std::move(entry)) {
@@ -74,7 +74,7 @@ PyObject* Text(const char* text) {
   return PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(std::strlen(text)), "surrogateescape");
 }
 
-/// What a function that rules call answers: text, or what str() makes of it; nothing for None.
+/// The result of a function that rules call: a text, or the str() of any other value; nothing for None.
 std::string AnswerText(PyObject* answer) {
   if (answer == Py_None) return {};
   PyObject* text = PyObject_Str(answer);
@@ -86,8 +86,8 @@ std::string AnswerText(PyObject* answer) {
   return result;
 }
 
-/// The exception that a handler ended with goes no further: it is printed. What is to end the program stops the agents,
-/// and the call in which they ran raises it again.
+/// Prints the exception of a handler. An exception that ends the program stops the agents instead, and the call in
+/// which they ran raises it again.
 void HandleException(const Callback& callback, KernelEntry& entry) {
   const bool ends = PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) || PyErr_ExceptionMatches(PyExc_SystemExit);
   if (ends && bindings::Call::IsInside()) {
@@ -109,7 +109,7 @@ void HandleException(const Callback& callback, KernelEntry& entry) {
   Py_XDECREF(traceback);
 }
 
-/// Calls the Python function with what `arguments` makes: a tuple, or null with an exception.
+/// Calls the Python function. `arguments` returns the tuple of arguments, or null and sets an exception.
 template <typename Arguments>
 std::string Run(void* data, Arguments arguments) {
   const std::shared_ptr<KernelEntry> entry = static_cast<Callback*>(data)->entry.lock();
@@ -118,7 +118,7 @@ std::string Run(void* data, Arguments arguments) {
   if (TheDoor().Enter()) {
     const PyGILState_STATE state = PyGILState_Ensure();
     {
-      // It may be forgotten while it runs.
+      // It may be dropped while it runs.
       const std::shared_ptr<Callback> callback = static_cast<Callback*>(data)->shared_from_this();
       PyObject* tuple = arguments(callback->data);
       PyObject* answer = tuple ? PyObject_CallObject(callback->function, tuple) : nullptr;
@@ -174,7 +174,7 @@ std::string RunFunction(sml::smlRhsEventId id, void* data, sml::Agent* agent, co
   });
 }
 
-/// Makes a callback, hands it to `registers`, and keeps it if that returns an id.
+/// Creates a callback, passes it to `registers`, and stores it if the result is an id (not 0).
 template <typename Registers>
 int Register(sml::Kernel* kernel, unsigned long long agent_life, const char* what, PyObject* function, PyObject* data,
              Registers registers) {
@@ -190,7 +190,7 @@ int Register(sml::Kernel* kernel, unsigned long long agent_life, const char* wha
   return bindings::Register(entry, agent_life, std::make_shared<Callback>(function, data, what, entry), registers);
 }
 
-/// Lets Ctrl+C reach Python during a run: looks for signals now and then, on the thread that Python takes them on.
+/// Lets Ctrl+C reach Python during a run: checks for signals periodically, on the thread on which Python handles them.
 void LookForSignals(sml::smlSystemEventId, void*, sml::Kernel* kernel) {
   static thread_local std::chrono::steady_clock::time_point last;
   const auto now = std::chrono::steady_clock::now();
@@ -206,7 +206,7 @@ void LookForSignals(sml::smlSystemEventId, void*, sml::Kernel* kernel) {
   TheDoor().Leave();
 }
 
-/// Sets the exception that interrupted a handler, if one did.
+/// Sets the exception that interrupted a handler, if there is one.
 bool RaiseInterruption() {
   if (!interruption.type) return false;
   PyErr_Restore(interruption.type, interruption.value, interruption.traceback);
@@ -229,7 +229,7 @@ void CallLibrary(bindings::Call::Hold hold, const std::function<void()>& functio
   } catch (const std::exception&) {
     failure = std::current_exception();
   }
-  // Here and in no destructor: where the interpreter has ended, this ends the thread.
+  // Not in a destructor: if the interpreter has ended, this call ends the thread.
   PyEval_RestoreThread(thread);
   if (call.outermost()) call.entry()->DropLeavers();
   if (RaiseInterruption()) throw PythonError();
@@ -257,7 +257,7 @@ void RaiseInPython() {
   try {
     throw;
   } catch (const PythonError&) {
-    // It is set.
+    // The exception is already set.
   } catch (const bindings::Gone& gone) {
     PyErr_SetString(PyExc_ReferenceError, gone.what());
   } catch (const std::invalid_argument& wrong) {
@@ -335,7 +335,7 @@ void End() {
     Door& door = TheDoor();
     std::unique_lock lock(door.mutex);
     door.shut = true;
-    // A handler that does not come back is left behind.
+    // Does not wait for a handler that never returns.
     door.left.wait_for(lock, std::chrono::seconds(2), [&] { return door.inside == 0; });
   }
   PyEval_RestoreThread(thread);

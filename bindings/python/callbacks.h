@@ -6,21 +6,21 @@
 
 #include "call.h"
 
-/// Python functions as handlers of the library, and calls of the library from Python.
+/// Registers Python functions as handlers of the library, and calls the library from Python.
 namespace soarbox::python {
 
-/// An exception is set in Python.
+/// Thrown when an exception is set in Python.
 class PythonError : public std::exception {};
 
-/// Calls the library without the interpreter's lock if a kernel is concerned: other threads of Python go on, and
-/// handlers can take the lock. Throws PythonError if a handler was interrupted (Ctrl+C, sys.exit).
+/// Calls the library. If the call belongs to a kernel, it releases the interpreter's lock, so that other Python threads
+/// continue and handlers can take the lock. Throws PythonError if a handler was interrupted (Ctrl+C, sys.exit).
 void CallLibrary(bindings::Call::Hold hold, const std::function<void()>& call);
-/// The same for calls that have no object yet: those that make kernels.
+/// The same for calls that create kernels, which have no object yet.
 void CallFactory(const std::function<void()>& call);
-/// Sets the exception in Python for the one that is being handled in C++.
+/// Sets an exception in Python for the C++ exception that is being handled.
 void RaiseInPython();
 
-/// New references to objects of Python for what a handler is given; defined beside SWIG's tables.
+/// Return new references to Python objects for the arguments of a handler. Defined next to SWIG's tables.
 PyObject* NewKernel(sml::Kernel* kernel);
 PyObject* NewAgent(sml::Agent* agent);
 PyObject* NewElement(sml::WMElement* element);
@@ -42,10 +42,11 @@ int OnAgent(sml::Kernel& kernel, int event, PyObject* function, PyObject* data, 
 int AddRhsFunction(sml::Kernel& kernel, const char* name, PyObject* function, PyObject* data, bool to_back);
 int OnClientMessage(sml::Kernel& kernel, const char* client, PyObject* function, PyObject* data, bool to_back);
 
-/// Forgets what was registered under an id, after the library has.
+/// Drops the handler with this id, after the library has removed it.
 using bindings::Forget;
 
-/// Stops all runs, shuts the kernels down, and lets no handler into Python any more: the interpreter is about to end.
+/// Stops all runs, shuts the kernels down, and prevents further calls of handlers, because the interpreter is about to
+/// end.
 void End();
 
 }  // namespace soarbox::python

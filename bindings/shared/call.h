@@ -11,17 +11,17 @@
 
 #include "life.h"
 
-/// How a wrapper of the other language calls the library: all arguments are looked at first, while nobody else may
-/// change them, and what the library returns is taken home before anybody else may change that.
+/// How a wrapper of another language calls the library. It first checks all arguments, then calls the library, then
+/// copies the result or stores a reference to it. No other thread can change the objects in the meantime.
 namespace soarbox::bindings {
 
-/// An argument, or the object itself, is gone. The text is a sentence for people.
+/// Thrown if an argument, or the object of the method, no longer exists. The text is a sentence for users.
 class Gone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An argument of the wrapper that runs just now, from its conversion to the wrapper's end.
+/// An argument of the wrapper that is running. Exists from the conversion of the argument to the end of the wrapper.
 class Argument {
  public:
   Argument();
@@ -38,19 +38,19 @@ class Argument {
   Argument* next_;
 };
 
-/// What the last call of this thread returned, for the wrapper to make an object of.
+/// The result of this thread's last call. The wrapper converts it to an object of its language.
 struct Returned {
   std::shared_ptr<std::string> text;
   std::optional<Life> life;
 };
 Returned& LastReturned();
 
-/// One call. `Now` throws Gone, or what the call threw.
+/// One call of the library. `Now` executes it. It throws Gone, or the exception of the call.
 class Call {
  public:
   enum class Hold {
-    kKernel,   ///< Nobody else calls the kernel meanwhile.
-    kNothing,  ///< Others may: a call that must not wait for them, or that they must not wait for.
+    kKernel,   ///< No other thread can call the kernel during the call.
+    kNothing,  ///< Other threads can call the kernel. For calls that must not wait for others, or make others wait.
   };
 
   Call();
@@ -60,26 +60,26 @@ class Call {
 
   /// The kernel that the arguments belong to; null if they belong to none.
   const std::shared_ptr<KernelEntry>& entry() const { return entry_; }
-  /// The first argument's life; null if it has none.
+  /// The Life of the first argument; null if it has none.
   const Life* first() const;
 
   void Now(Hold hold, const std::function<void()>& call);
-  /// True if this thread is in no other call.
+  /// Whether this call is not nested in another call of this thread.
   bool outermost() const { return outer_ == nullptr; }
   static bool IsInside();
-  /// The first argument's life of the call that this thread is in.
+  /// The Life of the first argument of this thread's current call.
   static const Life* Near();
 
  private:
   void CheckArguments() const;
 
   std::shared_ptr<KernelEntry> entry_;
-  Argument* arguments_;  ///< The first of this call's.
-  Argument* border_;     ///< The first that belongs to an outer call.
+  Argument* arguments_;  ///< The first argument of this call; a linked list.
+  Argument* border_;     ///< The first argument of the outer call, where this call's list ends.
   Call* outer_;
 };
 
-/// Takes home what a call returned: `result` of a wrapper that has one.
+/// Copies the result of a call, or stores its Life in LastReturned. Does nothing for other types.
 template <typename T>
 void TakeHome(T& result) {
   using Plain = std::remove_cv_t<std::remove_pointer_t<std::remove_cv_t<T>>>;
@@ -101,7 +101,7 @@ void TakeHome(T& result) {
   }
 }
 
-/// The shared pointer for what the last call returned, or a handler was given.
+/// A shared pointer to an object that a call returned, or that a handler received.
 template <typename T>
 std::shared_ptr<T> Share(T* object, Life life) {
   return std::shared_ptr<T>(object, Borrowed{std::move(life)});
@@ -109,5 +109,5 @@ std::shared_ptr<T> Share(T* object, Life life) {
 
 }  // namespace soarbox::bindings
 
-/// Replaces `result` in wrappers without a result: TakeHome(result) refers to it unless a local variable hides it.
+/// For wrappers without a result: TakeHome(result) then refers to this variable, because no local variable hides it.
 [[maybe_unused]] static int result = 0;

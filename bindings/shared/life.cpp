@@ -12,7 +12,7 @@ struct Registry {
   std::map<sml::Kernel*, std::shared_ptr<KernelEntry>> entries;
 };
 
-/// Never destroyed: kernels of programs that end without shutting them down still look here.
+/// Never destroyed, because kernels that a program does not shut down still use it while the process ends.
 Registry& TheRegistry() {
   static auto* registry = new Registry;
   return *registry;
@@ -61,7 +61,7 @@ void KernelEntry::Leave(bool own_thread) {
     --users_;
     left_.notify_all();
     if (users_ > 0 || !let_go_ || closed_) return;
-    // Handlers of the shutdown enter and leave, too; they are not the last.
+    // Handlers that the shutdown calls also enter and leave. They must not delete the kernel.
     ++users_;
   }
   if (own_thread) {

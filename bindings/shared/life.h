@@ -18,34 +18,34 @@
 /// first.
 namespace soarbox::bindings {
 
-/// A kernel that a program in the other language made, and what the program registered with it.
+/// A kernel that a program in another language created, and the handlers that the program registered with it.
 ///
-/// The kernel is deleted when its owner lets it go; while calls are inside it, the last one to leave deletes it.
+/// The kernel is deleted when its owner releases it. If calls are still using it, the last of them deletes it.
 class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
  public:
-  /// The entry of a kernel; made now if there is none.
+  /// Returns the entry of a kernel. Creates it if it does not exist.
   static std::shared_ptr<KernelEntry> Of(sml::Kernel* kernel);
   static std::vector<std::shared_ptr<KernelEntry>> All();
 
   /// Valid between Enter and Leave.
   sml::Kernel* kernel() const { return kernel_; }
 
-  /// Keeps the kernel for a call or a handler. Returns false if it is gone; with `anew`, also if its owner has released
-  /// it while other calls are still running, so that these can end.
+  /// Keeps the kernel alive for a call or a handler. Returns false if it is deleted. With `anew`, also returns false if
+  /// its owner has released it and other calls still use it, so that these calls can end.
   bool Enter(bool anew = false);
-  /// `own_thread`: this is not a thread of the program's, so it cannot delete the kernel itself.
+  /// `own_thread`: if the kernel has to be deleted, this thread deletes it; otherwise a new thread does.
   void Leave(bool own_thread);
-  /// The owner lets the kernel go.
+  /// Releases the kernel for its owner.
   void LetGo();
 
-  /// Asks an agent to stop without waiting for anybody; false if it is being destroyed.
+  /// Asks an agent to stop, without waiting for other calls. Returns false if the agent is being destroyed.
   bool StopAgent(sml::Agent* agent, unsigned long long agent_life);
 
-  /// What was registered under an id with an agent (0: with the kernel) is kept until it is dropped.
+  /// Stores the handler that was registered under an id with an agent (0: with the kernel), until it is dropped.
   void Keep(unsigned long long agent_life, int id, std::shared_ptr<void> callback);
   void Drop(unsigned long long agent_life, int id);
   void DropAll();
-  /// Drops what was registered with agents that were destroyed.
+  /// Drops the handlers of agents that were destroyed.
   void DropLeavers();
 
  private:
@@ -61,7 +61,7 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   int users_ = 0;
   bool let_go_ = false;
   bool deleting_ = false;
-  bool closed_ = false;  ///< Nobody may enter any more.
+  bool closed_ = false;  ///< Enter returns false from now on.
   bool has_leavers_ = false;
   std::set<unsigned long long> leavers_;
   Callbacks callbacks_;
@@ -83,11 +83,11 @@ struct Life {
   static Life Of(sml::WMElement* element);
   static Life Of(sml::IdentifierSymbol* symbol, const Life& near);
 
-  /// What is gone, as a sentence; empty if nothing is. Only while the kernel is held.
+  /// A sentence that names the object that no longer exists; empty if all exist. Call it only between Enter and Leave.
   std::string WhatIsGone() const;
 };
 
-/// The deleter of a shared pointer to what the library owns, or to a kernel that somebody else owns.
+/// The deleter of a shared pointer to an object that the library owns, or to a kernel with another owner.
 struct Borrowed {
   Life life;
   void operator()(const void*) const {}
@@ -99,7 +99,7 @@ struct Owned {
   void operator()(const void*) const { life.entry->LetGo(); }
 };
 
-/// The library's object of a shared pointer; null for the null pointer.
+/// The Life that the deleter of a shared pointer contains; null for the null pointer.
 template <typename T>
 const Life* LifeOf(const std::shared_ptr<T>& pointer) {
   if (const auto* borrowed = std::get_deleter<Borrowed>(pointer)) return &borrowed->life;
@@ -107,9 +107,9 @@ const Life* LifeOf(const std::shared_ptr<T>& pointer) {
   return nullptr;
 }
 
-// What registering handlers is in every language.
+// Registration of handlers, in the same way for all languages.
 
-/// The event of a number; std::invalid_argument if the number is none of its kind.
+/// Converts a number to an event. Throws std::invalid_argument if there is no such event of this kind.
 template <typename Event>
 Event CheckedEvent(int event, bool (*is_one)(int), const char* kind) {
   if (!is_one(event)) throw std::invalid_argument(std::to_string(event) + " is not a number of " + kind);
@@ -145,7 +145,8 @@ inline auto AgentEvent(int event) {
                                             "an agent event (smlEVENT_AFTER_AGENT_CREATED, ...)");
 }
 
-/// Hands a callback to `registers`, and keeps it if that returns an id. `agent_life` 0: a handler of the kernel.
+/// Passes a callback to `registers`, and stores it if the result is an id (not 0). `agent_life` 0: a handler of the
+/// kernel.
 template <typename Callback, typename Registers>
 int Register(const std::shared_ptr<KernelEntry>& entry, unsigned long long agent_life,
              std::shared_ptr<Callback> callback, Registers registers) {
@@ -161,7 +162,7 @@ inline void Forget(sml::Kernel& kernel, int id) {
   KernelEntry::Of(&kernel)->Drop(0, id);
 }
 
-/// Stops and ends every kernel that is left.
+/// Stops the agents of all existing kernels and shuts the kernels down.
 inline void EndKernels() {
   for (const std::shared_ptr<KernelEntry>& entry : KernelEntry::All()) {
     if (!entry->Enter()) continue;
