@@ -60,7 +60,7 @@ std::string Record([[maybe_unused]] sml::Kernel& kernel, const KernelServerOptio
   if (!options.record.empty()) return RecordClients(kernel, std::filesystem::absolute(options.record).string());
   const char* const named = std::getenv("SOARBOX_RECORD");
   const bool is_recorded = named != nullptr && *named != '\0';
-  // Whoever watches later finds all from the beginning. A kernel that cannot keep that works as well.
+  // A program that watches later gets the log from the beginning. A kernel that cannot keep a log works as well.
   if (!options.no_log && !is_recorded) static_cast<void>(RecordClients(kernel, {}));
   return {};
 #else

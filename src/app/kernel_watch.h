@@ -25,7 +25,7 @@ class KernelWatch {
   static Result<std::unique_ptr<KernelWatch>> Connect(const std::string& address);
   virtual ~KernelWatch() = default;
 
-  /// Completes how the run's agents reach their kernel.
+  /// Completes the settings with which the run's agents reach their kernel.
   virtual void Prepare(sim::SoarSettings& settings) const { static_cast<void>(settings); }
   /// The data that this kernel does not report; empty: it reports everything.
   [[nodiscard]] virtual std::string Remark() const { return {}; }
@@ -33,19 +33,19 @@ class KernelWatch {
   /// The world in which the agents execute what the log says. It finds copies of the client's files while this lives.
   virtual Result<sim::Scenario> World(const sim::DataFolders& data) = 0;
 
-  /// What takes effect in the tick after this one: the same each time it is asked for. Null if that has not happened
-  /// yet. Valid until the next call.
+  /// Returns the log's lines for the tick after this one. Repeated calls return the same lines. Null if the kernel's
+  /// agents have not reached that tick yet. Valid until the next call.
   virtual const std::string* After(std::uint64_t tick) = 0;
 
-  /// Waits until After() knows all that the kernel's agents have done by now, for one second at most.
+  /// Waits, for at most one second, until After() has everything that the kernel's agents have done so far.
   virtual void Sync() = 0;
 
-  /// The kernel has gone, and After() has no more ticks than it has now.
+  /// Whether the kernel has ended, so that After() will get no further ticks.
   [[nodiscard]] virtual bool HasEnded() const = 0;
-  /// Why, once; empty at all other times.
+  /// Returns the reason once; otherwise an empty text.
   virtual std::string TakeNews() = 0;
 
-  /// Lets the kernel carry out a command line for an agent.
+  /// Executes a command line for an agent in the kernel.
   virtual Result<std::string> Command(const std::string& agent, const std::string& line) = 0;
 
  protected:

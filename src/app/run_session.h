@@ -25,8 +25,8 @@ namespace soarbox::app {
 /// A run in progress: the simulation and its output. The headless loop and the window's loop drive it.
 class RunSession final : public workbench::LiveRun {
  public:
-  /// `followed`: the run does what the agents of another kernel did; it has a tick whenever they have gone on. Null: it
-  /// follows nobody.
+  /// `followed`: the run repeats what the agents of another kernel do. It advances by a tick whenever they have
+  /// decided. Null: it is an ordinary run.
   RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
              const RunOptions& options, std::unique_ptr<KernelWatch> followed = nullptr);
 

@@ -15,17 +15,17 @@ namespace soarbox::record {
 /// Distributes the lines of a client's log (sml/server/client_log.h) to ticks, so that no agent decides twice in a
 /// tick. A tick begins with what the client did since the decisions of the previous tick.
 ///
-/// Lines of a tick hold no wall time: two equal runs give equal ticks.
+/// The lines of a tick contain no wall time, so two equal runs give equal ticks.
 class ClientTicks {
  public:
   /// `on_file` gets each file that a command of the client read: its absolute path and its content.
   using OnFile = std::function<void(const std::string& path, const std::string& content)>;
   explicit ClientTicks(OnFile on_file) : on_file_(std::move(on_file)) {}
 
-  /// Adds a line, without its end. The end of an agent is held back until something else happens: what a program leaves
-  /// when it ends can still be looked at.
+  /// Adds a line, without its line end. Delays lines that end an agent until another line comes, so that the last state
+  /// of the agents can be inspected after the program has ended.
   void Add(std::string_view line);
-  /// Ends the current tick, if it has any line: nothing more is known at present.
+  /// Ends the current tick, if it has lines. Call it when no more lines are available at present.
   void Flush();
 
   /// Ticks that are complete.
@@ -43,7 +43,7 @@ class ClientTicks {
   std::vector<std::string> ticks_ = {{}};  ///< The last one is not complete.
   std::set<std::string> in_this_tick_;     ///< Agents that have decided in it.
   std::string before_next_;                ///< Lines for the tick of the next decision.
-  std::vector<std::string> gone_;          ///< Lines that are held back.
+  std::vector<std::string> gone_;          ///< Lines that are delayed.
   std::map<std::string, std::uint64_t> decided_;
   std::vector<std::string> functions_;
 };

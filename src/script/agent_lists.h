@@ -14,12 +14,12 @@ namespace soarbox::script {
 class LuaMachine;
 
 /// Arrays of all agents, for one machine. The scripts of a flock ask for one in each step and hand it to several
-/// steering forces, so making and reading such an array element by element takes most of the time of a large flock.
+/// steering forces. Creating and reading such an array element by element would take most of the time of a large flock.
 ///
 /// LuaJIT keeps the elements of a long array in one block of our memory (ScriptMemory). A new array is a copy of that
-/// block of a template that no script can reach, and an array that a script hands back is compared with it in one
-/// piece. Where blocks do not have the size that this needs, as in other implementations of Lua, elements are used one
-/// by one.
+/// block of a template that no script can reach, and an array that a script passes back is compared with that block in
+/// one operation. If blocks do not have the expected size, as in other implementations of Lua, elements are used one by
+/// one.
 class AgentLists {
  public:
   /// Pushes a new array of the handles of these agents.

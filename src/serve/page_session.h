@@ -104,7 +104,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void TellPresence();
   /// Handles a message of a page that may only select panels.
   Result<void> Watch(const Viewer& viewer, const PageMessage& message);
-  /// Lets only this page edit texts, and tells all pages.
+  /// Lets only this page edit texts, and reports that to all pages.
   void HandTextsTo(const Viewer* viewer);
   void AwaitAnswer();
   void NoLongerBusy();

@@ -223,7 +223,7 @@ WebResponse Site::Embedded(const WebRequest& request, const std::string& what) c
 }
 
 bool Site::MayBegin(const std::string& place, const std::string& address) {
-  // Learners of the class may all sit behind one address: each pays with the own place alone.
+  // All learners of a class may have the same address, so their costs count only for their places.
   return place_costs_.MayBegin(place) && (!LearnerOf(place).empty() || address_costs_.MayBegin(address));
 }
 

@@ -152,7 +152,7 @@ class Minds final : public script::MindFactory {
     double last_said_s = 0;
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.
-    std::shared_ptr<ClientPercepts> percepts = {};  ///< What its client has told it, if a client drives it.
+    std::shared_ptr<ClientPercepts> percepts = {};  ///< The percepts that its client has sent, if a client drives it.
     std::shared_ptr<ClientScene> scene = {};        ///< The picture that its client describes.
   };
   /// Null if the agent has no mind. Valid until the next MakeMind.

@@ -13,11 +13,11 @@ bool LooksLikeABody(const world::DrawableSnapshot& drawable, const world::AgentS
 /// The mesh of a drawable without a skeleton, chosen by its shape, size, mesh name and material.
 struct DrawableMesh {
   MeshData data;
-  bool is_stand_in = false;  ///< The mesh name is unknown; this is a box that shows this.
+  bool is_stand_in = false;  ///< The mesh name is unknown, and this box is drawn instead.
 };
-/// What models from files wear: their corners bring their colours along.
+/// The material of models from files: their vertices contain the colours.
 inline constexpr const char* kModelMaterial = "Soarbox/Model";
-/// Whether a drawable wears its mesh's own material, and not the one that it names.
+/// Whether a drawable has the material of its mesh, and not the one that it names.
 bool WearsItsOwn(const world::DrawableSnapshot& drawable, const std::string& own_material);
 /// `agent_body` gives a capsule the look of an agent.
 DrawableMesh MeshOf(const world::DrawableSnapshot& drawable, bool agent_body);

@@ -28,7 +28,7 @@ class Pace {
   int TicksDue(double step_s, std::uint64_t tick = 0, int turn_ticks = 1);
   /// Whether the ticks since TicksDue have taken so long that the next frame is due.
   bool OutOfTime() const;
-  /// Tells how many of the due ticks were not run. The rest of a turn that is being stepped is run in later frames.
+  /// Reports how many of the due ticks were not run. The rest of a turn that is being stepped is run in later frames.
   void Owe(int ticks);
   /// Ignores the real time since the last call of TicksDue, because something else used it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }

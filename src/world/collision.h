@@ -16,14 +16,14 @@ struct Collision {
   Vec3 normal_on_b;  ///< Unit; from b towards a.
 };
 
-/// A body came into a sensor or left it in the last step.
+/// A body entered or left a sensor in the last step.
 struct SensorChange {
   EntityId sensor = kNoEntity;
   EntityId other = kNoEntity;  ///< An agent or an object; of one that leaves, it may have been removed.
   bool entered = false;
 };
 
-/// How an object turns about an axis that stays where it is, or that stays at the same place of another object.
+/// A hinge: an object turns about an axis that is fixed in the world, or in another object.
 struct HingeDef {
   Vec3 point;                       ///< On the axis.
   Vec3 axis;                        ///< Not zero.
@@ -31,7 +31,7 @@ struct HingeDef {
   float friction_nm = 0;            ///< Maximum torque that brakes it.
 };
 
-/// What a ray met first.
+/// The first body that a ray hits.
 struct RayHit {
   EntityId entity = kNoEntity;  ///< An agent or an object.
   Vec3 point;

@@ -44,7 +44,7 @@ class EnginePage {
   };
   /// Reports that all requests so far have been executed.
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
-  /// Tells the server twice a second that this process does not hang. Call it in each iteration of the loop.
+  /// Sends a heartbeat to the server, twice per second. Call it in each iteration of the loop.
   void ShowLife();
   /// Waits at most `most_ms` for requests. Malformed ones are refused here.
   Asked Receive(int most_ms);

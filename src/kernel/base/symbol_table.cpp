@@ -346,7 +346,7 @@ Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
   auto& found = contents_->found_identifiers;
   std::uint32_t& at = found[(number + static_cast<unsigned char>(letter) * 7u) % found.size()];
   if (at >= identifiers_.size() || !is_at(at)) {
-    // Names that nobody has asked for yet are mostly new, and new ones are at the end.
+    // Names that were not requested yet are mostly new, and new names are at the end.
     std::size_t i = identifiers_.size();
     while (i > 0 && !is_at(i - 1)) --i;
     if (i == 0) return {};

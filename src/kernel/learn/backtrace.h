@@ -57,9 +57,9 @@ class Backtracer {
 
  private:
   void VisitFiring(InstantiationId firing);
-  /// Tells observers of a step, if there are any.
+  /// Reports a step to observers, if there are any.
   void Tell(const BacktraceStep& step) const;
-  /// Tells of a firing with all that it tested.
+  /// Reports a firing, with everything that it tested.
   void TellOfFiring(InstantiationId firing);
   void VisitCondition(InstantiationId firing, std::uint16_t condition, const ConditionTrace& trace);
   /// Follows the preferences that made the local operator, which a firing tests or proposed, better than others.
@@ -85,7 +85,7 @@ class Backtracer {
   Uses uses_;
   Explanation* out_ = nullptr;
   bool every_condition_ = false;
-  bool is_told_ = false;  ///< Somebody listens to the steps.
+  bool is_told_ = false;  ///< An observer receives the steps.
   /// Still to be followed: a firing, or else an item of the impasse.
   struct Open {
     InstantiationId firing = InstantiationId::kNone;

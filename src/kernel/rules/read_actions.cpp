@@ -195,7 +195,7 @@ std::string RuleReader::TextOf(const RuleToken& name) const {
   return std::string(name.kind == TokenKind::kString ? name.text : body_.substr(name.offset, name.length));
 }
 
-/// Prints what Soar prints of an unknown function. Nothing else is printed of the rule, whatever is found behind it.
+/// Prints Soar's message about an unknown function. Later errors of the same rule are not printed.
 void RuleReader::SayUnknown(const RuleToken& name) {
   if (!is_refused_) Say("There is no function named " + TextOf(name) + "\n");
   is_refused_ = true;

@@ -34,7 +34,7 @@ TEST(Book, PeopleOfACourseHavePlacesAndDifferentNames) {
   EXPECT_NE(book.CourseOf(kMoodle, LaunchOf("1", "b")).list.key(), course.list.key());
   EXPECT_EQ(book.FindByKey(course.list.key()), &course.list);
   EXPECT_EQ(book.FindByKey(""), nullptr);
-  // Whose place is gone gets another one, with the same name.
+  // A learner without a place gets a new one, with the same name.
   book.Add(course, "1", "p4", "Ada");
   EXPECT_EQ(book.NameOf("p4") + book.NameOf("p1"), "Ada");
   EXPECT_EQ(course.list.learners().size(), 3u);

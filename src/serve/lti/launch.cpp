@@ -47,7 +47,7 @@ bool Contains(const ClaimJson& list, const std::string& text) {
          });
 }
 
-/// What is wrong with who sent the token to whom and when; empty: nothing.
+/// The error in the token's issuer, audience or times; empty if they are valid.
 std::string TroubleOfToken(const ClaimJson& claims, const Platform& platform, const std::string& nonce,
                            std::int64_t now_s) {
   if (TextIn(claims, "iss") != platform.issuer) return "it comes from another platform";

@@ -24,7 +24,7 @@ bool IsGood(int status) {
   return status >= 200 && status < 300;
 }
 
-/// What a platform says of an error, in a few words.
+/// A short text about an error, from a platform's response.
 std::string WordsOf(const ClientResponse& response) {
   constexpr std::size_t kMostBytes = 200;
   const ScoreJson json = ScoreJson::parse(response.body, nullptr, false);
@@ -93,7 +93,7 @@ Result<ClientResponse> Post(const Score& score, const AccessToken& token, const 
   return Fetch(request, stop);
 }
 
-/// Whether a platform that answers so may take the same request later.
+/// Whether the same request may succeed later, after this status.
 bool MayChange(int status) {
   constexpr int kTimeout = 408, kTooEarly = 425, kTooMany = 429, kServerError = 500;
   return status >= kServerError || status == kUnauthorized || status == kTimeout || status == kTooEarly ||
@@ -125,7 +125,7 @@ std::vector<Sent> SendScores(const Platform& platform, AccessToken& token, const
     return sent;
   };
   for (const Score& score : scores) {
-    // A platform may end a token early: a second try is made with a new one.
+    // A platform may end a token early, so a second attempt uses a new one.
     for (const bool is_last : {false, true}) {
       if (token.text.empty() || token.ends_s <= now_s()) {
         Result<AccessToken> fresh = Ask(platform, sign, now_s(), stop);

@@ -34,7 +34,7 @@ using serve::WebRequest;
 using serve::WebResponse;
 
 constexpr std::size_t kMostFormBytes = 128u << 10, kMostWaiting = 64, kScoresAtOnce = 20;
-/// A platform is asked for its keys at most so often at once, and then once a minute.
+/// Limits of requests for a platform's keys: this many in quick succession, then one per minute.
 constexpr double kFetches = 3, kFetchesPer_s = 1.0 / 60;
 
 std::int64_t NowMs() {
@@ -46,7 +46,7 @@ std::int64_t NowS() {
   return NowMs() / 1000;
 }
 
-/// Writes a file of secrets whole, then puts it in its place.
+/// Writes a file of secrets atomically.
 bool WriteSecret(const fs::path& file, const std::string& text) {
   const fs::path part = fs::path(file) += ".part";
   std::error_code error;
@@ -76,7 +76,7 @@ class PlatformTool final : public Tool {
         secret_(serve::NewId() + serve::NewId()),
         remotes_(file_.platforms.size()),
         network_(io_) {
-    // What was reached while the server was killed is seen, too.
+    // Checks all places again, in case the server was killed before it sent their newest scores.
     for (const Book::Link& link : book_.links()) looked_.insert(link.place);
   }
   ~PlatformTool() override { stop_ = true; }
@@ -130,7 +130,7 @@ class PlatformTool final : public Tool {
   }
 
  private:
-  /// What this server knows of a platform while it runs.
+  /// Data about a platform that are kept only in memory.
   struct Remote {
     std::map<std::string, PublicKey, std::less<>> keys;  ///< By their ids.
     bool is_fetching = false, is_sending = false;
@@ -374,7 +374,7 @@ class PlatformTool final : public Tool {
     const auto looks = std::make_shared<std::vector<Look>>();
     for (const Book::Link& link : book_.links())
       if (looked_.contains(link.place)) looks->push_back({link.place, link.line_item, link.lesson, {}});
-    // Those that run now are looked at once more when they have ended.
+    // Places with a run are checked again after the run has ended.
     looked_ = {running.begin(), running.end()};
     if (looks->empty()) return;
     work_.Do(

@@ -326,7 +326,7 @@ void SvsQuery(Request& request) {
   request.Raw(QueryScene(*request.agent, *line));
 }
 
-/// Whoever watches must find the log without gaps: nothing is left out.
+/// The log must have no gaps for programs that watch it, so nothing is left out.
 void ReadLog(Request& request) {
   constexpr std::size_t kMostAtOnce = 512 * 1024;
   ClientLog* const log = request.host.log.get();

@@ -10,11 +10,11 @@ export interface Address {
   file: string;
   /** A shared text for that file, packed; empty: none. */
   text: string;
-  /** The files of an experiment, packed; empty: what is shown is in the user's place. The rest is of experiments only. */
+  /** The files of an experiment, packed; empty: a run in the user's place. The fields below are for experiments. */
   rules: string;
-  /** From which seed it begins; null: from the one that its file says. */
+  /** The seed of the run; null: the seed in its scenario file. */
   seed: number | null;
-  /** Whom *Why* is about; empty: nobody. */
+  /** The agent that *Why* explains; empty: none. */
   agent: string;
 }
 
@@ -80,11 +80,11 @@ export async function unpackText(packed: string): Promise<string | null> {
 
 /** The files of a lesson or world that differ from the program's. */
 export interface ChangedFiles {
-  /** Where they are in the place, with / at its end. */
+  /** Their folder in the place, ending with /. */
   folder: string;
-  /** Their texts, by their names below the folder. */
+  /** Their texts, by name relative to the folder. */
   files: Readonly<Record<string, string>>;
-  /** Files that are no texts. */
+  /** The files that are not text. */
   leftOut: readonly string[];
 }
 
@@ -94,7 +94,7 @@ export async function packFiles(files: ChangedFiles["files"]): Promise<string> {
   return packText(JSON.stringify(files));
 }
 
-/** The files that were packed; null: they are damaged, too long, or have names that lead elsewhere. */
+/** The files that were packed; null: they are damaged, too long, or have names outside the folder. */
 export async function unpackFiles(packed: string): Promise<Record<string, string> | null> {
   try {
     const value: unknown = JSON.parse((await unpackText(packed)) ?? "null");

@@ -6,7 +6,7 @@ import type { RunSource } from "../run/source";
 /** The name of the place of a page without a server. */
 export const LOCAL_PLACE = "local";
 
-/** What the server says about a place to work in (docs/serve.md). */
+/** The server's description of a place (docs/serve.md). */
 export interface PlaceInfo {
   place: string;
   learner: string;
@@ -44,7 +44,7 @@ export interface Learner {
   standing?: string;
   trouble?: string;
   lasts_s?: number;
-  /** For how many seconds the hand is up; null: it is down. */
+  /** Seconds since the hand was raised; null: it is not raised. */
   hand_s?: number | null;
   notes?: readonly { text: string; file: string; line: number; when: number; is_read: boolean }[];
   done: Readonly<Record<string, { is_done: boolean; tries?: number; hints?: number; passed?: number; of?: number }>>;
@@ -80,7 +80,7 @@ export class Refused extends Error {
 
 const TOKEN_KEY = "soarbox.token";
 
-/** Takes the token out of the address, so that it is not seen or copied, and keeps it while the page is open. */
+/** Removes the token from the address, so that it is not seen or copied, and keeps it while the page is open. */
 export function takeToken(location: Location, history: History, storage: Storage): string {
   const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
   if (given !== null) {
@@ -132,12 +132,12 @@ export class Api {
     return new SocketSource(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${path}`, this.token);
   }
 
-  /** Whether there is a server. Without one, this browser has one place, and no link leads to it from elsewhere. */
+  /** Whether there is a server. Without one, this browser has one place, which links cannot refer to. */
   get hasServer(): boolean {
     return true;
   }
 
-  /** The files of a lesson or world that the user has changed; null: a server does not say. */
+  /** The files of a lesson or world that the user has changed; null: a server does not report them. */
   async changedFiles(_what: string): Promise<ChangedFiles | null> {
     return null;
   }

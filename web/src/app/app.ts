@@ -33,7 +33,7 @@ export interface Guest {
   link?: string;
   /** The page is a frame in a page of another site, with these panels. */
   panels?: readonly string[];
-  /** It shows the experiment of a link, in a place that is not kept: the packed files of the link, and their names. */
+  /** It shows the experiment of a link, in a temporary place: the packed files of the link, and their names. */
   experiment?: { readonly packed: string; readonly names: readonly string[] };
 }
 
@@ -57,7 +57,7 @@ export class App {
   private isSeeded = false;
   private isSeeding = false;
   private isAsked = false;
-  /** The run that the address named when it was opened; "": none since a run exists. */
+  /** The run that was requested because the address names it; "" after that run has begun. */
   private openedByAddress = "";
   /** File and text from the address, shown as soon as there is a run. */
   private given: { file: string; text: string } | null = null;
@@ -131,7 +131,7 @@ export class App {
   }
 
   private open(what: string): void {
-    // Whatever else is opened is in the user's own place.
+    // Everything else is opened in the user's own place.
     if (this.guest.experiment !== undefined && what !== this.navigator.address.what) return location.assign(this.api.pageAddress + formatAddress({ ...NOWHERE, what }));
     this.isHome = false;
     this.navigator.go(what);
@@ -166,7 +166,7 @@ export class App {
   private begun(what: string): void {
     const { address } = this.navigator;
     if (!this.watches && address.what !== "" && address.what !== what && this.openedByAddress !== address.what) {
-      // Another run was left here.
+      // The place still has another run: open the run that the address names.
       this.openedByAddress = address.what;
       this.run.open(address.what);
       return;
@@ -452,12 +452,12 @@ export class App {
     this.draw();
   }
 
-  /** The link that has the user's files in it, and leads to the moment that is shown. */
+  /** A link that contains the user's files and the moment that is shown. */
   private async experimentLink(changed: ChangedFiles): Promise<Link> {
     const { hello, contents, flow } = this.run, { moment, edit } = contents, file = edit?.edit.file ?? "", text = this.runPage?.editorText ?? null;
     const files = { ...changed.files };
     if (text !== null && edit?.edit.text !== text && file.startsWith(changed.folder)) files[file.slice(changed.folder.length)] = text;
-    // The flow is told more often than the contents.
+    // Messages about the flow arrive more often than contents.
     const tick = moment?.time.is_live === false ? moment.time.shown_tick : Math.max(moment?.time.last_tick ?? 0, flow.tick), seconds = tick * (hello?.step_s ?? 0), names = Object.keys(files);
     const address = this.api.pageAddress + formatAddress({ ...NOWHERE, what: hello?.what ?? "", seconds, seed: hello?.seed ?? null, agent: moment?.agent ?? "", rules: await packFiles(files) });
     const withFiles = names.length === 0 ? "You have changed no files." : `With your ${names.join(", ")}.`;
@@ -466,7 +466,7 @@ export class App {
       this.runPage?.isPieced === true && "Rules changed while the world ran, or you went on from an earlier moment: the link may show another run."].filter(Boolean).join(" ") };
   }
 
-  /** The link by which others watch what runs here. */
+  /** The link with which others can watch this run. */
   private async watchLink(): Promise<Link> {
     const title = "Watch what I do, live", path = `/api/p/${this.info.place}/watch`, ask = (method: string) => (): void => {
       void this.api.json<unknown>(path, { method }).then(() => this.makeLinks(), (error: unknown) => this.fail(error));

@@ -48,7 +48,7 @@ export function qrView(text: string): View | null {
   return h("svg.qr", { attributes: { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": "QR code of the link" } }, h("rect", { attributes: { width: size, height: size, fill: "#fff" } }), h("path", { attributes: { d: path, fill: "#000" } }));
 }
 
-/** `make`: there is no such link yet; `withdraw`: it can be taken back. */
+/** `make` creates the link, if it does not exist yet. `withdraw` revokes it, if that is possible. */
 export interface Link { title: string; about: string; address: string; isPlace?: boolean; make?: () => void; withdraw?: () => void }
 
 /** Links to share, where they lead, and what each of them allows. */

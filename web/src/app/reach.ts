@@ -5,7 +5,7 @@ import type { Run } from "../run/run";
 export class Reach {
   private tick: number | null = null;
   private isFast = false;
-  /** What follows when the moment is reached; with it, the world is paused there. */
+  /** Called when the moment is reached. */
   private then: (() => void) | null = null;
 
   constructor(private readonly run: Run) {
@@ -26,7 +26,7 @@ export class Reach {
     return this.tick !== null;
   }
 
-  /** The user went elsewhere: gives up. */
+  /** Gives up, because the user has opened something else. */
   forget(): void {
     this.tick = this.then = null;
   }

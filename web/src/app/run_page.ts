@@ -154,7 +154,7 @@ export class RunPage {
     this.reveal("why");
   }
 
-  /** Whether the run has other rules than at its beginning, or went on from an earlier moment. */
+  /** Whether the run has other rules than at its beginning, or continued from an earlier moment. */
   get isPieced(): boolean {
     return this.attempt.changedAt !== null || (this.run.contents.moment?.time.branch_tick ?? null) !== null;
   }

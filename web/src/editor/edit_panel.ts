@@ -16,7 +16,7 @@ const ANSWERED_AFTER_MS = 500;
 const RELOADED = /^Reloaded/;
 
 
-/** The panel with the editor: files, the text, what is wrong with it, and Apply. The editor itself is loaded when it is needed. */
+/** The panel with the editor: files, text, problems, and Apply. The editor itself is loaded when it is needed. */
 export class EditPanel implements Panel {
   readonly word = "edit";
   readonly title = infoOf("edit").title;

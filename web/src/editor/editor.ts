@@ -18,7 +18,7 @@ export interface EditorEvents {
   /** The text changed by typing; called at each change. */
   typing(text: string): void;
   apply(text: string): void;
-  /** Keys of the editor's other work: lay out, rename, go to the definition. */
+  /** Keys of further actions: format, rename, go to the definition. */
   command(what: EditorCommand): void;
 }
 export type EditorCommand = "format" | "rename" | "definition";

@@ -173,7 +173,7 @@ export function completeWith(client: LanguageClient): CompletionSource {
   };
 }
 
-/** A line of the language server's words: **bold**, `code`, and text between them. */
+/** A line of an explanation of the language server: **bold**, `code`, and text between them. */
 export function wordsOf(line: string): { text: string; kind: "bold" | "code" | "" }[] {
   return line.split(/(\*\*[^*]+\*\*|`[^`]*`)/).filter((one) => one !== "").map((one) =>
     one.startsWith("**") && one.length > 4 ? { text: one.slice(2, -2), kind: "bold" } : one.startsWith("`") && one.length > 1 ? { text: one.slice(1, -1), kind: "code" } : { text: one, kind: "" });

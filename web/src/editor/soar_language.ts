@@ -16,7 +16,7 @@ export const soarLanguage = StreamLanguage.define<SoarState>({
   },
 });
 
-/** Colours by class names; the page's style says which, in light and in dark. */
+/** Class names of tokens. The page's style sheet defines their colours, for light and dark. */
 export const soarColors = syntaxHighlighting(HighlightStyle.define([
   { tag: tags.comment, class: "tok-comment" }, { tag: tags.string, class: "tok-string" }, { tag: tags.number, class: "tok-number" },
   { tag: tags.keyword, class: "tok-keyword" }, { tag: tags.variableName, class: "tok-variable" }, { tag: tags.attributeName, class: "tok-attribute" },

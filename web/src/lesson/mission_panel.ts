@@ -74,7 +74,7 @@ function actions(context: PanelContext, lesson: Lesson, isCelebrated: boolean): 
 /** The learner's panel: task, checks that tick off, hints, grade, what comes next. */
 export const missionPanel: MakePanel = (context) => {
   let lessonName = "", shownGrade = "", shownHints = 0;
-  /** A new answer comes into view by itself, and the focus goes there unless somebody types; later patches leave the reader where they are. */
+  /** Scrolls to a new answer, and focuses it unless the user is typing. Later patches do not scroll. */
   const bring = (element: HTMLElement): void => {
     element.scrollIntoView({ block: "nearest" });
     if (element.getBoundingClientRect().height > (element.closest<HTMLElement>(".panel")?.clientHeight ?? Infinity)) element.scrollIntoView({ block: "start" });

@@ -40,7 +40,7 @@ function courseSection(title: string, lessons: PlaceInfo["lessons"], next: strin
     h("ol.cards", null, lessons.map((one) => lessonCard(one, one.name === next, maps, events))));
 }
 
-/** Titles of the courses that come with the program; other courses keep their names. The lessons of `guide` have its projects' numbers. */
+/** Titles of the program's courses; others keep their names. Lessons of `guide` have the guide's project numbers. */
 const COURSES: Readonly<Record<string, string>> = { eaters: "Eaters", guide: "projects of the Engineers' Guide to Soar", tanks: "TankSoar" };
 
 function titleOfCourse(course: string): string {

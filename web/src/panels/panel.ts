@@ -5,16 +5,16 @@ import type { ContentName, Contents } from "../run/contents";
 import type { Run } from "../run/run";
 import { PANELS, type PanelInfo } from "./panel_table";
 
-/** Files of a place, by the names that the run gives them ("/place/home/..."). Both throw what was wrong. */
+/** Files of a place, by the names that the run gives them ("/place/home/..."). Both throw an error with the reason. */
 export interface PlaceFiles {
   read(file: string): Promise<string>;
   write(file: string, text: string): Promise<void>;
 }
 
-/** What a panel may use: the run, and the page around it. */
+/** The services that a panel can use: the run, and the page around it. */
 export interface PanelContext {
   readonly run: Run;
-  /** Shows the panel again, after something of its own changed. */
+  /** Redraws the panel, after its own state has changed. */
   redraw(word: string): void;
   /** The number on a panel's tab. */
   titleOf(word: string): string;
@@ -22,14 +22,14 @@ export interface PanelContext {
   reveal(word: string): void;
   /** Asks why something is so, and shows the answer. */
   why(about: string, what?: string): void;
-  /** Before another file is opened in the editor: what was typed goes to the run. */
+  /** Sends the typed text to the run. Call it before another file is opened in the editor. */
   beforeEdit(): void;
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
   /** Shows the start page: lessons and worlds. */
   goHome(): void;
-  /** Has the learner's rules graded; what was typed last is applied before. */
+  /** Applies what the learner typed last, and starts to grade the rules. */
   grade(): void;
   /** The files of the place; null: they cannot be reached from here. */
   readonly files: PlaceFiles | null;
@@ -37,7 +37,7 @@ export interface PanelContext {
   readonly attempt: Attempt;
 }
 
-/** One panel: contents in, views out, requests back. */
+/** A panel. It converts contents to views, and sends requests. */
 export interface Panel {
   /** As in docs/workbench.md. */
   readonly word: string;
@@ -46,9 +46,9 @@ export interface Panel {
   readonly about: string;
   readonly uses: readonly ContentName[];
   view(contents: Contents): Child;
-  /** A small number on its tab; nothing: "". */
+  /** The small number on its tab; "": none. */
   badge?(contents: Contents): string;
-  /** The panel is in front now, or no longer. */
+  /** Called when the panel comes to the front, or is no longer in front. */
   shown?(isShown: boolean): void;
 }
 

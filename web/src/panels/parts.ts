@@ -5,12 +5,12 @@ import type { PanelContext } from "./panel";
 
 /** What several panels show in the same way. */
 
-/** Says what would fill an empty panel. */
+/** A note in an empty panel: what it will show. */
 export function empty(text: string, ...more: Child[]): View {
   return h("div.empty", null, h("p", null, text), more);
 }
 
-/** Why a panel about a mind has nothing to show, and what to do; `otherwise`: if it is none of that. */
+/** Why a panel about a mind has nothing to show, and what to do; `otherwise`: the text in all other cases. */
 export function noMind(context: PanelContext, contents: Contents, otherwise: string): View {
   const { hello } = context.run, agent = contents.moment?.agent ?? "";
   if (hello !== null && hello.minds.length === 0 && hello.agents.length === 0)
@@ -34,7 +34,7 @@ export function short(value: number): string {
   return Number.isFinite(value) ? String(Math.round(value * 1000) / 1000) : "?";
 }
 
-/** A time that goes to that moment when it is pressed. */
+/** A time, as a button that goes to that moment. */
 export function moment(context: PanelContext, tick: number, seconds: number): View {
   return button(clock(seconds), () => context.run.ask("seek", { tick }), { attributes: { title: `Go to tick ${tick}` } }, "button.link.time");
 }
@@ -67,7 +67,7 @@ export function filterField(label: string, value: string, changed: (text: string
   });
 }
 
-/** Texts that fit all words of a filter. */
+/** Whether a text contains all words of a filter. */
 export function passes(filter: string, text: string): boolean {
   const lower = text.toLowerCase();
   return filter.toLowerCase().split(/\s+/).every((word) => lower.includes(word));

@@ -6,7 +6,7 @@ import type { Time } from "./time";
 
 const COLOR_COUNT = 8;
 const DASHES = ["", "6 3", "2 3", "8 3 2 3"] as const;
-/** Colours that teams are called after. */
+/** Colours by name, for teams that are named after a colour. */
 const NAMED: ReadonlyMap<string, number> = new Map([["blue", 0], ["red", 1], ["green", 2], ["purple", 3], ["orange", 4]]);
 
 export interface Paint { color: string; dash: string }
@@ -65,7 +65,7 @@ export function seconds(time: number): string {
   return `${time.toFixed(1)} s`;
 }
 
-/** A text that fits: without its end, if need be. */
+/** The text, shortened if it does not fit. */
 export function cut(text: string, most: number): string {
   const letters = [...text];
   return letters.length > most ? `${letters.slice(0, most - 1).join("")}…` : text;

@@ -9,7 +9,7 @@ interface Head {
   /** The command that shows the run. */
   command: string;
   build: string;
-  /** What the runs were made from and with; those of earlier versions have none. */
+  /** The origin of the runs: files, program, machine. Runs of earlier versions have none. */
   manifest?: Readonly<Record<string, unknown>>;
   passed?: boolean | null;
 }
@@ -23,7 +23,7 @@ export interface AgentReport {
   alive: boolean;
   rounds: number;
   damage: number;
-  /** Where in the times its series begin. */
+  /** The index of the time at which its series begin. */
   from?: number;
   x?: readonly number[];
   z?: readonly number[];
@@ -83,7 +83,7 @@ export interface SweepReport extends Head {
   failed: readonly { variant: string; seed: number; outcome: string; error: string }[];
 }
 
-/** Where an agent was and how it fared, at the times from `from` on. */
+/** Position, health and speed of an agent, at the times from index `from` on. */
 export interface Way { from: number; x: readonly number[]; z: readonly number[]; health: readonly number[]; speed: readonly number[] }
 
 function summed(differences: readonly number[] | undefined, of: number): number[] {
@@ -108,7 +108,7 @@ export function indexAt(times: readonly number[], seconds: number): number {
   return low;
 }
 
-/** Between two moments as far as the time is. */
+/** The position at a time, interpolated between two moments. */
 export function positionAt(way: Way, times: readonly number[], seconds: number): { x: number; z: number; isAlive: boolean } {
   const last = way.x.length - 1, at = Math.max(0, Math.min(last, indexAt(times, seconds) - way.from)), next = Math.min(last, at + 1);
   const before = times[at + way.from] ?? 0, after = times[next + way.from] ?? 0, share = after > before ? Math.min(1, Math.max(0, (seconds - before) / (after - before))) : 0;

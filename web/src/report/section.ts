@@ -6,7 +6,7 @@ export function section(id: string, title: string, ...children: Child[]): View {
   return h("section.part", { attributes: { id, "aria-labelledby": `${id}-head` } }, h("h2", { attributes: { id: `${id}-head` } }, title), children);
 }
 
-/** What a report was made from and with, folded. Reports of earlier versions have none. */
+/** The origin of a report, folded: files, program, machine. Reports of earlier versions have none. */
 export function manifestOf(report: { manifest?: Readonly<Record<string, unknown>> }): Child {
   return report.manifest !== undefined && h("details", null, h("summary", null, "Manifest: what the runs were made from"), h("pre", null, JSON.stringify(report.manifest, null, 1)));
 }

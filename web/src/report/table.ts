@@ -57,7 +57,7 @@ export function table(columns: readonly string[], rows: readonly (readonly Table
   });
 }
 
-/** What is made only when it is opened. */
+/** A folded part. Its content is created when it is opened for the first time. */
 export function fold(title: string, make: () => Child): View {
   return h("details", {
     on: { toggle: (event) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Document } from "../document/document";
 
-/** The contents of panels, as docs/workbench.md has them. Panels with a document have nothing else. */
+/** The contents of panels, as docs/workbench.md describes them. Panels with a document have nothing else. */
 
 export interface Time {
   first_tick: number;
@@ -66,12 +66,12 @@ export interface Lesson {
 export interface LessonOffer { name: string; title: string; is_passed: boolean }
 export interface Mission { checks: readonly Check[]; lesson: Lesson | null; lessons: readonly LessonOffer[] }
 
-/** What the agent imagines, as a report has it: the lines that an answer is drawn with. */
+/** The agent's imagined scenes in a report: the lines with which answers are drawn. */
 export interface Imagery {
   imagery: { scenes: readonly { extracts: readonly { values: readonly { record: string; value: string; lines: readonly SceneLine[] }[] }[] }[] };
 }
 export interface SceneLine { from: readonly [number, number, number]; to: readonly [number, number, number]; is_crossed: boolean }
-/** A node of what it imagines as it is drawn: numbers of points count from 0. */
+/** A node of an imagined scene, as it is drawn. Edges and faces contain indices of points, from 0. */
 export interface ImaginedShape {
   name: string; state: string; kind: "made-up" | "sensed" | "remembered";
   points: readonly number[]; edges: readonly number[]; faces: readonly number[];
@@ -88,7 +88,7 @@ export interface Ghosts {
 /** The contents of a panel that is described by a document. */
 export interface DocumentContent { document?: Document }
 
-/** All contents by name; what did not come yet is missing. */
+/** All contents by name. Those that have not arrived yet are missing. */
 export interface Contents extends Partial<Record<DocumentName, DocumentContent>> {
   moment?: Moment;
   timeline?: Timeline;

@@ -96,7 +96,7 @@ export class Run {
     return () => this.handlers[event].delete(call);
   }
 
-  /** Tells the user something. */
+  /** Shows a message to the user. */
   remark(text: string, hint: string, isError = true): void {
     this.tell("remark", { text, hint, isError });
   }

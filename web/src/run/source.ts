@@ -52,9 +52,9 @@ export interface Listener {
 /** The source of a run: a server, a file, or an engine in the page. */
 export interface RunSource {
   start(listener: Listener): void;
-  /** False if it cannot be sent now: nothing is kept for later. */
+  /** Returns false if it cannot be sent now. It is not sent later. */
   send(request: Request): boolean;
-  /** Tries at once, if it waits to try again. */
+  /** Connects again at once, if it waits for the next attempt. */
   retry(): void;
   close(): void;
 }

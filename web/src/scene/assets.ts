@@ -20,7 +20,7 @@ export class Assets {
     return this.known.get(key) ?? null;
   }
 
-  /** The address of an image; null: not received yet, or it is none. */
+  /** The address of an image; null: it was not received yet, or is not an image. */
   url(key: string): string | null {
     const made = this.urls.get(key);
     if (made !== undefined) return made;

@@ -5,7 +5,7 @@ import { length, minus, plus, times } from "./vectors";
 
 /** The camera moves if a body will leave this share of the picture within SOON_S seconds. */
 const INSIDE = 0.93, SOON_S = 0.8;
-/** Where it goes, bodies that move have room for this long. */
+/** In its new pose, the picture has room for the motion of bodies during this time. */
 const ROOM_S = 1.6;
 /** The picture is too wide if the camera could be nearer by this factor; after WIDE_FOR_S seconds it moves there. */
 const TOO_WIDE = 0.6, WIDE_FOR_S = 2.5;

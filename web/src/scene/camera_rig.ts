@@ -11,7 +11,7 @@ export type CameraMode = "orbit" | "follow" | "map";
 export interface Shown { readonly bodies: readonly FramedBody[]; readonly places: readonly Vec3[]; readonly scenery: readonly FramedBody[]; readonly isBoard: boolean; readonly hasWalls: boolean }
 
 const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400, MAP_AWAY_M = 25;
-/** From a whole turn, the directions of which the nearest is tried at the beginning; one must be clearly better to replace an earlier one. */
+/** Number of directions that are tried at the beginning. A later one must reduce the distance by this factor. */
 const SIDES = 12, CLEARLY = 0.93;
 /** A script's view is taken over if agents are at least this share of the picture's height. */
 const SMALLEST_SHARE = 0.07;
@@ -94,7 +94,7 @@ export class CameraRig {
     return { slope: Math.tan((this.camera.fov * Math.PI) / 360), aspect: this.camera.aspect, free: this.free };
   }
 
-  /** So that all these bodies are in the picture, from the side on which the camera is; it does not stay with them. */
+  /** Moves the camera, without turning it, so that it shows all these bodies. It does not follow them. */
   frame(bodies: readonly FramedBody[]): void {
     if (bodies.length === 0) return;
     this.byHand = true;
@@ -191,7 +191,7 @@ export class CameraRig {
     this.drift = [0, 0, 0, 0];
   }
 
-  /** Another world. */
+  /** Resets the camera for another world. */
   forget(): void {
     this.moves = -1;
     this.byHand = false;
@@ -233,7 +233,7 @@ export class CameraRig {
     return rest > 1e-4;
   }
 
-  /** A spring that is damped just so that it does not swing, solved exactly: the same at any rate of pictures. */
+  /** A critically damped spring, solved exactly, so that the result does not depend on the frame rate. */
   private spring(seconds: number): number {
     const { shown, wanted, drift } = this, fade = Math.exp(-PULL_PER_S * seconds);
     let rest = 0;

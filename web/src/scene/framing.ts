@@ -18,7 +18,7 @@ const NO_MOVE: Vec3 = [0, 0, 0];
 const MARGIN_X = 0.86, MARGIN_Y = 0.8;
 /** A single agent does not fill the picture: the camera stays this far away, in m. */
 const LEAST_AWAY_M = 6.5;
-/** The camera goes back up to here for places, in m; for scenery; and for agents, those in the middle first. */
+/** Maximum distances of the camera, in m: to show places, to show scenery, and to show agents. */
 const PLACES_WITHIN_M = 46, SCENERY_WITHIN_M = 58, FURTHEST_M = 260;
 const PLACE_RADIUS_M = 0.6, PLACE_HEIGHT_M = 0.6;
 /** Maximum distance of scenery from the agents, its maximum length, in m, and its maximum number; a world with more has none. */
@@ -77,7 +77,7 @@ export function isInside(body: FramedBody, at: Vec3, view: View, lens: Lens, sha
   });
 }
 
-/** The bodies with those of the places that leave agents large enough, the nearest first; and with scenery, all of it or nothing. */
+/** Adds the nearest places to the agents, as long as the agents stay large enough. Then adds all scenery, or none. */
 export function withPlaces(agents: readonly FramedBody[], places: readonly Vec3[], heading: number, tilt: number, lens: Lens, scenery: readonly FramedBody[] = []): FramedBody[] {
   const all = [...agents];
   if (all.length === 0) return all;
@@ -96,7 +96,7 @@ export function withPlaces(agents: readonly FramedBody[], places: readonly Vec3[
   return awayOf(whole) > SCENERY_WITHIN_M ? all : whole;
 }
 
-/** Removes agents that are so far away that the others would be specks: those nearest to the middle stay. */
+/** Removes the agents that are furthest from the middle, if the camera would otherwise be too far away. */
 export function withinReach(bodies: readonly FramedBody[], heading: number, tilt: number, lens: Lens): readonly FramedBody[] {
   const reaches = (some: readonly FramedBody[]): boolean => length(minus(eyeOf(framingView(some, heading, tilt, lens)), middleOf(some))) <= FURTHEST_M;
   if (reaches(bodies)) return bodies;
@@ -189,7 +189,7 @@ export function freeOf(boxes: readonly { left: number; top: number; width: numbe
   return { left: 1 - 2 * inset.left, right: 1 - 2 * inset.right, top: 1 - 2 * inset.top, bottom: 1 - 2 * inset.bottom };
 }
 
-/** Not along the ground, and not straight down. */
+/** Limits a tilt, so that the camera looks neither along the ground nor straight down. */
 export function comfortable(tilt: number): number {
   return clamp(tilt, 0.42, 1.05);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** How well pictures are drawn. */
+/** The level of detail of pictures. */
 export interface Quality {
   /** Pixels of the picture for each pixel of the page, at most. */
   readonly ratio: number;
   readonly shadowSide: number;
-  /** Shadows follow with every picture, or with every third. */
+  /** Shadows are updated in every picture, or in every third. */
   readonly shadowsEvery: number;
   /** Cheaper light, coarser bodies, fewer pictures: if the processor draws. */
   readonly isSlow: boolean;

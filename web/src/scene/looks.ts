@@ -7,13 +7,13 @@ export type Rgb = readonly [number, number, number];
 
 export interface Look {
   base: Rgb;
-  /** Of visors, glass, faces; of ground: what grows on it. */
+  /** The second colour: of visors, glass and faces; of ground: of the plants on it. */
   trim: Rgb | null;
   opacity: number;
   gloss: number;
   glow: number;
   paint: Paint;
-  /** Of the paint per unit of uv. */
+  /** Number of repetitions of the paint per unit of uv. */
   repeats: number;
 }
 

@@ -124,7 +124,7 @@ vOnPlain = (modelMatrix * placed).xz / ${PLAIN_SIDE_M.toFixed(1)} + 0.5;`);
     .replace("#include <color_fragment>", "diffuseColor.rgb = texture2D(plain, vOnPlain).rgb;");
 }
 
-/** Materials of looks, made once each. */
+/** The materials of looks. Each is created once. */
 export class Materials {
   private readonly made = new Map<string, Material>();
   /** Where the processor draws: cheaper light. */
