@@ -143,7 +143,7 @@ class LogWatch final : public KernelWatch {
     fs::remove_all(copies_, ignored);
   }
 
-  /// Reads all that is there now; then a thread goes on. False if the kernel keeps no log.
+  /// Reads the existing log; then a thread continues to read. Returns false if the kernel keeps no log.
   bool Begin() {
     while (true) {
       std::string problem;

@@ -15,7 +15,7 @@ class BacktracePrinter : public kernel::Observer {
   explicit BacktracePrinter(Session& session) : session_(session) {}
   ~BacktracePrinter() override;
 
-  /// Subscribes to the steps, or does so no longer.
+  /// Subscribes to the steps, or unsubscribes.
   void Listen(bool on);
 
   void OnBacktrace(const kernel::Agent& agent, const kernel::BacktraceStep& step) override;

@@ -108,7 +108,7 @@ class ModelReader {
     AddNodes(file_.At("scenes", file_.Number(root, "scene").value_or(0)), "nodes", Frame(), 0);
   }
 
-  /// Without scenes, all nodes that are nobody's child are shown.
+  /// Without scenes, all nodes without a parent are shown.
   static std::set<std::uint64_t> Children(const Json& nodes) {
     std::set<std::uint64_t> children;
     for (const Json& node : nodes) {

@@ -17,14 +17,14 @@ inline constexpr std::size_t kMostIndices = 600'000;
 /// Reads a file next to the model: a buffer or a texture. `name` is relative to the model's folder.
 using ReadNeighbour = std::function<Result<std::string>(std::string_view name)>;
 
-/// Reads a glTF 2.0 model, as .glb or .gltf. The file may come from anywhere: each number in it is checked, and the
-/// error says what is wrong.
+/// Reads a glTF 2.0 model, as .glb or .gltf. The file is not trusted: each number in it is checked. The error names the
+/// invalid part.
 ///
-/// What is read: the default scene with its nodes (matrix, or translation, rotation and scale), meshes of triangles
-/// (also strips and fans) with positions, normals (computed if absent), vertex colours and indices; of materials the
-/// base colour and its texture, a PNG, which is sampled at the corners. Buffers may be in the file, in data URIs or in
-/// files beside it. What is ignored: skins, animations, morph targets, cameras, lights, and everything else of
-/// materials. What is refused: files that require an extension, sparse accessors, JPEG textures.
+/// Read are the default scene with its nodes (matrix, or translation, rotation and scale); meshes of triangles, strips
+/// and fans with positions, normals (computed if absent), vertex colours and indices; and the base colour of materials
+/// with its texture, a PNG or JPEG, which is sampled at the corners. Buffers may be in the file, in data URIs or in
+/// files next to it. Skins, animations, morph targets, cameras, lights and all other properties of materials are
+/// ignored. Files that require an extension and sparse accessors are refused.
 Result<Model> ReadGltf(std::string_view file, const ReadNeighbour& neighbour);
 
 }  // namespace soarbox::model

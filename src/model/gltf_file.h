@@ -12,8 +12,8 @@
 
 namespace soarbox::model {
 
-/// A glTF file taken apart: its JSON, its buffers, and its accessors as plain numbers. The first problem stays, and
-/// whatever is asked after it is empty. For gltf.cpp.
+/// A parsed glTF file: its JSON, its buffers, and its accessors as plain numbers. The first error is kept; after it,
+/// all functions return empty values. Used by gltf.cpp.
 class GltfFile {
  public:
   using Json = nlohmann::json;
@@ -38,7 +38,7 @@ class GltfFile {
   };
   Values FloatsOf(std::uint64_t accessor);
   std::vector<std::uint32_t> IndicesOf(std::uint64_t accessor);
-  /// The bytes of an image: a buffer view, a data URI or a file beside the model.
+  /// The bytes of an image: a buffer view, a data URI or a file next to the model.
   std::string ImageBytes(std::uint64_t image);
 
   const Json& root() const { return json_; }

@@ -36,9 +36,9 @@ class JpegBits {
   int Value(const JpegCodes& codes);
   /// Skips the rest of a byte and a marker RST.
   void Restart();
-  /// Where the data of the scan end.
+  /// The position at which the data of the scan end.
   std::size_t at() const { return at_; }
-  /// Whether much more was read than there is.
+  /// Whether many more bytes were read than exist.
   bool IsOver() const { return missing_ > kMostMissing; }
 
  private:

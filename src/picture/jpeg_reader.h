@@ -8,22 +8,22 @@
 
 namespace soarbox::picture {
 
-/// What reading a JPEG file gave: pixels, or why there are none.
+/// The result of reading a JPEG file: the pixels, or an error.
 struct JpegRead {
   Pixels pixels;
   std::string problem;  ///< "the file ends within its picture"; empty: none.
 };
 
-/// Largest width and height that are read, and most pixels.
+/// Maximum width and height, and maximum number of pixels.
 inline constexpr int kMostJpegSide = 4096;
 inline constexpr int kMostJpegPixels = 8 << 20;
 
-/// Whether the file begins as a JPEG file does.
+/// Whether the file begins like a JPEG file.
 bool IsJpeg(std::string_view file);
 
-/// Reads a JPEG file from anywhere: each length in it is checked. Gray and coloured pictures of 8 bits are read,
-/// baseline and progressive, with any sampling. Arithmetic coding, lossless files and CMYK are not. The pixels are the
-/// same on every machine: all computations use integers. Colours of fewer samples are repeated, not interpolated.
+/// Reads a JPEG file, which is not trusted: each length in it is checked. Supports gray and coloured pictures of 8
+/// bits, baseline and progressive, with any sampling; not arithmetic coding, lossless files and CMYK. The pixels are
+/// the same on every machine: all computations use integers. Colours of fewer samples are repeated, not interpolated.
 JpegRead ReadJpeg(std::string_view file);
 
 }  // namespace soarbox::picture

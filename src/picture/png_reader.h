@@ -14,17 +14,17 @@ struct Pixels {
   std::vector<std::uint8_t> rgba;
 };
 
-/// What reading a PNG file gave: pixels, or why there are none.
+/// The result of reading a PNG file: the pixels, or an error.
 struct PngRead {
   Pixels pixels;
   std::string problem;  ///< "the file ends within a chunk"; empty: none.
 };
 
-/// Largest width and height that are read.
+/// Maximum width and height.
 inline constexpr int kMostPngSide = 4096;
 
-/// Reads a PNG file from anywhere: each length in it is checked. Gray, colours and palettes of up to 8 bits, each with
-/// or without transparency, are read; interlaced files and those of 16 bits are not.
+/// Reads a PNG file, which is not trusted: each length in it is checked. Supports gray, colours and palettes of up to 8
+/// bits, with or without transparency; not interlaced files and not 16 bits.
 PngRead ReadPng(std::string_view file);
 
 }  // namespace soarbox::picture

@@ -35,7 +35,7 @@ void ClientTicks::Add(std::string_view line) {
   }
   for (const std::string& gone : std::exchange(gone_, {})) {
     const std::string agent = sim::PartsOfClientLine(gone)[1];
-    // The last decision of an agent can be looked at: it is gone in the next tick.
+    // The agent is removed in the next tick, so that its last decision can still be inspected.
     if (in_this_tick_.contains(agent)) Flush();
     Put(gone);
     decided_.erase(agent);

@@ -83,7 +83,7 @@ void FindNewAgents(Kernel& kernel) {
   if constexpr (requires { kernel.UpdateAgentList(); }) kernel.UpdateAgentList();
 }
 
-/// An agent that another program made and lets run. It is none of the host's: it stays when the host goes.
+/// An agent that another program created and runs. The host does not own it, and does not destroy it.
 template <typename Kernel>
 Result<SoarHost::Loaded> Attach(Kernel& kernel, const std::string& name) {
   FindNewAgents(kernel);

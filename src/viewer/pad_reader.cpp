@@ -72,7 +72,7 @@ PadReader::Pad& PadReader::Of(int instance) {
 void PadReader::Remove(int instance, std::vector<InputEvent>& events) {
   const auto found = pads_.find(instance);
   if (found == pads_.end()) return;
-  // It lets go of everything.
+  // It releases all buttons and axes.
   for (const auto& [name, value] : found->second.reported)
     if (value != 0) events.push_back(PadEvent(found->second.number, name, 0));
   if (found->second.opened != nullptr) SDL_GameControllerClose(static_cast<SDL_GameController*>(found->second.opened));

@@ -13,12 +13,12 @@
 namespace soarbox::world {
 
 /// Finds the agents near a place: a grid over the ground plane, sorted by counting. Its cells lie row by row, so that a
-/// query reads each row at once; where agents stand too far apart for that, cells are hashed.
+/// query reads each row at once. If agents are too far apart for that, cells are hashed.
 ///
-/// Invariant: every agent that has not gone is either in the cell of its position, with that position beside it, or on
-/// the list of strays, which every query looks at. Moved() puts an agent on that list; when it grows long, the next
-/// query rebuilds the grid. Queries may find agents beyond the range too; callers test the distance themselves. Several
-/// threads may ask at a time, after Update.
+/// Invariant: every agent that was not removed is either in the cell of its position, stored together with the
+/// position, or on the list of strays, which every query searches. Moved() puts an agent on that list; when it grows
+/// long, the next query rebuilds the grid. Queries may also find agents beyond the range; callers test the distance
+/// themselves. After Update, several threads may query at a time.
 class AgentGrid {
  public:
   /// Call it after the number of agents or all their positions have changed.

@@ -84,7 +84,7 @@ def wait_until(holds, what="the fact", limit_s=120):
 
 
 def free_port():
-    """A TCP port of this machine at which nobody listens."""
+    """A TCP port of this machine on which no program listens."""
     with socket.socket() as there:
         there.bind(("127.0.0.1", 0))
         return there.getsockname()[1]

@@ -53,7 +53,7 @@ class Elsewhere(ScenarioCase):
         return process
 
     def is_in_use(self):
-        """Whether somebody is connected to the kernel's port: state 01 in the kernel's table of sockets."""
+        """Whether a client is connected to the kernel's port: state 01 in the kernel's table of sockets."""
         with open("/proc/net/tcp", encoding="ascii") as table:
             return any(f":{self.port:04X} " in line.split(None, 1)[1][:14] and line.split()[3] == "01" for line in list(table)[1:])
 

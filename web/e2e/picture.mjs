@@ -98,7 +98,7 @@ test("keys reach a world's scripts as in the window", async () => {
   await until(async () => (await boxes()) !== before, "F2 shows or hides the help of this world");
   await page.keyboard.press("F2");
   await until(async () => (await boxes()) === before, "and F2 again");
-  // What is typed into a panel is none of the world's.
+  // Text that is typed into a panel does not reach the world.
   await page.locator("[role=tab]", { hasText: /^Agents/ }).focus();
   await page.keyboard.press("F2");
   await page.waitForTimeout(500);

@@ -99,7 +99,7 @@ test("with touch: a body is selected, the camera turns, zooms and moves, panels 
   }
   await page.locator("button[aria-label='Show everybody']").click();
   await page.waitForSelector(".labels .name");
-  // Somebody is brought into the middle of the picture, somebody else is selected, and a finger comes back to the first.
+  // One agent is brought into the middle of the picture, another one is selected, and a finger returns to the first.
   const chosen = async () => (await page.locator(".labels .name.selected b").allInnerTexts()).join();
   await page.locator(".labels .name").first().evaluate((label) => label.click());
   await page.waitForSelector(".labels .name.selected");

@@ -48,7 +48,7 @@ class Tool {
   using Done = std::function<void(serve::WebResponse)>;
   /// Answers a request for /lti/... All of it comes from strangers.
   virtual void Answer(const serve::WebRequest& request, const std::string& what, Done done) = 0;
-  /// Call it every few seconds: looks at what learners have reached in these places, sends scores, and renews keys.
+  /// Call it every few seconds: reads the progress of learners in these places, sends scores, and renews keys.
   virtual void CleanUp(const std::vector<std::string>& running) = 0;
 
   /// The name by which browsers reach the server, as the file says.

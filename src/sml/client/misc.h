@@ -3,7 +3,6 @@
 
 /// Conversions, paths and timers for client programs, with the names that Soar's own programs use. The API does not
 /// need them.
-/// the API needs any of them.
 #include <charconv>
 #include <iomanip>
 #include <sstream>
