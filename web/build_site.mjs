@@ -12,29 +12,13 @@ import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { dirname, join, relative, resolve } from "node:path";
-import { noticesFor } from "./licences.mjs";
+import { noticesFor, noticesOfEngine, RULE } from "./licences.mjs";
 
-const RULE = `\n${"-".repeat(72)}\n\n`;
 const PARTS = { script: "soarbox-engine.mjs", wasm: "soarbox-engine.wasm", data: "soarbox-engine.data" };
 const [engine, emscripten, sources, target] = process.argv.slice(2);
 if (target === undefined || !Object.values(PARTS).every((name) => existsSync(join(engine, name)))) {
   console.error("usage: node build_site.mjs ENGINE EMSCRIPTEN SOURCES TARGET, where ENGINE has " + Object.values(PARTS).join(", "));
   process.exit(2);
-}
-
-/** The notices of the libraries that the engine contains. */
-function noticesOfEngine() {
-  const debian = (name) => `/usr/share/doc/${name}/copyright`;
-  const files = {
-    "Bullet": join(sources, "bullet/LICENSE.txt"), "Recast and Detour": join(sources, "recastnavigation/License.txt"), "Lua 5.1": join(sources, "lua5.1/COPYRIGHT"),
-    "zstd": join(sources, "libzstd/LICENSE"), "zlib": join(sources, "zlib/LICENSE"), "musl (the C library)": join(emscripten, "system/lib/libc/musl/COPYRIGHT"),
-    "fmt": debian("libfmt-dev"), "JSON for Modern C++": debian("nlohmann-json3-dev"), "toml++": debian("libtomlplusplus-dev"),
-  };
-  const texts = Object.entries(files).map(([name, file]) => {
-    if (!existsSync(file)) throw new Error(`${file}: the licence of ${name} is not there, and it has to be passed on`);
-    return `${name}\n\n${readFileSync(file, "utf8").trim()}\n`;
-  });
-  return [...texts, "Emscripten's runtime: Copyright (c) 2010 to 2014 Emscripten authors, under the MIT licence as above (musl).\n", "SQLite is in the public domain. LLVM's C++ library: Apache 2.0 with LLVM's exception.\n"].join(RULE);
 }
 
 const COMMON = { bundle: true, target: "es2022", minify: true, legalComments: "none", logLevel: "warning", write: false };
@@ -77,7 +61,7 @@ async function writeFolder(folder) {
   cpSync("dist/page/assets", join(folder, "assets"), { recursive: true });
   rmSync(join(folder, "assets", "embed.js"), { force: true });
   writeFileSync(join(folder, "assets", "worker.js"), await worker());
-  writeFileSync(join(folder, "assets", "licences.txt"), readFileSync("dist/page/assets/licences.txt", "utf8") + RULE + noticesOfEngine());
+  writeFileSync(join(folder, "assets", "licences.txt"), readFileSync("dist/page/assets/licences.txt", "utf8") + RULE + noticesOfEngine(sources, emscripten));
   for (const part of ["wasm", "data"]) cpSync(join(engine, PARTS[part]), join(folder, "engine", PARTS[part]));
   // Nothing is at the root of its server.
   writeFileSync(join(folder, "index.html"), readFileSync("dist/page/index.html", "utf8").replaceAll('="/assets/', '="assets/')
@@ -94,7 +78,7 @@ async function writeFile(file) {
   const script = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const held = (id, text) => `<script type="text/plain" id="soarbox-${id}">${text}</script>\n`;
   const packed = (part) => gzipSync(partBytes(part), { level: 9 }).toString("base64");
-  const notices = noticesFor(page.metafile) + RULE + noticesOfEngine();
+  const notices = noticesFor(page.metafile) + RULE + noticesOfEngine(sources, emscripten);
   const icon = `data:image/svg+xml;base64,${readFileSync("src/icon.svg").toString("base64")}`;
   const html = readFileSync("src/index.html", "utf8")
     .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="">\n<meta name="color-scheme"')

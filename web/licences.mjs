@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The notices of a bundle: Soarbox's own licence, and that of each package with code in it.
 import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+
+/** Between two notices. */
+export const RULE = `\n${"-".repeat(72)}\n\n`;
 
 /** Folders of the packages from which a bundle took code, by esbuild's metafile. */
 export function packagesIn(metafile) {
@@ -25,5 +29,21 @@ function noticeOf(folder) {
 export function noticesFor(metafile, own = "../LICENSE") {
   if (!existsSync(own)) throw new Error(`${own}: there is no such file`);
   const ours = `Soarbox (BSD-2-Clause)\n\n${readFileSync(own, "utf8").trim()}\n`;
-  return [ours, ...packagesIn(metafile).map(noticeOf)].join(`\n${"-".repeat(72)}\n\n`);
+  return [ours, ...packagesIn(metafile).map(noticeOf)].join(RULE);
+}
+
+/** The notices of the libraries that the engine as WebAssembly contains. Throws if one is not there.
+ * `sources`: their folder; `emscripten`: the compiler's folder. */
+export function noticesOfEngine(sources, emscripten) {
+  const debian = (name) => `/usr/share/doc/${name}/copyright`;
+  const files = {
+    "Bullet": join(sources, "bullet/LICENSE.txt"), "Recast and Detour": join(sources, "recastnavigation/License.txt"), "Lua 5.1": join(sources, "lua5.1/COPYRIGHT"),
+    "zstd": join(sources, "libzstd/LICENSE"), "zlib": join(sources, "zlib/LICENSE"), "musl (the C library)": join(emscripten, "system/lib/libc/musl/COPYRIGHT"),
+    "fmt": debian("libfmt-dev"), "JSON for Modern C++": debian("nlohmann-json3-dev"), "toml++": debian("libtomlplusplus-dev"), "CLI11 (the command only)": debian("libcli11-dev"),
+  };
+  const texts = Object.entries(files).map(([name, file]) => {
+    if (!existsSync(file)) throw new Error(`${file}: the licence of ${name} is not there, and it has to be passed on`);
+    return `${name}\n\n${readFileSync(file, "utf8").trim()}\n`;
+  });
+  return [...texts, "Emscripten's runtime: Copyright (c) 2010 to 2014 Emscripten authors, under the MIT licence as above (musl).\n", "SQLite is in the public domain. LLVM's C++ library: Apache 2.0 with LLVM's exception.\n"].join(RULE);
 }

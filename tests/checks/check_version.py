@@ -14,6 +14,7 @@ PLACES = [
     ("web/package-lock.json", rf'^  "version": "{NUMBER}"'),
     ("editors/vscode/package.json", rf'^  "version": "{NUMBER}"'),
     ("editors/vscode/package-lock.json", rf'^  "version": "{NUMBER}"'),
+    ("packaging/npm/package.json", rf'^  "version": "{NUMBER}"'),
     ("CITATION.cff", rf"^version: {NUMBER}$"),
     ("CHANGELOG.md", rf"^## {NUMBER}"),
     ("packaging/debian/changelog", rf"^soarbox \({NUMBER}-"),
