@@ -10,7 +10,7 @@
 // SOURCES     the folder of the libraries that the engine contains: for their licences
 // TARGET      gets the folder package/ and the tarball, whose path is printed
 import { execFileSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { noticesOfEngine, RULE } from "../../web/licences.mjs";
@@ -38,7 +38,7 @@ rmSync(target, { recursive: true, force: true });
 mkdirSync(join(folder, "share", "soarbox", "page"), { recursive: true });
 mkdirSync(join(folder, "engine"));
 const { version } = JSON.parse(readFileSync(join(HERE, "package.json"), "utf8"));
-for (const name of ["package.json", "README.md", "soarbox.js", "serve.js"]) cpSync(join(HERE, name), join(folder, name));
+for (const name of readdirSync(HERE).filter((name) => name !== "assemble.mjs")) cpSync(join(HERE, name), join(folder, name));
 for (const name of ["soarbox.js", "soarbox.wasm"]) cpSync(join(engine, name), join(folder, "engine", name));
 for (const name of ["scenarios", "media", "lessons"])
   cpSync(join(ROOT, name), join(folder, "share", "soarbox", name), { recursive: true, filter: (path) => !path.includes("__pycache__") });

@@ -186,6 +186,54 @@ class Commands(Package):
         self.assertTrue(any(each["params"]["uri"] == file and each["params"]["diagnostics"] for each in problems), answers[0])
 
 
+class Api(Package):
+    """What programs in JavaScript can do: a client of kernels, worlds, commands."""
+
+    def run_script(self, name, *words):
+        shutil.copy(REPOSITORY / "tests" / "wasm" / name, self.installed / name)
+        done = subprocess.run(["node", name, *map(str, words)], cwd=self.installed, env=self.environment, capture_output=True, text=True,
+                              check=False, timeout=LIMIT_S)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout[-3000:])
+        return done.stdout
+
+    def test_a_client_of_a_kernel(self):
+        kernel = subprocess.Popen([str(GIVEN.native), "kernel", "--port", "0"], env=self.environment, cwd=self.folder,
+                                  stdout=subprocess.PIPE, text=True)
+        self.addCleanup(kernel.stdout.close)
+        self.addCleanup(kernel.wait)
+        self.addCleanup(kernel.kill)
+        port = re.search(r":(\d+)", kernel.stdout.readline()).group(1)
+        self.assertEqual(self.run_script("npm_client.js", port), "all checks passed\n")
+
+    def test_worlds_and_commands(self):
+        self.assertEqual(self.run_script("npm_worlds.js"), "all checks passed\n")
+
+    def test_the_types(self):
+        """A program that uses them compiles; one that uses them wrongly does not."""
+        compiler = REPOSITORY / "web" / "node_modules" / ".bin" / "tsc"
+        self.assertTrue(compiler.exists(), f"{compiler} is missing; npm ci in web/ installs it")
+        right = """import {Agent, Kernel, runWorld} from "soarbox";
+async function main(): Promise<number> {
+  const kernel = await Kernel.CreateRemoteConnection("127.0.0.1", 12121), agent: Agent = await kernel.CreateAgent("a");
+  const link = await agent.GetInputLink();
+  link.CreateIdWME("pair").CreateIntWME("a", 3).Update(4);
+  await agent.RegisterForPrintEvent((_, text) => console.log(text));
+  const command = agent.GetCommand(0);
+  command?.AddStatusComplete();
+  for await (const event of runWorld("soar_flee", {seconds: 3})) if (event.event === "end") return 0;
+  return (await agent.RunSelf(3, "phase")).length;
+}
+void main();
+"""
+        for text, code in ((right, 0), (right.replace('CreateIntWME("a", 3)', 'CreateIntWME("a", "3")'), 2)):
+            (self.installed / "program.ts").write_text(text, encoding="utf-8")
+            done = subprocess.run([str(compiler), "--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom",
+                                   "--types", "", "program.ts"], cwd=self.installed, env=self.environment, capture_output=True, text=True,
+                                  check=False, timeout=LIMIT_S)
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            self.assertEqual("program.ts(5" in done.stdout, code != 0, done.stdout)
+
+
 class Serving(Package):
     """The site on this machine."""
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Worlds and commands from JavaScript, as a user of the npm package writes it; run_npm.py runs it.
+'use strict';
+
+const assert = require('node:assert/strict');
+const {runCommand, runWorld} = require('soarbox');
+
+async function stateAfter(options) {
+  const events = [];
+  for await (const event of runWorld('soar_flee', options)) events.push(event);
+  const end = events.at(-1);
+  assert.equal(end.event, 'end');
+  assert.ok(events.length > 1);
+  return end.state;
+}
+
+async function main() {
+  const first = await stateAfter({seconds: 3});
+  assert.match(first, /^[\da-f]{16}$/);
+  assert.equal(await stateAfter({seconds: 3}), first);
+  assert.notEqual(await stateAfter({seconds: 4}), first);
+  await assert.rejects(stateAfter({seconds: -1}), /seconds/);
+  await assert.rejects(async () => { for await (const event of runWorld('no_such_world')) assert.fail(event.event); }, /no_such_world/);
+  // Leaving the loop ends a run that has no end of its own.
+  for await (const event of runWorld('soar_flee', {seconds: 1e6})) {
+    assert.ok(event.event);
+    break;
+  }
+  const soar = await runCommand(['soar'], {input: 'print s1\nexit\n'});
+  assert.equal(soar.code, 0);
+  assert.match(soar.stdout, /\^superstate nil/);
+  const wrong = await runCommand(['chek']);
+  assert.equal(wrong.code, 2);
+  assert.match(wrong.stderr, /check/);
+  console.log('all checks passed');
+}
+
+main();
