@@ -86,8 +86,21 @@ struct LearnersRules {
   bool Fit(const mission::RulePattern& pattern) const {
     return std::ranges::any_of(own, [&](const explain::RuleText& rule) { return pattern.Fits(rule); });
   }
-  /// True if a warning is about a rule that came from the lesson.
+  /// True if a warning is about a rule that came from the lesson. A warning that a given rule tests an attribute that
+  /// no rule makes is about the learner's rules if one of them makes a similar attribute, and none tests that.
   bool IsAboutGiven(const Diagnostic& problem) const {
+    constexpr std::string_view kMeant = "did you mean ^";
+    const std::size_t meant = problem.hint.find(kMeant);
+    if (meant != std::string::npos && problem.message.ends_with("which no percept and no rule makes")) {
+      const std::size_t begin = meant + kMeant.size();
+      const std::string similar = problem.hint.substr(begin, problem.hint.find('?', begin) - begin);
+      const auto has = [&](const std::vector<explain::RuleAttribute>& side) {
+        return std::ranges::find(side, similar, &explain::RuleAttribute::attribute) != side.end();
+      };
+      const bool is_made = std::ranges::any_of(own, [&](const auto& rule) { return has(rule.actions); });
+      const bool is_tested = std::ranges::any_of(own, [&](const auto& rule) { return has(rule.conditions); });
+      if (is_made && !is_tested) return false;
+    }
     return std::ranges::any_of(given, [&](const std::string& name) {
       const std::size_t at = problem.message.find("rule " + name);
       const std::size_t end = at + name.size() + 5;

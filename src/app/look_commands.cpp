@@ -24,6 +24,7 @@
 #include "record/reader.h"
 #include "record/rerun.h"
 #include "sim/check.h"
+#include "sim/findings.h"
 #include "sim/scenario_file.h"
 #include "sim/simulation.h"
 #include "sweep/plan.h"
@@ -89,7 +90,7 @@ int Check(const CheckOptions& options) {
 
 namespace {
 
-/// Runs the scenario from its beginning to the requested moment.
+/// Runs the scenario from its beginning to the requested moment. Prints the errors of rules and scripts until then.
 Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
   if (!scenario) return scenario.error();
@@ -98,7 +99,15 @@ Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, 
   settings.seed = sim::SeedOf(*scenario, options.seed);
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);
   if (!simulation) return simulation;
-  while (!WasInterrupted() && (*simulation)->time_s() < options.at_s) (*simulation)->Tick();
+  sim::EventFindings findings;
+  findings.See((*simulation)->TakeEvents());
+  while (!WasInterrupted() && (*simulation)->time_s() < options.at_s) {
+    (*simulation)->Tick();
+    findings.See((*simulation)->TakeEvents());
+  }
+  // A script that fails may be the reason for what the agent does.
+  for (const sim::EventFindings::Reported& reported : findings.reported())
+    if (reported.diagnostic.severity == Severity::kError) std::cerr << Format(reported.diagnostic);
   return simulation;
 }
 

@@ -52,6 +52,25 @@ std::string List(const std::vector<std::string>& words) {
   return text;
 }
 
+/// "^name, ^place and 2 more"
+std::string AttributeList(const std::vector<std::string>& attributes) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < attributes.size() && i < kMost; ++i) shown.push_back("^" + attributes[i]);
+  if (attributes.size() > kMost) shown.push_back(std::to_string(attributes.size() - kMost) + " more");
+  return Listed(shown);
+}
+
+/// Advice for a test "<> x" of an element that is absent; empty for other tests.
+std::string AdviceForUnequal(const ConditionText& condition) {
+  constexpr std::string_view kUnequal = "<> ";
+  if (!condition.value.starts_with(kUnequal)) return {};
+  const std::string value = condition.value.substr(kUnequal.size());
+  if (value.find_first_of(" <>{}^.") != std::string::npos) return {};
+  return "; a test with <> needs an element: -^" + condition.path.back() + " " + value +
+         " also matches if there is none";
+}
+
 /// The percept at this path from the state; null if there is none.
 const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
   constexpr std::size_t kLink = 2;  // io.input-link
@@ -61,6 +80,56 @@ const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
   for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
     if (row.path == dotted) return &row;
   return nullptr;
+}
+
+/// The attributes of an identifier, each once.
+std::set<std::string> AttributesOf(Inspector& inspector, const std::string& id) {
+  std::set<std::string> attributes;
+  for (const ElementFact& element : inspector.ElementsOf(id)) attributes.insert(element.attribute);
+  return attributes;
+}
+
+/// For an element that a condition requires and that is absent from this state: the attributes that its object has
+/// instead, or the places below the state that have it. Empty if nothing useful is known.
+std::string WhatIsThere(MindView& view, Inspector& inspector, const std::string& state,
+                        const ConditionText& condition) {
+  const std::string& attribute = condition.path.back();
+  if (!IsConstantAttribute(attribute)) return {};
+  if (condition.path.size() == 1) {
+    if (IsArchitectureAttribute(attribute)) return {};
+    // The state has no such element, but one of its own objects does now, or other rules test it there.
+    std::set<std::string> places;
+    const auto add = [&](const std::string& object) {
+      if (IsConstantAttribute(object) && !IsArchitectureAttribute(object))
+        places.insert("^" + object + "." + attribute);
+    };
+    for (const std::string& object : AttributesOf(inspector, state))
+      if (!view.ValuesAt(state, {object, attribute}).empty()) add(object);
+    for (const RuleText& other : view.rules()) {
+      for (const RuleAttribute& tested : other.conditions) {
+        const auto path = other.paths.find(tested.id);
+        if (tested.attribute != attribute || path == other.paths.end()) continue;
+        if (const std::vector<std::string> below = FromTop(path->second); below.size() == 1) add(below.front());
+      }
+    }
+    return places.empty() ? std::string() : "; it is " + Listed(std::vector<std::string>(places.begin(), places.end()));
+  }
+  // Answers of the world and of the memories come later, and percepts come and go.
+  const bool is_answer = IsArchitectureAttribute(attribute) && attribute != "name" && attribute != "value";
+  if (is_answer || condition.path.front() == "io") return {};
+  const std::vector<std::string> above(condition.path.begin(), condition.path.end() - 1);
+  const std::vector<std::string> objects = view.ValuesAt(state, above);
+  if (objects.empty()) return {};
+  std::string path;
+  for (const std::string& step : above) path += (path.empty() ? "^" : ".") + step;
+  std::set<std::string> found;
+  for (const std::string& object : objects) {
+    if (!IsIdentifier(object)) return "; " + path + " is " + object + ", a value without attributes";
+    for (const std::string& each : AttributesOf(inspector, object)) found.insert(each);
+  }
+  // A state has many attributes, and operators are explained by the rules that propose them.
+  if (found.empty() || found.contains("superstate")) return {};
+  return "; " + path + " has only " + AttributeList({found.begin(), found.end()});
 }
 
 }  // namespace
@@ -292,7 +361,8 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   }
   if (const vocabulary::PerceptRow* row = RowAt(condition.path))
     return Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}});
-  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return Say(Situation::kNoneNow);
+  if (known.contains(attribute) || IsArchitectureAttribute(attribute))
+    return Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition);
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
     return Say(Situation::kWrongPlace, {{"places", places}});
   // A rule that did not load may make it, or a rule with attributes that are known only when it fires, or a recall may
@@ -300,7 +370,8 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
   if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
       std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
     const std::string failed = WhatFailed();
-    return Say(Situation::kNoneNow) + (failed.empty() ? "" : "; " + failed);
+    return Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition) +
+           (failed.empty() ? "" : "; " + failed);
   }
   const std::string hint = SuggestAttribute(attribute, known);
   return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
@@ -382,7 +453,7 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     if (const std::string state = SubstateOfSelected(rule); !state.empty())
       return waits(Say(Situation::kNoLinks, {{"state", state}}));
   }
-  if (values.empty()) return waits(ExplainAbsence(rule, first, known));
+  if (values.empty()) return waits(ExplainAbsence(rule, first, known) + AdviceForUnequal(first));
   std::string bound;
   for (const std::vector<std::string>& path : first.compared) {
     std::vector<std::string> others;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -73,32 +74,68 @@ PlaceInText PlaceAt(const std::string& text, std::size_t at) {
           static_cast<int>(at - begin) + 1, text.substr(begin, std::min(text.find('\n', at), text.size()) - begin)};
 }
 
+/// The text of a rule after its name, without insignificant blanks. `end` is the name of the next rule: what follows
+/// the last brace before `sp {` is no part of it.
+std::string BodyOfRule(std::string_view text, std::size_t begin, std::size_t end) {
+  std::string body;
+  for (std::size_t at = begin; at < end; ++at) {
+    if (!IsBlankAt(text, at)) {
+      body += text[at];
+    } else if (!body.empty() && body.back() != ' ') {
+      body += ' ';
+    }
+  }
+  if (end < text.size()) body.resize(std::min(body.size(), body.rfind('{')));
+  const std::size_t brace = body.rfind('}');
+  return brace == kNotThere ? std::string() : body.substr(0, brace);
+}
+
+Diagnostic WarningAt(const RuleFile& file, std::size_t at, std::size_t length, std::string message, std::string hint) {
+  PlaceInText place = PlaceAt(file.text, at);
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.file = file.file.string();
+  warning.message = std::move(message);
+  warning.hint = std::move(hint);
+  warning.line = place.line;
+  warning.column = place.column;
+  warning.excerpt = std::move(place.excerpt);
+  warning.excerpt_length = static_cast<int>(length);
+  return warning;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
   // Lines are only computed for names that occur twice.
   std::map<std::string, std::pair<const RuleFile*, std::size_t>> known;
+  std::map<std::string, std::string> bodies;  // The first rule with this text.
   std::vector<Diagnostic> warnings;
   for (const RuleFile& file : files) {
-    for (const std::size_t at : NamesOfRules(file.text)) {
+    const std::vector<std::size_t> names = NamesOfRules(file.text);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::size_t at = names[i];
       const std::string name =
           file.text.substr(at, std::min(file.text.find_first_of(" \t\r\n(", at), file.text.size()) - at);
       const auto [first, is_new] = known.try_emplace(name, &file, at);
-      if (is_new) continue;
+      if (is_new) {
+        std::string body =
+            BodyOfRule(file.text, at + name.size(), i + 1 < names.size() ? names[i + 1] : file.text.size());
+        if (body.empty()) continue;
+        const auto [copied, is_first] = bodies.try_emplace(std::move(body), name);
+        if (!is_first)
+          warnings.push_back(
+              WarningAt(file, at, name.size(),
+                        "rule " + name + " is ignored: it has the same conditions and actions as " + copied->second,
+                        "change what is to be different, or remove one of them"));
+        continue;
+      }
       const RuleFile* const other = first->second.first;
       const int line = PlaceAt(other->text, first->second.second).line;
-      PlaceInText place = PlaceAt(file.text, at);
-      Diagnostic warning;
-      warning.severity = Severity::kWarning;
-      warning.file = file.file.string();
-      warning.message = "rule " + name + " replaces the rule of the same name in " +
-                        (other == &file ? "line " : other->file.string() + ":") + std::to_string(line);
-      warning.hint = "give each rule its own name";
-      warning.line = place.line;
-      warning.column = place.column;
-      warning.excerpt = std::move(place.excerpt);
-      warning.excerpt_length = static_cast<int>(name.size());
-      warnings.push_back(std::move(warning));
+      warnings.push_back(WarningAt(file, at, name.size(),
+                                   "rule " + name + " replaces the rule of the same name in " +
+                                       (other == &file ? "line " : other->file.string() + ":") + std::to_string(line),
+                                   "give each rule its own name"));
     }
   }
   return warnings;
@@ -111,10 +148,19 @@ std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords
     all.push_back(*std::move(other));
     known.own_world = true;
   }
+  std::set<std::pair<std::string, std::string>> told;  // Rule and variable.
   for (const std::vector<Slip>& some :
        {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfLogic(rules, known),
-        FindSlipsOfMemory(rules), FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)})
-    all.insert(all.end(), some.begin(), some.end());
+        FindSlipsOfMemory(rules), FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)}) {
+    // The first search with a slip about a variable says what is wrong with it.
+    std::set<std::pair<std::string, std::string>> variables;
+    for (const Slip& slip : some) {
+      if (told.contains({slip.rule, slip.word})) continue;
+      if (IsVariable(slip.word)) variables.emplace(slip.rule, slip.word);
+      all.push_back(slip);
+    }
+    told.merge(variables);
+  }
   return all;
 }
 

@@ -285,6 +285,75 @@ void FindTopAndBelow(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
+/// "(state <s> ^operator <o>) --> (<s> ^operator <o> = 6)": a number for an operator that is selected already.
+void FindNumbersForSelected(const RuleText& rule, std::vector<Slip>& slips) {
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string id = FirstWord(action.value);
+    const std::size_t sign = action.value.find(" = ");
+    if (action.attribute != "operator" || !IsVariable(id) || sign == std::string::npos) continue;
+    if (!IsNumber(FirstWord(action.value.substr(sign + 3)))) continue;
+    bool is_selected = false, is_candidate = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (condition.attribute != "operator" || condition.negated || condition.id != action.id) continue;
+      is_selected |= condition.value == id;
+      is_candidate |= condition.value == id + " +";
+    }
+    if (!is_selected || is_candidate) continue;
+    slips.push_back({rule.name, "operator", true,
+                     "rule " + rule.name + " gives a number to the operator that is selected already: numbers count " +
+                         "before, among the proposed ones",
+                     "test the proposal, with a + after it: ^operator " + id + " +"});
+    return;
+  }
+}
+
+/// "(state <s> ^operator.name mow) --> (<s> ^operator <o> +) (<o> ^name mow)": the first proposal never comes.
+void FindProposalsThatWaitForThemselves(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  for (const RuleText& rule : rules) {
+    for (const std::string& name : rule.proposes) {
+      if (name.empty() || !rule.applies.contains(name)) continue;
+      const bool has_other = std::ranges::any_of(rules, [&](const RuleText& other) {
+        return &other != &rule && (other.proposes.contains(name) || other.proposes.contains(""));
+      });
+      if (has_other) continue;
+      slips.push_back({rule.name, name, false,
+                       "rule " + rule.name + " proposes " + name + " only while " + name +
+                           " is selected, and no other rule proposes it: it is never selected",
+                       "a proposal does not test its own operator; the rule that applies it does"});
+    }
+  }
+}
+
+/// "^at <here> --> (<s> ^at <there>)" when an operator is applied and <here> has no other use: the old value stays.
+void FindKeptValues(const RuleText& rule, std::vector<Slip>& slips) {
+  if (IsElaboration(rule)) return;
+  std::map<std::string, int> uses;
+  for (const auto* side : {&rule.conditions, &rule.actions}) {
+    std::set<std::string> ids;
+    for (const RuleAttribute& one : *side) {
+      if (ids.insert(one.id).second) ++uses[one.id];
+      for (const std::string& variable : VariablesIn(one.attribute + " " + one.value)) ++uses[variable];
+    }
+  }
+  for (const RuleCall& call : rule.all_calls)
+    for (const std::string& argument : call.arguments)
+      if (IsVariable(argument)) ++uses[argument];
+  for (const RuleAttribute& condition : rule.conditions) {
+    const std::string& old = condition.value;
+    if (condition.negated || !IsVariable(old) || IsMadeUpVariable(old) || uses[old] != 1) continue;
+    if (condition.attribute == "operator" || !IsConstantAttribute(condition.attribute)) continue;
+    for (const RuleAttribute& action : rule.actions) {
+      if (action.id != condition.id || action.attribute != condition.attribute || action.removes) continue;
+      if (!IsVariable(FirstWord(action.value)) || !IsBoundByConditions(rule, FirstWord(action.value))) continue;
+      slips.push_back({rule.name, old, false,
+                       "rule " + rule.name + " adds another ^" + action.attribute + " and keeps the old one, " + old +
+                           ": there are two values then",
+                       "remove the old one, too: (" + action.id + " ^" + action.attribute + " " + old + " -)"});
+      return;
+    }
+  }
+}
+
 bool IsForTheTop(const RuleText& rule) {
   return std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
     return condition.on_state && condition.attribute == "superstate" && condition.value == "nil";
@@ -344,7 +413,10 @@ std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules) {
     FindComparedNames(rule, slips);
     FindTwoSelected(rule, slips);
     FindTopAndBelow(rule, slips);
+    FindNumbersForSelected(rule, slips);
+    FindKeptValues(rule, slips);
   }
+  FindProposalsThatWaitForThemselves(rules, slips);
   FindLinksOfSubstates(rules, slips);
   return slips;
 }

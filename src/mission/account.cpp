@@ -34,6 +34,10 @@ Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
   // That an element exists but does not match the other conditions does not show which condition is the cause.
   const bool is_vague = waiting.why.find("fit the conditions before it") != std::string::npos ||
                         waiting.why.find("does not fit the rule's other conditions") != std::string::npos;
+  // The kind of an impasse is an answer only if the agent stays in an impasse: otherwise another one comes later.
+  const bool is_about_kind =
+      waiting.why.starts_with("requires ^impasse ") || waiting.why.starts_with("requires ^attribute ");
+  if (is_about_kind) return is_torn ? Cause::kFurthest : Cause::kWaiting;
   if (is_torn || waiting.waits_for_operator || is_vague) return Cause::kWaiting;
   return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
 }

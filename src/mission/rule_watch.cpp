@@ -61,11 +61,14 @@ bool IsAboutSelected(std::string_view why) {
          why.find("the operator selected in") != std::string_view::npos;
 }
 
-/// Whether a reason says only that an element is missing, or that one exists. A different value, or a value that no
-/// rule can make, is more informative.
+/// Whether a reason says only that an element is missing, perhaps with what is there instead, or that one exists. A
+/// different value, or a value that no rule can make, is more informative.
 bool IsAboutOthers(std::string_view why) {
-  return why.ends_with("but there is none now") ||
-         (why.starts_with("requires no ") && why.ends_with("but there is one"));
+  constexpr std::string_view kNone = "but there is none now";
+  const std::size_t none = why.find(kNone);
+  const std::string_view rest = none == std::string_view::npos ? "." : why.substr(none + kNone.size());
+  const bool is_other = rest.starts_with("; ^") && rest.find(" has only ^") != std::string_view::npos;
+  return rest.empty() || is_other || (why.starts_with("requires no ") && why.ends_with("but there is one"));
 }
 
 /// "; rule x made it", for a reason "requires no ^fire, but ..."; empty if the maker is not known.

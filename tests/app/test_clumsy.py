@@ -243,6 +243,17 @@ class Scripts(ScenarioCase):
         self.assertIn("bad argument #2 to 'Sandbox.CreateSoarAgent' (string expected, got nil)", run.out)
         self.assertIn("bad argument #4 to 'Sandbox.CreateSoarAgent' (these are too many options)", run.out)
 
+    def test_why_tells_which_script_has_failed(self):
+        (self.folder / "keeper.soar").write_text("sp {keeper*look\n   (state <s> ^superstate nil ^io.input-link.sky dark)\n"
+                                                 "-->\n   (<s> ^operator <o> +)\n   (<o> ^name look)\n}\n")
+        (self.folder / "scenario.toml").write_text('script = "world.lua"\n[[agent]]\nname = "keeper"\n'
+                                                   'rules = "keeper.soar"\nby = "sandbox"\n')
+        (self.folder / "world.lua").write_text("function Sandbox_Sense(sandbox, agent)\n"
+                                               "    return { sky = Harbor.sky };\nend\n")
+        run = Run("why", self.folder, "--at", 0.5)
+        self.assertIn("world.lua:2: error: attempt to index global 'Harbor'", run.err)
+        self.assertIn("rule keeper*look requires", run.out)
+
     def test_why_nobody_thinks_is_told(self):
         self.run_("")
         run = Run("why", self.folder, "--at", 0.1, code=3)
