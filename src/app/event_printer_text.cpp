@@ -6,6 +6,7 @@
 
 #include "app/event_printer.h"
 #include "diagnostics/plain_text.h"
+#include "sim/findings.h"
 
 namespace soarbox::app {
 namespace {
@@ -83,7 +84,7 @@ class TextPrinter : public EventPrinter {
     const auto counted = [](std::uint64_t number, const char* word) {
       return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
     };
-    PrintFindings(footer.findings);
+    PrintFindings(footer);
     out_ << fmt::format("soarbox: {}, {:.1f} s simulated, {} ({} of them Soar), {}, state {:016x}\n",
                         counted(footer.ticks, "tick"), footer.time_s, counted(footer.agents, "agent"),
                         footer.soar_agents, counted(footer.problems, "problem"), footer.state_hash);
@@ -91,10 +92,16 @@ class TextPrinter : public EventPrinter {
   }
 
  private:
-  void PrintFindings(const std::vector<sim::Finding>& findings) {
+  void PrintFindings(const RunFooter& footer) {
     constexpr std::size_t kMost = 5;
+    const std::vector<sim::Finding>& findings = footer.findings;
     if (findings.empty()) return;
-    out_ << "soarbox: what went wrong, the cause first:\n";
+    // That an agent waits, for example after a fight, need not be a mistake.
+    const bool is_wrong = footer.problems > 0 || std::ranges::any_of(findings, [](const sim::Finding& finding) {
+                            return finding.cause <= sim::Cause::kRefused;
+                          });
+    out_ << (is_wrong ? "soarbox: what went wrong, the cause first:\n"
+                      : "soarbox: when agents had nothing to do, and why:\n");
     for (std::size_t i = 0; i < findings.size() && i < kMost; ++i)
       out_ << fmt::format("  {}. {}\n", i + 1, Printable(findings[i].text, "", findings[i].text.size()));
     if (findings.size() > kMost) out_ << fmt::format("  and {} more\n", findings.size() - kMost);

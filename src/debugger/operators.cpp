@@ -12,6 +12,7 @@
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
 #include "wording/decision_text.h"
+#include "wording/number_words.h"
 #include "wording/sentences.h"
 
 namespace soarbox::debugger {
@@ -136,14 +137,6 @@ void TellWithout(OperatorsView& view) {
   }
 }
 
-/// Removes trailing zeros, because kernels print six decimals.
-std::string WithoutZeros(std::string number) {
-  if (number.find('.') == std::string::npos) return number;
-  number.erase(number.find_last_not_of('0') + 1);
-  if (number.ends_with('.')) number.pop_back();
-  return number;
-}
-
 /// The attributes of an operator except its name: "north", or "W1 (north)" for an object with a name.
 using Features = std::map<std::string, std::string>;
 
@@ -215,7 +208,7 @@ std::string Describe(const PreferenceFact& preference) {
                          {{"maker", preference.maker.rule.empty() ? "" : "rule " + preference.maker.rule},
                           {"op", "it"},
                           {"other", NameAndId(preference.other_name, preference.referent)},
-                          {"value", WithoutZeros(preference.referent)}});
+                          {"value", wording::WithoutZeros(preference.referent)}});
   return text.substr(text.find_first_not_of(' '));  // The origin may not be reported.
 }
 

@@ -130,7 +130,8 @@ std::optional<FoundOperator> Find(explain::Inspector& mind, std::string_view op)
 
 std::string CommandText(const CommandRow& command) {
   std::string text = "command " + command.name;
-  for (const MemoryRow& row : command.parameters) text += " ^" + row.element.attribute + " " + row.element.value;
+  for (const MemoryRow& row : command.parameters)
+    text += " ^" + row.element.attribute + " " + wording::WithoutZeros(row.element.value);
   return text + ": " + command.status + (command.reason.empty() ? "" : " " + command.reason);
 }
 

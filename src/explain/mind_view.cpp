@@ -16,6 +16,7 @@
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
+#include "wording/number_words.h"
 #endif
 
 namespace soarbox::explain {
@@ -25,7 +26,8 @@ constexpr std::size_t kMostFollowed = 50;  ///< Maximum number of identifiers of
 
 /// "(S1 ^operator O1 +)"
 std::string ElementText(const ElementFact& element) {
-  return "(" + element.id + " ^" + element.attribute + " " + element.value + (element.acceptable ? " +)" : ")");
+  return "(" + element.id + " ^" + element.attribute + " " + wording::WithoutZeros(element.value) +
+         (element.acceptable ? " +)" : ")");
 }
 
 /// The word for a type in the output of `preferences`.
@@ -163,7 +165,8 @@ std::vector<Preference> MindView::Preferences(const std::string& state) {
     preference.operator_id = fact.value;
     preference.name = fact.name;
     preference.text = WithName(fact.value, fact.name) + " " + fact.sign;
-    if (!fact.referent.empty()) preference.text += " " + WithName(fact.referent, fact.other_name);
+    if (!fact.referent.empty())
+      preference.text += " " + WithName(wording::WithoutZeros(fact.referent), fact.other_name);
     preference.rule = fact.maker.rule;
     preference.fact = fact;
   }
@@ -218,7 +221,7 @@ std::string MindView::DescribeOperator(const std::string& id) {
     if (element.attribute == "name") {
       name = element.value;
     } else {
-      rest += " ^" + element.attribute + " " + element.value;
+      rest += " ^" + element.attribute + " " + wording::WithoutZeros(element.value);
     }
   }
   return name.empty() ? id + rest : name + rest;

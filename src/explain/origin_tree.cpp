@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "wording/decision_text.h"
+#include "wording/number_words.h"
 #include "wording/sentences.h"
 
 namespace soarbox::explain {
@@ -114,7 +115,8 @@ class OriginTeller {
 
   WhyNode Element(const OriginElementFact& matched, int depth) {
     const mind::ElementFact& element = matched.element;
-    WhyNode node{"^" + element.attribute + " " + element.value + (element.acceptable ? " +" : "") + " of " + element.id,
+    WhyNode node{"^" + element.attribute + " " + wording::WithoutZeros(element.value) +
+                     (element.acceptable ? " +" : "") + " of " + element.id,
                  WhyKind::kElement,
                  std::to_string(element.timetag),
                  {}};

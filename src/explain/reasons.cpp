@@ -14,6 +14,7 @@
 #include "explain/rule_text.h"
 #include "vocabulary/vocabulary.h"
 #include "wording/decision_text.h"
+#include "wording/number_words.h"
 #include "wording/sentences.h"
 
 namespace soarbox::explain {
@@ -34,15 +35,7 @@ constexpr std::size_t kLongestCircle = 6;
 using wording::Listed;
 using wording::Say;
 using wording::Situation;
-
-/// Removes trailing zeros, because kernels print six decimals.
-std::string WithoutZeros(std::string number) {
-  const bool is_float =
-      number.find('.') != std::string::npos && number.find_first_not_of("-0123456789.") == std::string::npos;
-  while (is_float && number.ends_with('0')) number.pop_back();
-  if (is_float && number.ends_with('.')) number.pop_back();
-  return number;
-}
+using wording::WithoutZeros;
 
 std::string List(const std::vector<std::string>& words) {
   std::string text;

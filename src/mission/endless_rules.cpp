@@ -17,12 +17,13 @@ constexpr std::uint64_t kLimit = 50;
 constexpr std::size_t kMostStates = 60;
 
 /// Explains a goal stack that grows without end: the operator that is selected in the newest states, and its proposal.
+/// Empty if no operator is selected: the impasse of the first state is the cause then, and other findings explain it.
 std::string GrowingStack(const std::string& agent, explain::Inspector& mind,
                          const std::vector<explain::StateFact>& stack) {
   std::string text = "the goal stack of " + agent + " grows without end";
   const auto newest = std::find_if(stack.rbegin(), stack.rend(),
                                    [](const explain::StateFact& state) { return !state.operator_id.empty(); });
-  if (newest == stack.rend()) return text + ": in no substate is an operator selected";
+  if (newest == stack.rend()) return {};
   text += ": in each substate " + newest->operator_name + " is selected again, and leads to another substate";
   for (const explain::PreferenceFact& preference : mind.Operators(newest->id).preferences)
     if (preference.type == "acceptable" && preference.value == newest->operator_id && !preference.maker.rule.empty())
@@ -62,7 +63,9 @@ bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation
     if (inspector == nullptr || !inspector->TellsAll()) continue;
     const std::vector<explain::StateFact> stack = inspector->Stack();
     if (stack.size() < kMostStates) continue;
-    text_ = GrowingStack(agent, *inspector, stack) + ". The run was ended at " + SecondsText(simulation.time_s());
+    const std::string cause = GrowingStack(agent, *inspector, stack);
+    if (cause.empty()) continue;
+    text_ = cause + ". The run was ended at " + SecondsText(simulation.time_s());
     return true;
   }
   return false;

@@ -124,9 +124,12 @@ std::optional<Compared> CompareNumbers(const Plan& plan, const Quantity& quantit
   const mission::Interval interval = mission::StudentInterval(differences);
   Compared compared{
       {}, mission::StudentTest(differences), mission::PairedEffect(differences), true, differences.size()};
-  compared.line = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " +
-                  Short(mission::Mean(differences)) + " more than " + plan.variants[a].variant.name +
-                  " (95 %: " + Short(interval.low) + " to " + Short(interval.high) + "), more in " +
+  const double mean = mission::Mean(differences);
+  const bool is_less = mean < 0;
+  compared.line = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " + Short(std::abs(mean)) +
+                  (is_less ? " less than " : " more than ") + plan.variants[a].variant.name +
+                  " (95 %: " + Short(is_less ? -interval.high : interval.low) + " to " +
+                  Short(is_less ? -interval.low : interval.high) + "), more in " +
                   Percent(static_cast<double>(more) / static_cast<double>(differences.size())) + " % of " +
                   std::to_string(differences.size()) + " equal seeds; d " + Short(compared.effect) +
                   ", Cliff's delta " + Short(mission::CliffsDelta(ones, others));

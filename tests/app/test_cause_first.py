@@ -108,7 +108,7 @@ class CauseFirst(ScenarioCase):
     def end_of_run(self, folder):
         """The findings at the end of a run, as text; the JSON must contain the same."""
         lines = Run("run", folder, "--headless", "--seconds", 4, code=None).out.splitlines()
-        begin = next(i for i, line in enumerate(lines) if line.startswith("soarbox: what went wrong"))
+        begin = next(i for i, line in enumerate(lines) if line.startswith(("soarbox: what went wrong", "soarbox: when agents had nothing to do")))
         events = [json.loads(line) for line in Run("run", folder, "--headless", "--seconds", 4, "--json", code=None).out.splitlines()]
         findings = [event for event in events if event["event"] == "finding"]
         self.assertEqual([line.split(". ", 1)[1] for line in lines[begin + 1:-1]], [finding["text"] for finding in findings])
@@ -140,6 +140,18 @@ class CauseFirst(ScenarioCase):
                 if os.environ.get("SOARBOX_UPDATE"):
                     golden.write_text(told, encoding="utf-8")
                 self.assertEqual(told, golden.read_text(encoding="utf-8"))
+
+    def test_agents_that_only_wait_are_not_called_wrong(self):
+        folder = self.world("tie")
+        (folder / "hero.soar").write_text(IDLE.replace("second", "hero"), encoding="utf-8")
+        out = Run("run", folder, "--headless", "--seconds", 4, code=0).out
+        self.assertNotIn("went wrong", out)
+        self.assertIn("soarbox: when agents had nothing to do, and why:\n  1. ", out)
+        self.assertIn(", 0 problems, ", out)
+        # A command that the world refuses is wrong, although it is no problem of a file.
+        (folder / "hero.soar").write_text(CASES["everything"].split("}\n", 1)[1], encoding="utf-8")
+        self.assertIn("soarbox: what went wrong, the cause first:\n",
+                      Run("run", folder, "--headless", "--seconds", 4, code=None).out)
 
     def test_a_run_in_which_nothing_is_wrong_says_nothing_of_it(self):
         folder = self.world("tie")

@@ -252,7 +252,7 @@ class Scripts(ScenarioCase):
                                                "    return { sky = Harbor.sky };\nend\n")
         run = Run("why", self.folder, "--at", 0.5)
         self.assertIn("world.lua:2: error: attempt to index global 'Harbor'", run.err)
-        self.assertIn("rule keeper*look requires", run.out)
+        self.assertIn("rule keeper*look tests ^sky", run.out)
 
     def test_why_nobody_thinks_is_told(self):
         self.run_("")

@@ -48,7 +48,7 @@ name = "way"
 at_end = "distance"
 agent = "scout"
 """
-DIFFERENCE = re.compile(r"^  (?P<what>[^:]+): (?P<variant>.+) has (?P<mean>\S+) more than base \(95 %: (?P<low>\S+) to (?P<high>\S+)\), "
+DIFFERENCE = re.compile(r"^  (?P<what>[^:]+): (?P<variant>.+) has (?P<mean>\S+) (?P<word>more|less) than base \(95 %: (?P<low>\S+) to (?P<high>\S+)\), "
                         r"more in \d+ % of (?P<pairs>\d+) equal seeds; d (?P<d>\S+), Cliff's delta (?P<delta>\S+); "
                         r"by chance with probability (?P<p>[^,;]+)(, (?P<holm>[^;]+) after Holm)?", re.MULTILINE)
 
@@ -102,6 +102,9 @@ class Sweeps(MissionCase):
             differences = [other[seed] - base[seed] for seed in base]
             n, mean, sd = len(differences), statistics.mean(differences), statistics.stdev(differences)
             self.assertEqual(int(each["pairs"]), n)
+            self.assertEqual(each["word"], "less" if mean < 0 else "more")
+            if each["word"] == "less":  # "2.4 less than base (95 %: 1.3 to 3.6)"
+                each.update(mean=-float(each["mean"]), low=-float(each["high"]), high=-float(each["low"]))
             for shown, expected in (("mean", mean), ("d", mean / sd),
                                     ("p", student_two_sided(mean / sd * math.sqrt(n), n - 1)),
                                     ("low", mean - 2.200985 * sd / math.sqrt(n)), ("high", mean + 2.200985 * sd / math.sqrt(n)),
@@ -126,7 +129,7 @@ class Sweeps(MissionCase):
         self.mission("")
         spec = SWEEP.replace('"agent.scout.speed" = 2 }', '"agent.scout.speed" = 5 }').replace(', "agent.scout.senses.noise" = 0.5', '')
         out = Run("sweep", self.write("noisy.toml", spec), code=0).out
-        self.assertNotRegex(out, r"e-\d\d more than")
+        self.assertNotRegex(out, r"e-\d\d (more|less) than")
         self.assertIn("fast never differs from slow", out)
 
     def test_a_variant_rests_on_the_files_that_it_uses(self):
