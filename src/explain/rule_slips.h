@@ -112,8 +112,9 @@ struct RuleFile {
   std::filesystem::path file;
   std::string text;
 };
-/// Returns a warning for each rule that replaces a rule of the same name in the same file or an earlier one. The
-/// warning is at the later rule.
+/// Returns a warning for each rule that replaces a rule of the same name in the same file or an earlier one, and for
+/// each rule that is ignored because it has the text of an earlier one, except for its name. The warning is at the later
+/// rule.
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
 
 /// Returns a sentence that says how to apply an operator that no rule applies.
