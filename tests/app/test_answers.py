@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Answers that beginners might give to lessons, graded through the real command. Each was written for one
 misunderstanding, before anybody saw what it is told; those whose names begin with f, g or h were written without
-a look at the hints of that time. Hints were added later for those that were not named: none is fresh any more. A right answer passes; of a wrong one the first thing that `soarbox learn check` says
-must name the misunderstanding."""
+a look at the hints of that time. Hints were added later for those that were not named: none is fresh any more. A right
+answer passes; of a wrong one the first thing that `soarbox learn check` says must name the misunderstanding."""
 import concurrent.futures
 import json
 import pathlib
