@@ -28,7 +28,7 @@ std::string GrowingStack(const std::string& agent, explain::Inspector& mind,
   for (const explain::PreferenceFact& preference : mind.Operators(newest->id).preferences)
     if (preference.type == "acceptable" && preference.value == newest->operator_id && !preference.maker.rule.empty())
       return text + "; rule " + preference.maker.rule +
-             " proposes it there, too: which of its conditions should hold in one state only?";
+             " proposes it there, too: test what only the first state has, such as ^superstate nil or a ^name";
   return text;
 }
 
