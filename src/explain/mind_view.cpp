@@ -14,9 +14,9 @@
 #include "explain/rule_from_facts.h"
 #include "explain/rule_text.h"
 #include "sml_Client.h"
+#include "wording/number_words.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
-#include "wording/number_words.h"
 #endif
 
 namespace soarbox::explain {
