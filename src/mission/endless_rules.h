@@ -13,12 +13,11 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// Finds agents whose rules fire endlessly, because the phase reaches max-elaborations in many ticks, and agents whose
-/// goal stack grows without end. Such a run is slow and does not show what the agent would do.
+/// Finds agents whose rules fire endlessly: the phase reaches max-elaborations in many ticks. Such a run is slow and
+/// does not show what the agent would do.
 class EndlessRules {
  public:
-  /// Call it once for each tick, with its events. Returns true when an agent has reached the limit in kMostTicks ticks,
-  /// or its stack is too deep.
+  /// Call it once for each tick, with its events. Returns true when an agent has reached the limit in kMostTicks ticks.
   bool See(const sim::EventList& events, sim::Simulation& simulation);
   /// The report after See has returned true: which rule, and what to do.
   const std::string& text() const { return text_; }
