@@ -48,9 +48,9 @@ void KernelEntry::OnAgentLeaves(sml::smlAgentEventId, void* data, sml::Agent* ag
   entry.has_leavers_ = true;
 }
 
-bool KernelEntry::Enter(bool anew) {
+bool KernelEntry::Enter(bool is_new_call) {
   const std::lock_guard lock(mutex_);
-  if (closed_ || (anew && let_go_ && !deleting_)) return false;
+  if (closed_ || (is_new_call && let_go_ && !deleting_)) return false;
   ++users_;
   return true;
 }

@@ -30,9 +30,9 @@ class KernelEntry : public std::enable_shared_from_this<KernelEntry> {
   /// Valid between Enter and Leave.
   sml::Kernel* kernel() const { return kernel_; }
 
-  /// Keeps the kernel alive for a call or a handler. Returns false if it is deleted. With `anew`, also returns false if
-  /// its owner has released it and other calls still use it, so that these calls can end.
-  bool Enter(bool anew = false);
+  /// Keeps the kernel alive for a call or a handler. Returns false if it is deleted. With `is_new_call`, also returns
+  /// false if its owner has released it and other calls still use it, so that these calls can end.
+  bool Enter(bool is_new_call = false);
   /// `own_thread`: if the kernel has to be deleted, this thread deletes it; otherwise a new thread does.
   void Leave(bool own_thread);
   /// Releases the kernel for its owner.

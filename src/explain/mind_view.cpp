@@ -188,7 +188,7 @@ std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::ve
     std::unordered_set<std::string> seen;
     for (std::size_t i = 0; i < at.size() && i < kMostFollowed; ++i)
       for (ElementFact& element : inspector_->ElementsOf(at[i]))
-        // A variable stands for any attribute.
+        // A variable matches any attribute.
         if ((element.attribute == attribute || IsVariable(attribute)) && seen.insert(element.value).second)
           next.push_back(std::move(element.value));
     at = std::move(next);
