@@ -51,7 +51,7 @@ class Formatter {
   void TakeLine(std::size_t begin, std::size_t end) {
     const bool is_quoted = IsWithinToken(begin);
     std::string_view line = text_.substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    while (line.ends_with('\r')) line.remove_suffix(1);
     const bool ends_within = Ends(end);
     if (is_quoted) {
       made_ += line;
@@ -68,7 +68,7 @@ class Formatter {
       made_ += ends_within ? text_.substr(first, end - first) : words;
       Walk(begin, end, indent, first);
     }
-    if (ends_within && made_.ends_with('\r')) made_.pop_back();
+    while (ends_within && made_.ends_with('\r')) made_.pop_back();
     made_ += '\n';
   }
 

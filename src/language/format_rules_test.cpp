@@ -22,8 +22,8 @@ TEST(FormatRules, WhatIsQuotedOrNoRuleStays) {
 }
 
 TEST(FormatRules, TwiceIsTheSameAsOnceForAnyText) {
-  for (const char* text :
-       {"", "\n\n", "sp {", "sp {a\n(((\n)))\n}}}\n", "|\nx\n", "# \n\n\n#", "sp {a |\n (x ^y\nz", "}\n-->\n("}) {
+  for (const char* text : {"", "\n\n", "sp {", "sp {a\n(((\n)))\n}}}\n", "|\nx\n", "# \n\n\n#", "sp {a |\n (x ^y\nz",
+                           "}\n-->\n(", "\"\r\r\n"}) {
     const std::string once = FormatRules(text);
     EXPECT_EQ(FormatRules(once), once) << text;
   }
