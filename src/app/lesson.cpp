@@ -89,24 +89,15 @@ struct LearnersRules {
   /// True if a warning is about a rule that came from the lesson. A warning that a given rule tests an attribute that
   /// no rule makes is about the learner's rules if one of them makes a similar attribute, and none tests that.
   bool IsAboutGiven(const Diagnostic& problem) const {
-    constexpr std::string_view kMeant = "did you mean ^";
-    const std::size_t meant = problem.hint.find(kMeant);
-    if (meant != std::string::npos && problem.message.ends_with("which no percept and no rule makes")) {
-      const std::size_t begin = meant + kMeant.size();
-      const std::string similar = problem.hint.substr(begin, problem.hint.find('?', begin) - begin);
+    if (problem.topic == Topic::kUnmade && !problem.meant.empty()) {
       const auto has = [&](const std::vector<explain::RuleAttribute>& side) {
-        return std::ranges::find(side, similar, &explain::RuleAttribute::attribute) != side.end();
+        return std::ranges::find(side, problem.meant, &explain::RuleAttribute::attribute) != side.end();
       };
       const bool is_made = std::ranges::any_of(own, [&](const auto& rule) { return has(rule.actions); });
       const bool is_tested = std::ranges::any_of(own, [&](const auto& rule) { return has(rule.conditions); });
       if (is_made && !is_tested) return false;
     }
-    return std::ranges::any_of(given, [&](const std::string& name) {
-      const std::size_t at = problem.message.find("rule " + name);
-      const std::size_t end = at + name.size() + 5;
-      return at != std::string::npos &&
-             (end >= problem.message.size() || problem.message.find_first_of(" :,", end) == end);
-    });
+    return given.contains(problem.rule);
   }
 };
 
@@ -257,7 +248,9 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   const mission::Mission& mission = lesson.loaded.mission;
   const mission::RunResult& failed = grade.outcome.runs[grade.example];
   std::vector<sim::Finding>& findings = grade.findings;
-  for (const Diagnostic& warning : grade.warnings) findings.push_back({sim::CauseOf(warning), sim::OneLine(warning)});
+  for (const Diagnostic& warning : grade.warnings)
+    findings.push_back(
+        {.cause = sim::CauseOf(warning), .text = sim::OneLine(warning), .rule = warning.rule, .topic = warning.topic});
   const bool is_endless = failed.outcome == "endless";
   if (failed.outcome == "ok" || is_endless) {
     for (sim::Finding& finding : AccountOf(loaded, lesson, written, failed.seed))
@@ -265,11 +258,12 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
         findings.push_back(std::move(finding));
   }
   // A warning about a rule that never fires is not useful here.
-  for (const explain::RuleText& rule : written.own) {
-    const std::string never = "rule " + rule.name + " never fired", too_often = "rule " + rule.name + " writes again";
-    if (std::ranges::any_of(findings, [&](const auto& finding) { return finding.text.starts_with(never); }))
-      std::erase_if(findings, [&](const auto& finding) { return finding.text.find(too_often) != std::string::npos; });
-  }
+  const std::vector<sim::Finding> all = findings;
+  std::erase_if(findings, [&](const sim::Finding& finding) {
+    return finding.topic == Topic::kRepeatedWrite && std::ranges::any_of(all, [&](const auto& one) {
+             return one.topic == Topic::kUnfired && one.rule == finding.rule;
+           });
+  });
   const auto is_told = [&](Cause cause) {
     return std::ranges::find(findings, cause, &sim::Finding::cause) != findings.end();
   };

@@ -10,6 +10,17 @@ namespace soarbox {
 
 enum class Severity : std::uint8_t { kNote, kWarning, kError };
 
+/// What a diagnostic is about, if other code must know that: it ranks by it, or drops what turned out to be false.
+enum class Topic : std::uint8_t {
+  kOther,
+  kEndless,        ///< Rules fire endlessly in one phase.
+  kHaltedAtWork,   ///< An agent was halted because its rules fired too often in one tick.
+  kRepeatedWrite,  ///< A rule writes text again at each change of a percept.
+  kUnmade,         ///< A rule tests an attribute that no percept and no rule makes.
+  kUnfired,        ///< A rule never fired in a run.
+};
+inline constexpr Topic kLastTopic = Topic::kUnfired;
+
 /// An error in something that a user wrote: what is wrong, where, and what to do about it. The command line, the panels
 /// and the JSON output all show this struct.
 struct Diagnostic {
@@ -22,6 +33,9 @@ struct Diagnostic {
   int excerpt_length = 1;  ///< How many characters of the excerpt to underline.
   std::string hint;        ///< What to do, if that is known: "did you mean <target>?".
   int more = 0;            ///< Number of further places with the same error; this is the first.
+  std::string rule;        ///< Name of the rule that it is about; may be empty.
+  Topic topic = Topic::kOther;
+  std::string meant;  ///< The word that was probably meant, if the topic is a wrong word; may be empty.
 };
 
 /// "file:line:column: error: message", the excerpt with a caret line, "   note: hint".

@@ -115,9 +115,9 @@ OddCharacter DescribePasted(std::string_view line, std::size_t at) {
   return {as.size(), "it has " + as + ", which web pages write for " + meant, "write " + meant + " here and elsewhere"};
 }
 
-std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file) {
+std::vector<Diagnostic> FindOddCharacters(const RuleFile& file) {
   constexpr std::size_t kMost = 20;
-  std::vector<std::pair<std::string, Diagnostic>> found;
+  std::vector<Diagnostic> found;
   std::string rule;
   int number = 0, depth = 0;
   bool awaits_name = false;
@@ -160,7 +160,8 @@ std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile
     warning.excerpt_length = 1;
     warning.message = "rule " + rule + ": " + odd.message;
     warning.hint = std::move(odd.hint);
-    found.emplace_back(rule, std::move(warning));
+    warning.rule = rule;
+    found.push_back(std::move(warning));
   }
   return found;
 }

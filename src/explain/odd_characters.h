@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -29,7 +28,7 @@ std::size_t FindPasted(std::string_view line);
 /// Describes the sequence that begins at `at`.
 OddCharacter DescribePasted(std::string_view line, std::size_t at);
 
-/// Finds all odd characters of a file. Returns one warning for each character and rule, with the rule's name.
-std::vector<std::pair<std::string, Diagnostic>> FindOddCharacters(const RuleFile& file);
+/// Finds all odd characters of a file. Returns one warning for each character and rule, which names the rule.
+std::vector<Diagnostic> FindOddCharacters(const RuleFile& file);
 
 }  // namespace soarbox::explain

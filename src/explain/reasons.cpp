@@ -127,11 +127,14 @@ std::string WhatIsThere(MindView& view, Inspector& inspector, const std::string&
 
 }  // namespace
 
-std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known) {
+std::string SimilarAttribute(std::string_view attribute, const std::set<std::string>& known) {
   if (attribute.size() < 3) return {};
   const std::vector<std::string> more(known.begin(), known.end());
-  const std::string_view near = vocabulary::NearestAttribute(attribute, more);
-  return near.empty() ? std::string() : "did you mean ^" + std::string(near) + "?";
+  return std::string(vocabulary::NearestAttribute(attribute, more));
+}
+
+std::string DidYouMean(const std::string& attribute) {
+  return attribute.empty() ? std::string() : "did you mean ^" + attribute + "?";
 }
 
 MindReasons::Makers MindReasons::MakersOf(const RuleText& rule, const ConditionText& condition) {
@@ -273,7 +276,7 @@ std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::st
         continue;
       if (known.contains(attribute) || condition.negated || !told.insert(attribute).second) continue;
       if (!view_.ValuesOf(attribute).empty()) continue;
-      const std::string hint = SuggestAttribute(attribute, known);
+      const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
       found.push_back(Say(Situation::kUnwritten, {{"rule", rule.name}, {"attribute", attribute}}) +
                       (hint.empty() ? "" : ": " + hint));
     }
@@ -366,7 +369,7 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
     return Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition) +
            (failed.empty() ? "" : "; " + failed);
   }
-  const std::string hint = SuggestAttribute(attribute, known);
+  const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
   return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
 }
 

@@ -111,7 +111,9 @@ class MindReasons {
   std::vector<FailedRule> failed_;
 };
 
-/// Returns "did you mean ^distance?" for a similar name among percepts and `known`; else an empty string.
-std::string SuggestAttribute(std::string_view attribute, const std::set<std::string>& known);
+/// Returns the most similar attribute of percepts and `known`; empty if none is similar.
+std::string SimilarAttribute(std::string_view attribute, const std::set<std::string>& known);
+/// Returns "did you mean ^distance?"; empty without an attribute.
+std::string DidYouMean(const std::string& attribute);
 
 }  // namespace soarbox::explain

@@ -20,6 +20,8 @@ struct Slip {
   bool is_attribute = false;  ///< The word comes after ^ or a dot.
   std::string message, hint;
   bool in_actions = false;  ///< The word comes after -->.
+  Topic topic = Topic::kOther;
+  std::string meant = {};  ///< The attribute that was probably meant; may be empty.
 };
 
 /// The names of places of a world. Rules that belong to no particular world may use any name.

@@ -60,8 +60,13 @@ class MeaningChecker {
       if (IsArchitectureAttribute(attribute) || vocabulary::IsPerceptAttribute(attribute) || !known_.complete) continue;
       const bool is_operator =
           std::ranges::any_of(rules_, [&](const RuleText& other) { return other.proposes.contains(attribute); });
-      Tell(rule, attribute, true, "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
-           is_operator ? "an operator's name is a value: ^name " + attribute : Nearest(attribute));
+      const std::string meant = is_operator ? std::string() : Nearest(attribute);
+      if (!Tell(rule, attribute, true,
+                "rule " + rule.name + " tests ^" + attribute + ", which no percept and no rule makes",
+                is_operator ? "an operator's name is a value: ^name " + attribute : DidYouMean(meant)))
+        continue;
+      slips.back().topic = Topic::kUnmade;
+      slips.back().meant = meant;
     }
   }
 
@@ -236,15 +241,17 @@ class MeaningChecker {
     return made_.contains(attribute) || known_.scripts.contains(attribute);
   }
 
-  void Tell(const RuleText& rule, const std::string& word, bool is_attribute, std::string message, std::string hint) {
-    if (told_.insert((is_attribute ? "^" : "!") + word).second)
-      slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
+  /// Returns false if the word was reported before.
+  bool Tell(const RuleText& rule, const std::string& word, bool is_attribute, std::string message, std::string hint) {
+    const bool is_new = told_.insert((is_attribute ? "^" : "!") + word).second;
+    if (is_new) slips.push_back({rule.name, word, is_attribute, std::move(message), std::move(hint)});
+    return is_new;
   }
 
-  /// Like SuggestAttribute, but also includes attributes of the architecture.
+  /// Like SimilarAttribute, but also includes attributes of the architecture.
   std::string Nearest(const std::string& attribute) const {
-    std::string hint = SuggestAttribute(attribute, made_);
-    if (!hint.empty() || attribute.size() < 4) return hint;
+    std::string similar = SimilarAttribute(attribute, made_);
+    if (!similar.empty() || attribute.size() < 4) return similar;
     const std::vector<std::string_view> all = {"superstate", "operator", "input-link", "output-link", "reward-link",
                                                "impasse",    "item",     "smem",       "epmem"};
     std::string_view own = Suggest(attribute, all);
@@ -253,7 +260,7 @@ class MeaningChecker {
           std::ranges::find_if(all, [&](std::string_view one) { return one.starts_with(attribute + "-"); });
       if (longer != all.end()) own = *longer;
     }
-    return own.empty() ? hint : "did you mean ^" + std::string(own) + "?";
+    return std::string(own);
   }
 
   /// For a condition that looks for an answer next to the command instead of below it: "an operator"; empty for other

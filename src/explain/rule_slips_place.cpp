@@ -90,7 +90,9 @@ std::string BodyOfRule(std::string_view text, std::size_t begin, std::size_t end
   return brace == kNotThere ? std::string() : body.substr(0, brace);
 }
 
-Diagnostic WarningAt(const RuleFile& file, std::size_t at, std::size_t length, std::string message, std::string hint) {
+/// A warning at the name of a rule.
+Diagnostic WarningAt(const RuleFile& file, std::size_t at, const std::string& rule, std::string message,
+                     std::string hint) {
   PlaceInText place = PlaceAt(file.text, at);
   Diagnostic warning;
   warning.severity = Severity::kWarning;
@@ -100,7 +102,8 @@ Diagnostic WarningAt(const RuleFile& file, std::size_t at, std::size_t length, s
   warning.line = place.line;
   warning.column = place.column;
   warning.excerpt = std::move(place.excerpt);
-  warning.excerpt_length = static_cast<int>(length);
+  warning.excerpt_length = static_cast<int>(rule.size());
+  warning.rule = rule;
   return warning;
 }
 
@@ -125,14 +128,14 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
         const auto [copied, is_first] = bodies.try_emplace(std::move(body), name);
         if (!is_first)
           warnings.push_back(
-              WarningAt(file, at, name.size(),
+              WarningAt(file, at, name,
                         "rule " + name + " is ignored: it has the same conditions and actions as " + copied->second,
                         "change what is to be different, or remove one of them"));
         continue;
       }
       const RuleFile* const other = first->second.first;
       const int line = PlaceAt(other->text, first->second.second).line;
-      warnings.push_back(WarningAt(file, at, name.size(),
+      warnings.push_back(WarningAt(file, at, name,
                                    "rule " + name + " replaces the rule of the same name in " +
                                        (other == &file ? "line " : other->file.string() + ":") + std::to_string(line),
                                    "give each rule its own name"));
@@ -169,6 +172,9 @@ Diagnostic PlaceSlip(const Slip& slip, const std::filesystem::path& file, const 
   warning.severity = Severity::kWarning;
   warning.file = file.string();
   warning.message = slip.message;
+  warning.rule = slip.rule;
+  warning.topic = slip.topic;
+  warning.meant = slip.meant;
   warning.hint = slip.hint;
   const std::size_t rule = FindNameOfRule(text, slip.rule);
   if (rule == kNotThere) return warning;

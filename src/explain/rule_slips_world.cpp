@@ -62,6 +62,7 @@ void FindRestless(const RuleText& rule, std::vector<Slip>& slips) {
         {rule.name, percept, true,
          "rule " + rule.name + " writes again at each change of ^" + percept + ", which changes all the time",
          "test a word that seldom changes, such as ^visible yes, or draw a conclusion in another rule first"});
+    slips.back().topic = Topic::kRepeatedWrite;
   }
 }
 

@@ -224,8 +224,8 @@ std::map<fs::path, std::vector<Diagnostic>> Workspace::Slips(const Program& prog
   }
   AddDuplicates(program, found);
   for (const explain::RuleFile& file : files)
-    for (auto& [rule, warning] : explain::FindOddCharacters(file))
-      if (of_rule.contains(rule)) found[file.file].push_back(std::move(warning));
+    for (Diagnostic& warning : explain::FindOddCharacters(file))
+      if (of_rule.contains(warning.rule)) found[file.file].push_back(std::move(warning));
   explain::KnownWords known = sim::WordsAround(program.root);
   known.complete = complete;
   if (explain::MentionsScenes(rules)) known.scene = explain::ReadSceneKinds(cli::AllSceneKinds());

@@ -67,16 +67,6 @@ bool AccountSettings::IsAbout(const std::string& rule_file) const {
 Account::Account(sim::Simulation& simulation, AccountSettings settings)
     : simulation_(simulation), settings_(std::move(settings)), watch_(simulation, settings_) {}
 
-bool Account::IsAboutGiven(const std::string& message) const {
-  constexpr std::string_view kRule = "rule ";
-  const std::size_t at = message.find(kRule);
-  if (at == std::string::npos) return false;
-  const std::size_t begin = at + kRule.size();
-  std::string name = message.substr(begin, message.find(' ', begin) - begin);
-  while (!name.empty() && (name.back() == ':' || name.back() == ',')) name.pop_back();
-  return settings_.given.contains(name);
-}
-
 void Account::See(const sim::EventList& events) {
   if (!settings_.IsAsked()) return;
   watch_.See();
@@ -102,10 +92,10 @@ std::vector<sim::Finding> Account::Slips(const std::vector<RuleWatch::Waiting>& 
   for (const sim::EventFindings::Reported& reported : events_.reported()) {
     const Diagnostic& problem = reported.diagnostic;
     if (slips.size() >= kMostSlips) break;
-    if (!settings_.IsAbout(problem.file) || IsAboutGiven(problem.message)) continue;
+    if (!settings_.IsAbout(problem.file) || settings_.given.contains(problem.rule)) continue;
     // A rule that never fires cannot write repeatedly.
     const bool is_refuted = std::ranges::any_of(waiting, [&](const RuleWatch::Waiting& each) {
-      return problem.message.find("rule " + each.rule + " writes again") != std::string::npos;
+      return problem.topic == Topic::kRepeatedWrite && problem.rule == each.rule;
     });
     if (!is_refuted) slips.push_back(reported.finding);
   }
@@ -131,7 +121,10 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
                          return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
                        });
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
-    found.push_back({CauseOf(waiting[i], is_torn), NeverFired(waiting[i])});
+    found.push_back({.cause = CauseOf(waiting[i], is_torn),
+                     .text = NeverFired(waiting[i]),
+                     .rule = waiting[i].rule,
+                     .topic = Topic::kUnfired});
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
       const std::string& line = idle->reasons[i];

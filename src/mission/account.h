@@ -40,7 +40,6 @@ class Account {
   std::vector<sim::Finding> Finish(double failed_s);
 
  private:
-  bool IsAboutGiven(const std::string& message) const;
   std::set<std::string> AgentsOfFile();
   std::vector<sim::Finding> Slips(const std::vector<RuleWatch::Waiting>& waiting) const;
 

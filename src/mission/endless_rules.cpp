@@ -16,13 +16,11 @@ constexpr std::uint64_t kLimit = 50;
 bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation) {
   for (const sim::RunEvent& event : events) {
     // Its mind was halted because its rules fired very often in one tick.
-    if (event.diagnostic.message.find(" stops for good: its rules fired ") != std::string::npos) {
+    if (event.diagnostic.topic == Topic::kHaltedAtWork) {
       text_ = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
       return true;
     }
-    if (event.kind != sim::EventKind::kDiagnostic ||
-        !event.diagnostic.message.starts_with("rules fire again and again in one phase"))
-      continue;
+    if (event.diagnostic.topic != Topic::kEndless) continue;
     Agent& agent = agents_[event.agent];
     agent.text = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
   }

@@ -33,7 +33,10 @@ std::string ToJsonLine(const RunResult& result) {
   if (!result.error.empty()) json["error"] = result.error;
   if (!result.recording.empty()) json["recording"] = result.recording;
   for (const sim::Finding& finding : result.account)
-    json["account"].push_back(Json{{"cause", static_cast<int>(finding.cause)}, {"text", finding.text}});
+    json["account"].push_back(Json{{"cause", static_cast<int>(finding.cause)},
+                                   {"text", finding.text},
+                                   {"rule", finding.rule},
+                                   {"topic", static_cast<int>(finding.topic)}});
   if (!result.problems.empty()) json["problems"] = result.problems;
   if (result.has_errors) json["has_errors"] = true;
   if (result.is_faulty) json["faulty"] = true;
@@ -57,7 +60,10 @@ Result<RunResult> FromJsonLine(const std::string& line) {
     result.state_hash = std::stoull(json.value("state_hash", "0"));
     result.recording = json.value("recording", "");
     for (const Json& each : json.value("account", Json::array()))
-      result.account.push_back({static_cast<Cause>(each.value("cause", 0)), each.value("text", "")});
+      result.account.push_back({.cause = static_cast<Cause>(each.value("cause", 0)),
+                                .text = each.value("text", ""),
+                                .rule = each.value("rule", ""),
+                                .topic = static_cast<Topic>(each.value("topic", 0))});
     result.problems = json.value("problems", std::vector<std::string>{});
     result.has_errors = json.value("has_errors", false);
     result.is_faulty = json.value("faulty", false);

@@ -22,7 +22,9 @@ void ReadTexts(ByteReader& in, std::vector<std::string>& texts) {
 
 void WriteDiagnostic(ByteWriter& out, const Diagnostic& diagnostic) {
   out.Byte(static_cast<std::uint8_t>(diagnostic.severity));
-  for (const std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint})
+  out.Byte(static_cast<std::uint8_t>(diagnostic.topic));
+  for (const std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint,
+                                  &diagnostic.rule, &diagnostic.meant})
     out.Text(*text);
   for (const int number : {diagnostic.line, diagnostic.column, diagnostic.excerpt_length, diagnostic.more})
     out.Number(static_cast<std::uint64_t>(std::max(number, 0)));
@@ -32,7 +34,11 @@ void ReadDiagnostic(ByteReader& in, Diagnostic& diagnostic) {
   const std::uint8_t severity = in.Byte();
   if (severity > static_cast<std::uint8_t>(Severity::kError)) return in.Fail();
   diagnostic.severity = static_cast<Severity>(severity);
-  for (std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint})
+  const std::uint8_t topic = in.Byte();
+  if (topic > static_cast<std::uint8_t>(kLastTopic)) return in.Fail();
+  diagnostic.topic = static_cast<Topic>(topic);
+  for (std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint,
+                            &diagnostic.rule, &diagnostic.meant})
     *text = in.Text();
   for (int* number : {&diagnostic.line, &diagnostic.column, &diagnostic.excerpt_length, &diagnostic.more})
     *number = static_cast<int>(std::min<std::uint64_t>(in.Number(), 0x7fffffff));

@@ -417,8 +417,8 @@ class Checker {
     std::map<std::string, const explain::RuleFile*, std::less<>> file_of;
     for (const explain::RuleFile& file : files) {
       for (const std::string& name : NamesOfRules(file.text)) file_of[name] = &file;
-      for (auto& [rule, warning] : explain::FindOddCharacters(file))
-        if (loaded.contains(rule)) told.push_back(std::move(warning));
+      for (Diagnostic& warning : explain::FindOddCharacters(file))
+        if (loaded.contains(warning.rule)) told.push_back(std::move(warning));
     }
     for (const explain::Slip& slip : explain::FindSlips(rules, WordsFor(root, complete))) {
       const auto file = file_of.find(slip.rule);

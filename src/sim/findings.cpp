@@ -57,9 +57,7 @@ std::string_view CauseName(Cause cause) {
 
 Cause CauseOf(const Diagnostic& problem) {
   if (problem.severity == Severity::kNote) return Cause::kSymptom;
-  const bool is_endless = problem.message.starts_with("rules fire again and again in one phase") ||
-                          problem.message.find(" stops for good: its rules fired ") != std::string::npos;
-  if (is_endless) return Cause::kEndless;
+  if (problem.topic == Topic::kEndless || problem.topic == Topic::kHaltedAtWork) return Cause::kEndless;
   return problem.severity == Severity::kError ? Cause::kBroken : Cause::kSlip;
 }
 
@@ -112,6 +110,8 @@ void EventFindings::See(const EventList& events) {
     if (!IsDiagnostic(event) || event.diagnostic.severity == Severity::kNote || reported_.size() >= kMostReported)
       continue;
     Finding finding{CauseOf(event.diagnostic), OneLine(event.diagnostic), event.agent, event.tick, event.time_s};
+    finding.rule = event.diagnostic.rule;
+    finding.topic = event.diagnostic.topic;
     const bool is_known =
         std::ranges::any_of(reported_, [&](const Reported& one) { return one.finding.text == finding.text; });
     if (!is_known) reported_.push_back({std::move(finding), event.diagnostic});

@@ -41,6 +41,8 @@ struct Finding {
   std::string agent = {};  ///< Empty if the finding is not about one particular agent.
   std::uint64_t tick = 0;
   double time_s = 0;
+  std::string rule = {};  ///< The rule that it is about; may be empty.
+  Topic topic = Topic::kOther;
 };
 
 /// Sorts findings by cause. Findings with the same cause keep their order. The first one is the headline.

@@ -117,6 +117,7 @@ bool Minds::HaltForWork(Mind& mind) {
   if (fired < kMostFirings) return false;
   const std::string& name = world_.FindAgent(mind.agent)->name();
   RunEvent event = AboutMind(EventKind::kMindFailed, name, mind.rules);
+  event.diagnostic.topic = Topic::kHaltedAtWork;
   event.diagnostic.message = name + " stops for good: its rules fired " + std::to_string(fired) +
                              " times in one tick, most often " + mind.soar.BusiestRule();
   event.diagnostic.hint =

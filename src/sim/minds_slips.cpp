@@ -56,6 +56,7 @@ explain::Slip SlipOf(const ActionFailure& failure) {
     return slip;
   }
   if (failure.text.empty()) {
+    slip.topic = Topic::kEndless;
     slip.message = "rules fire again and again in one phase, rule " + failure.rule +
                    " among them: each firing makes one match again, until max-elaborations ends the phase";
     slip.hint =
@@ -110,8 +111,8 @@ std::vector<Diagnostic> Minds::FindSlips(Mind& mind, const std::set<std::string>
   if (only.empty())
     for (const explain::RuleText& rule : reasons.rules()) loaded.insert(rule.name);
   for (const explain::RuleFile& file : files) {
-    for (auto& [rule, warning] : explain::FindOddCharacters(file)) {
-      if (!loaded.contains(rule)) continue;
+    for (Diagnostic& warning : explain::FindOddCharacters(file)) {
+      if (!loaded.contains(warning.rule)) continue;
       warning.file = scenario_.Original(file.file).string();
       warnings.push_back(std::move(warning));
     }
