@@ -315,15 +315,17 @@ std::string MindReasons::ExplainSelected(const RuleText& rule, const ConditionTe
   return {};
 }
 
-std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionText& condition,
-                                        const std::set<std::string>& known) {
+RuleWait::Found MindReasons::ExplainAbsence(const RuleText& rule, const ConditionText& condition,
+                                            const std::set<std::string>& known) {
+  using enum RuleWait::Kind;
   const std::string& attribute = condition.path.back();
   const std::vector<std::string> path = FromTop(condition.path);
   const bool is_percept = !path.empty() && path.front() == "io";
   const bool is_own = !condition.path.empty() && condition.path.front() != "superstate" &&
                       !IsArchitectureAttribute(condition.path.front());
   if (is_own) {
-    if (std::string elsewhere = WhichStateAboveHas(StateOf(rule), condition.path); !elsewhere.empty()) return elsewhere;
+    if (std::string elsewhere = WhichStateAboveHas(StateOf(rule), condition.path); !elsewhere.empty())
+      return {elsewhere};
   }
   if (!is_percept) {
     if (const std::vector<Wait> circle = CircleFrom(rule, condition); !circle.empty()) {
@@ -337,40 +339,42 @@ std::string MindReasons::ExplainAbsence(const RuleText& rule, const ConditionTex
       }
       std::string who;
       for (const std::string& maker : makers) who += (who.empty() ? "" : "; ") + maker;
-      return attributes.size() == 1
-                 ? Say(Situation::kWaitForItself,
-                       {{"attribute", circle.front().condition.path.back()}, {"makers", who}})
-                 : Say(Situation::kWaitForEachOther, {{"attributes", Listed(attributes)}, {"makers", who}});
+      return {
+          attributes.size() == 1
+              ? Say(Situation::kWaitForItself, {{"attribute", circle.front().condition.path.back()}, {"makers", who}})
+              : Say(Situation::kWaitForEachOther, {{"attributes", Listed(attributes)}, {"makers", who}})};
     }
     const Makers makers = MakersOf(rule, condition);
     if (makers.sure != nullptr)
-      return Say(Situation::kNoneNowMadeBy, {{"maker", makers.sure->name}, {"applying", Applying(*makers.sure)}});
+      return {Say(Situation::kNoneNowMadeBy, {{"maker", makers.sure->name}, {"applying", Applying(*makers.sure)}}),
+              kAbsentMade, makers.sure->name};
     if (makers.maybe != nullptr)
-      return Say(Situation::kNoneNowMaybeBy, {{"maker", makers.maybe->name}, {"applying", Applying(*makers.maybe)}});
+      return {Say(Situation::kNoneNowMaybeBy, {{"maker", makers.maybe->name}, {"applying", Applying(*makers.maybe)}})};
     if (makers.all.empty() && makers.is_known && !IsArchitectureAttribute(path.front()) && known.contains(attribute)) {
       std::string text = Say(Situation::kNoRuleMakes);
       if (makers.other != nullptr)
         text += Say(Situation::kMakesOther,
                     {{"maker", makers.other->name}, {"attribute", attribute}, {"value", makers.other_value}});
-      return text;
+      return {text};
     }
   }
   if (const vocabulary::PerceptRow* row = RowAt(condition.path))
-    return Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}});
+    return {Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}})};
   if (known.contains(attribute) || IsArchitectureAttribute(attribute))
-    return Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition);
+    return {Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition), kAbsent};
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
-    return Say(Situation::kWrongPlace, {{"places", places}});
+    return {Say(Situation::kWrongPlace, {{"places", places}})};
   // A rule that did not load may make it, or a rule with attributes that are known only when it fires, or a recall may
   // return it.
   if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
       std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
     const std::string failed = WhatFailed();
-    return Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition) +
-           (failed.empty() ? "" : "; " + failed);
+    return {Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition) +
+                (failed.empty() ? "" : "; " + failed),
+            failed.empty() ? kAbsent : kOther};
   }
   const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
-  return Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint);
+  return {Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint)};
 }
 
 std::string MindReasons::SubstateOfSelected(const RuleText& rule) {
@@ -387,8 +391,8 @@ std::string MindReasons::SubstateOfSelected(const RuleText& rule) {
   return {};
 }
 
-std::string MindReasons::WhatExcludesAbove(const RuleText& rule, const ConditionText& failing) {
-  if (!IsForSubstate(rule) || failing.path.size() < 2 || failing.path.front() != "superstate") return {};
+std::optional<RuleWait> MindReasons::WhatExcludesAbove(const RuleText& rule, const ConditionText& failing) {
+  if (!IsForSubstate(rule) || failing.path.size() < 2 || failing.path.front() != "superstate") return std::nullopt;
   const PathMap& paths = rule.paths;
   const std::vector<std::string> above(failing.path.begin(), failing.path.end() - 1);
   for (const RuleAttribute& condition : rule.conditions) {
@@ -407,26 +411,44 @@ std::string MindReasons::WhatExcludesAbove(const RuleText& rule, const Condition
     const bool is_met = is_any ? !values.empty() : std::ranges::find(values, condition.value) != values.end();
     if (is_group || !is_met) continue;
     const std::vector<std::string> shown = is_any ? values : std::vector<std::string>{condition.value};
-    return Say(Situation::kRuleExcluded,
-               {{"rule", rule.name},
-                {"condition", excluded.Text()},
-                {"found", Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
-                              {{"attribute", condition.attribute}, {"values", List(shown)}})}});
+    return RuleWait{.rule = rule.name,
+                    .condition = excluded.Text(),
+                    .attribute = condition.attribute,
+                    .is_excluded = true,
+                    .found = {Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
+                                  {{"attribute", condition.attribute}, {"values", List(shown)}})}};
   }
-  return {};
+  return std::nullopt;
 }
 
-std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
+std::string RuleWait::Requires() const {
+  const Situation situation = is_excluded          ? Situation::kRuleExcluded
+                              : found.text.empty() ? Situation::kRuleWaitsFor
+                                                   : Situation::kRuleWaits;
+  return Say(situation, {{"condition", condition}, {"found", found.text}});
+}
+
+std::string RuleWait::Text() const {
+  return Say(Situation::kOfRule, {{"rule", rule}, {"waits", Requires()}});
+}
+
+std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std::set<std::string>& known) {
+  using enum RuleWait::Kind;
   const RuleMatch match = view_.Match(rule.name);
-  if (match.failing.empty()) return {};
+  if (match.failing.empty()) return std::nullopt;
   const std::vector<ConditionText> conditions = ReadCondition(rule, match.failing);
-  if (conditions.empty()) return Say(Situation::kRuleWaitsFor, {{"rule", rule.name}, {"condition", match.failing}});
+  if (conditions.empty()) return RuleWait{.rule = rule.name, .condition = match.failing, .attribute = {}, .found = {}};
   const ConditionText& first = conditions.front();
-  const auto waits = [&](const std::string& found) {
-    return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", first.Text()}, {"found", found}});
+  const auto waits = [&](RuleWait::Found found) {
+    return RuleWait{.rule = rule.name,
+                    .condition = first.Text(),
+                    .attribute = first.path.back(),
+                    .is_of_state = first.path.size() == 1,
+                    .found = std::move(found)};
   };
   if (!match.is_group && AsksForSelected(rule, first)) {
-    if (const std::string selected = ExplainSelected(rule, first); !selected.empty()) return waits(selected);
+    if (const std::string selected = ExplainSelected(rule, first); !selected.empty())
+      return waits({selected, kOperator});
   }
   const std::vector<std::string> values = view_.ValuesAt(StateOf(rule), first.path);
   std::vector<std::string> shown;
@@ -439,17 +461,26 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
       each.negated = false;
       excluded += (excluded.empty() ? "" : " with ") + each.Text();
     }
-    const std::string found = shown.empty() || match.is_group
-                                  ? Say(Situation::kOneExists)
-                                  : Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
-                                        {{"attribute", first.path.back()}, {"values", List(shown)}});
-    return Say(Situation::kRuleExcluded, {{"rule", rule.name}, {"condition", excluded}, {"found", found}});
+    RuleWait wait =
+        waits(shown.empty() || match.is_group
+                  ? RuleWait::Found{Say(Situation::kOneExists), kExists}
+                  : RuleWait::Found{Say(shown.size() == 1 ? Situation::kValueExists : Situation::kValuesExist,
+                                        {{"attribute", first.path.back()}, {"values", List(shown)}})});
+    wait.condition = excluded;
+    wait.is_excluded = true;
+    return wait;
   }
   if (shown.empty() && first.path.front() == "io") {
     if (const std::string state = SubstateOfSelected(rule); !state.empty())
-      return waits(Say(Situation::kNoLinks, {{"state", state}}));
+      return waits({Say(Situation::kNoLinks, {{"state", state}})});
   }
-  if (values.empty()) return waits(ExplainAbsence(rule, first, known) + AdviceForUnequal(first));
+  if (values.empty()) {
+    RuleWait::Found found = ExplainAbsence(rule, first, known);
+    const std::string advice = AdviceForUnequal(first);
+    found.text += advice;
+    if (found.kind == kAbsent && !advice.empty()) found.kind = kOther;
+    return waits(std::move(found));
+  }
   std::string bound;
   for (const std::vector<std::string>& path : first.compared) {
     std::vector<std::string> others;
@@ -462,7 +493,7 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
   }
   const std::size_t others = values.size() - shown.size();
   if (shown.empty()) {
-    if (std::string excluded = WhatExcludesAbove(rule, first); !excluded.empty()) return excluded;
+    if (std::optional<RuleWait> excluded = WhatExcludesAbove(rule, first)) return excluded;
     // Its first conditions may match for a state above, whose elements do not match the rest: the substate lacks the
     // tested elements.
     const std::string state = IsForSubstate(rule) ? StateOf(rule) : std::string();
@@ -474,14 +505,20 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
       own.path = {condition.attribute};
       if (!IsVariable(condition.value)) own.value = condition.value;
       if (const std::string above = WhichStateAboveHas(state, own.path); !above.empty())
-        return Say(Situation::kRuleWaits, {{"rule", rule.name}, {"condition", own.Text()}, {"found", above}});
+        return RuleWait{.rule = rule.name,
+                        .condition = own.Text(),
+                        .attribute = condition.attribute,
+                        .is_of_state = true,
+                        .found = {above}};
     }
   }
   if (shown.empty())
-    return waits(others == 1 ? Say(Situation::kOneDoesNotFit)
-                             : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}));
+    return waits(
+        {others == 1 ? Say(Situation::kOneDoesNotFit) : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}),
+         kElsewhere});
   // The value exists, but for another object, for example for another waypoint than the one of the earlier conditions.
-  if (std::find(shown.begin(), shown.end(), first.value) != shown.end()) return waits(Say(Situation::kElsewhere));
+  if (std::find(shown.begin(), shown.end(), first.value) != shown.end())
+    return waits({Say(Situation::kElsewhere), kElsewhere});
   std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
   const bool is_word = !words.empty() && RowAt(first.path) != nullptr &&
@@ -492,7 +529,7 @@ std::string MindReasons::ExplainRule(const RuleText& rule, const std::set<std::s
     for (const std::string_view word : words) all.append(all.empty() ? "" : " ").append(word);
     found += Say(Situation::kOnlyWords, {{"value", first.value}, {"words", all}});
   }
-  return waits(found);
+  return waits({found});
 }
 
 std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
@@ -515,8 +552,8 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
     const bool has_state = std::any_of(rule.conditions.begin(), rule.conditions.end(),
                                        [](const RuleAttribute& condition) { return condition.on_state; });
     // Without a state, it is not known which object its conditions test.
-    if (std::string text = has_state ? ExplainRule(rule, known) : std::string(); !text.empty())
-      texts.push_back(std::move(text));
+    if (has_state)
+      if (const std::optional<RuleWait> wait = ExplainRule(rule, known)) texts.push_back(wait->Text());
     for (const Slip& slip : slips) texts.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
   };
   for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {

@@ -61,15 +61,16 @@ class MindReasons {
     ConditionText condition;
   };
 
-  /// "rule x requires ^io.input-link.self.health < 50, but it is 100"; empty if all its conditions match.
-  std::string ExplainRule(const RuleText& rule, const std::set<std::string>& known);
+  /// The first condition of a rule that does not match; nothing if all match.
+  std::optional<RuleWait> ExplainRule(const RuleText& rule, const std::set<std::string>& known);
   /// Describes a negated condition about the state above that fails because an element matches it. The kernel reports a
-  /// later condition instead, because the negated one holds for the top state, which has no state above it. Empty if
-  /// there is no such condition.
-  std::string WhatExcludesAbove(const RuleText& rule, const ConditionText& failing);
+  /// later condition instead, because the negated one holds for the top state, which has no state above it. Returns
+  /// nothing if there is no such condition.
+  std::optional<RuleWait> WhatExcludesAbove(const RuleText& rule, const ConditionText& failing);
   /// The substate in which the operator that a rule applies is selected; empty if there is none.
   std::string SubstateOfSelected(const RuleText& rule);
-  std::string ExplainAbsence(const RuleText& rule, const ConditionText& condition, const std::set<std::string>& known);
+  RuleWait::Found ExplainAbsence(const RuleText& rule, const ConditionText& condition,
+                                 const std::set<std::string>& known);
   /// Explains the rules among `candidates` that are nearest to a match, and the rules that make what they require.
   std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);
   /// For a condition about an operator that is not selected: "the operator selected in S1 is rest (O1)".

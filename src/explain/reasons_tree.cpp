@@ -47,11 +47,14 @@ struct MindReasons::Told {
 
 void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into) {
   if (depth > kDeepest || !told.names.insert("rule " + rule.name).second) return;
-  std::string why = ExplainRule(rule, told.known);
-  const bool matches = why.empty();
-  if (matches) why = "rule " + rule.name + ": all its conditions hold now";
-  WhyNode& node = into.emplace_back(WhyNode{std::move(why), WhyKind::kRule, rule.name, {}});
-  if (matches) return;
+  const std::optional<RuleWait> waiting = ExplainRule(rule, told.known);
+  WhyNode& node =
+      into.emplace_back(WhyNode{waiting ? waiting->Text() : "rule " + rule.name + ": all its conditions hold now",
+                                WhyKind::kRule,
+                                rule.name,
+                                {}});
+  node.wait = waiting;
+  if (!waiting) return;
   const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
   if (!waits.empty() && AsksForSelected(rule, waits.front())) {
     for (const std::string& name : rule.applies)

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "explain/rule_wait.h"
+
 namespace soarbox::explain {
 
 /// The subject of a step of an answer to *why*.
@@ -34,6 +36,7 @@ struct WhyNode {
   std::string link;  ///< Name of the agent, operator or rule, or the time tag of the element; may be empty.
   std::vector<WhyNode> below;
   std::optional<double> time_s = std::nullopt;  ///< The moment that the step is about, if it is not the present.
+  std::optional<RuleWait> wait = std::nullopt;  ///< If it is about a rule that does not match: why.
 };
 
 /// Returns the tree as lines; each level is indented by two more blanks.

@@ -9,6 +9,7 @@
 #include "explain/inspector.h"
 #include "mission/check_sentences.h"
 #include "sim/simulation.h"
+#include "wording/sentences.h"
 
 namespace soarbox::mission {
 namespace {
@@ -19,27 +20,28 @@ std::string FileName(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-/// "rule x never fired: it requires ^next 3, but it is 2; at 1.0 s it got furthest"
+/// "rule x never fired: it requires ^next 3, but it is 2. That was at 1.0 s, when it got furthest"
 std::string NeverFired(const RuleWatch::Waiting& waiting) {
-  if (!waiting.maker.empty())
-    return "rule " + waiting.rule + " never fired, although " + waiting.wanted + " was there (rule " + waiting.maker +
+  const explain::RuleWait& why = waiting.why;
+  if (waiting.was_there)
+    return "rule " + why.rule + " never fired, although " + why.condition + " was there (rule " + why.found.maker +
            " made it): which of its other conditions was not met then?";
-  std::string text = "rule " + waiting.rule + " never fired: it " + waiting.why;
+  std::string text = wording::Say(wording::Situation::kNeverFired, {{"rule", why.rule}, {"waits", why.Requires()}});
   if (waiting.time_s > 0) text += ". That was at " + SecondsText(waiting.time_s) + ", when it got furthest";
   return text;
 }
 
 /// The cause that an unfired rule is ranked as. `is_torn`: operators were tied, so that none was applied.
 Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
-  // That an element exists but does not match the other conditions does not show which condition is the cause.
-  const bool is_vague = waiting.why.find("fit the conditions before it") != std::string::npos ||
-                        waiting.why.find("does not fit the rule's other conditions") != std::string::npos;
+  const explain::RuleWait& why = waiting.why;
   // The kind of an impasse is an answer only if the agent stays in an impasse: otherwise another one comes later.
   const bool is_about_kind =
-      waiting.why.starts_with("requires ^impasse ") || waiting.why.starts_with("requires ^attribute ");
+      why.is_of_state && !why.is_excluded && (why.attribute == "impasse" || why.attribute == "attribute");
   if (is_about_kind) return is_torn ? Cause::kFurthest : Cause::kWaiting;
-  if (is_torn || waiting.waits_for_operator || is_vague) return Cause::kWaiting;
-  return waiting.waits_for_others && waiting.maker.empty() ? Cause::kAwaits : Cause::kFurthest;
+  // That an element exists but does not match the other conditions does not show which condition is the cause.
+  const bool is_vague = why.found.kind == explain::RuleWait::Kind::kElsewhere;
+  if (is_torn || waiting.WaitsForOperator() || is_vague) return Cause::kWaiting;
+  return waiting.waits_for_others ? Cause::kAwaits : Cause::kFurthest;
 }
 
 /// Explains the rules that came with the lesson and never fired.
@@ -51,8 +53,10 @@ std::vector<std::string> GivenThatNeverFired(sim::Simulation& simulation, const 
     if (inspector == nullptr || !settings.IsAboutAgent(agent)) continue;
     for (const explain::RuleFact& rule : inspector->Rules()) {
       if (!settings.IsAbout(rule.file) || rule.firings > 0 || !settings.given.contains(rule.name)) continue;
-      const std::string why = WhyRuleWaits(simulation, agent, rule.name);
-      if (!why.empty() && told.size() < kMostRules) told.push_back("rule " + rule.name + " never fired: it " + why);
+      if (told.size() >= kMostRules) return told;
+      if (const std::optional<explain::RuleWait> why = WhyRuleWaits(simulation, agent, rule.name))
+        told.push_back(
+            wording::Say(wording::Situation::kNeverFired, {{"rule", rule.name}, {"waits", why->Requires()}}));
     }
   }
   return told;
@@ -95,7 +99,7 @@ std::vector<sim::Finding> Account::Slips(const std::vector<RuleWatch::Waiting>& 
     if (!settings_.IsAbout(problem.file) || settings_.given.contains(problem.rule)) continue;
     // A rule that never fires cannot write repeatedly.
     const bool is_refuted = std::ranges::any_of(waiting, [&](const RuleWatch::Waiting& each) {
-      return problem.topic == Topic::kRepeatedWrite && problem.rule == each.rule;
+      return problem.topic == Topic::kRepeatedWrite && problem.rule == each.why.rule;
     });
     if (!is_refuted) slips.push_back(reported.finding);
   }
@@ -123,7 +127,7 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
     found.push_back({.cause = CauseOf(waiting[i], is_torn),
                      .text = NeverFired(waiting[i]),
-                     .rule = waiting[i].rule,
+                     .rule = waiting[i].why.rule,
                      .topic = Topic::kUnfired});
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {

@@ -4,10 +4,13 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "explain/rule_wait.h"
 
 namespace soarbox::explain {
 class Inspector;
@@ -20,9 +23,10 @@ namespace soarbox::mission {
 
 struct AccountSettings;
 
-/// Explains why a rule does not match now: "requires ^next 3, but it is 2"; empty if it matches. If an element that the
-/// rule excludes exists, names the rule that made it.
-std::string WhyRuleWaits(sim::Simulation& simulation, const std::string& agent, const std::string& rule);
+/// Explains why a rule does not match now; nothing if it matches. If an element that the rule excludes exists, names
+/// the rule that made it.
+std::optional<explain::RuleWait> WhyRuleWaits(sim::Simulation& simulation, const std::string& agent,
+                                              const std::string& rule);
 
 /// Watches the rules of a file or an agent that have not fired yet. For each of them, stores the reason why it did not
 /// match in the tick in which it came nearest to a match. At the end of a run the reason is lost: another operator is
@@ -41,14 +45,19 @@ class RuleWatch {
 
   /// A rule that never fired.
   struct Waiting {
-    std::string agent, rule;
-    std::string why;  ///< "requires ^next 3, but it is 2"
+    std::string agent;
+    explain::RuleWait why;
     double time_s = 0;
-    std::string wanted, maker;      ///< If a rule that fired makes the required element: the element and that rule. The
-                                    ///< element existed for a moment.
+    bool was_there = false;         ///< A rule that fired makes the required element, so it existed for a moment.
     bool waits_for_others = false;  ///< It requires an element that other rules may add or remove; they may be the
                                     ///< cause.
-    bool waits_for_operator = false;  ///< Another operator was selected, or none; other rules may be the cause.
+
+    /// Another operator was selected, or none. Other rules may be the cause.
+    bool WaitsForOperator() const { return why.found.kind == explain::RuleWait::Kind::kOperator; }
+  };
+  /// The constant attribute and value that a condition tests; empty: any.
+  struct Asked {
+    std::string attribute, value;
   };
   /// Call it at the end of the run. The result is in the order of the file; rules that only wait for an operator come
   /// last.
@@ -64,7 +73,8 @@ class RuleWatch {
   };
   struct Best {
     Score score;
-    Waiting waiting;
+    std::optional<Waiting> waiting;
+    std::vector<Asked> asked;  ///< By the rule's positive conditions.
   };
   using Key = std::pair<std::string, std::string>;  ///< Agent, rule.
 

@@ -79,6 +79,8 @@ enum class Situation : std::uint8_t {
   kRuleWaits,
   kRuleWaitsFor,
   kRuleExcluded,
+  kOfRule,
+  kNeverFired,
   kNoneNow,
   kNoneNowMadeBy,
   kNoneNowMaybeBy,
