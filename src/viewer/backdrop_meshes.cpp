@@ -21,7 +21,7 @@ float EdgeAt(float angle) {
   return kHalf_m / std::max(std::abs(std::sin(angle)), std::abs(std::cos(angle)));
 }
 
-/// Height of the hills at a distance behind the edge.
+/// Height of the hills at a distance outside the edge of the plain.
 float HillAt(float angle, float behind_m) {
   // The noise follows the angle, so there is no seam.
   const float x = 2.4f * std::sin(angle) + 7, z = 2.4f * std::cos(angle) + 7;

@@ -16,7 +16,7 @@ using world::Vec3;
 
 /// The camera starts to move when an agent will leave the inner kInside of the view within kSoon_s.
 constexpr float kInside = 0.93f, kSoon_s = 0.8f;
-/// The new view leaves moving agents space for this time.
+/// The new view has space for the movement of agents in this time.
 constexpr float kRoom_s = 1.6f;
 /// The picture is too wide if the camera could come nearer by this fraction. After kWideFor_s it does.
 constexpr float kTooWide = 0.6f, kWideFor_s = 2.5f;
@@ -65,7 +65,7 @@ bool IsInside(const FramedBody& body, Vec3 at, const CameraSnapshot& pose, float
   return true;
 }
 
-/// The present and the expected positions of all bodies.
+/// The present positions of all bodies, and their expected positions after kRoom_s.
 std::vector<FramedBody> WithRoom(std::span<const FramedBody> bodies) {
   std::vector<FramedBody> all(bodies.begin(), bodies.end());
   for (const FramedBody& body : bodies) {

@@ -20,7 +20,7 @@ world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
   return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
 }
 
-/// The colours of its corners are where the material kModelMaterial wants them.
+/// The mesh of a model from a file. Colours are stored in u, v and light, as the material kModelMaterial requires.
 MeshData ModelMesh(const model::Model& model) {
   MeshData mesh;
   mesh.material = kModelMaterial;

@@ -17,7 +17,7 @@ struct DrawableMesh {
 };
 /// The material of models from files: their vertices contain the colours.
 inline constexpr const char* kModelMaterial = "Soarbox/Model";
-/// Whether a drawable has the material of its mesh, and not the one that it names.
+/// Whether the drawable is drawn with its mesh's own material instead of the material that it names.
 bool WearsItsOwn(const world::DrawableSnapshot& drawable, const std::string& own_material);
 /// `agent_body` gives a capsule the look of an agent.
 DrawableMesh MeshOf(const world::DrawableSnapshot& drawable, bool agent_body);

@@ -12,7 +12,7 @@ namespace soarbox::viewer {
 namespace {
 
 constexpr int kPadsHeard = 8;
-/// Sticks rest near 0, not at it; the same in a page.
+/// Sticks at rest report values near 0, not exactly 0. Pages use the same limit.
 constexpr float kDeadZone = 0.12f;
 
 /// By SDL_GameControllerButton.
@@ -72,7 +72,7 @@ PadReader::Pad& PadReader::Of(int instance) {
 void PadReader::Remove(int instance, std::vector<InputEvent>& events) {
   const auto found = pads_.find(instance);
   if (found == pads_.end()) return;
-  // It releases all buttons and axes.
+  // Releases all its buttons and axes.
   for (const auto& [name, value] : found->second.reported)
     if (value != 0) events.push_back(PadEvent(found->second.number, name, 0));
   if (found->second.opened != nullptr) SDL_GameControllerClose(static_cast<SDL_GameController*>(found->second.opened));

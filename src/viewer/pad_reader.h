@@ -11,20 +11,20 @@ union SDL_Event;
 
 namespace soarbox::viewer {
 
-/// Reads gamepads: opens those that are plugged in, and reports their buttons and axes in the words of scripts. Axes
-/// have two digits, are 0 near their rest, and are reported once per frame at most.
+/// Reads gamepads: opens those that are plugged in, and reports their buttons and axes by the names that scripts use.
+/// Values of axes are rounded to two digits, are 0 near rest, and are reported at most once per frame.
 class PadReader {
  public:
   ~PadReader();
 
-  /// False if the event is not about a gamepad. Buttons go to `events` at once.
+  /// Returns false if the event is not about a gamepad. Button events are appended to `events` at once.
   bool Handle(const SDL_Event& event, std::vector<InputEvent>& events);
   /// Reports the axes that have moved since the last call.
   void ReportAxes(std::vector<InputEvent>& events);
 
  private:
   struct Pad {
-    int number = 0;          ///< From 1: the lowest that no other one has.
+    int number = 0;          ///< The lowest number, from 1, that no other gamepad has.
     void* opened = nullptr;  ///< SDL's handle; null if it could not be opened.
     std::map<std::string, float> reported;
     std::map<std::string, float> moved;  ///< Axes since the last report.

@@ -11,7 +11,7 @@ namespace soarbox::viewer {
 
 /// The appearance of a named material. Colours are in sRGB, as on the screen.
 struct Look {
-  /// kCorners: each corner brings its own colour, as u, v and light (models from files).
+  /// kCorners: each vertex stores its own colour as u, v and light (models from files).
   enum class Paint : std::uint8_t {
     kPlain,
     kGround,

@@ -11,7 +11,7 @@ namespace soarbox::viewer {
 /// The images that panels of scripts show, as textures: each is read and uploaded once.
 class PanelImages {
  public:
-  /// The texture of an image's key (world/asset_store.h), as ImGui names it; 0 if there is no such image.
+  /// Returns the texture of an image's key (world/asset_store.h), for ImGui; 0 if there is no such image.
   Ogre::ResourceHandle Find(const std::string& key);
 
  private:

@@ -37,12 +37,12 @@ void DrawGradient(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, ImVec2 e
   }
 }
 
-/// A fraction of the panel's width.
+/// Draws a bar that fills a fraction of the panel's width.
 void DrawBar(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, ImVec2 end) {
   out.AddRectFilled(corner, {corner.x + ui.bar * ui.width, end.y}, Packed(ui.bar_color));
 }
 
-/// An edge, and a shade while the pointer is over it or holds it down.
+/// Draws the edge of a button, and a shade while the button is hovered or held down.
 void DrawButtonEdge(ImDrawList& out, ImVec2 corner, ImVec2 end, bool is_hovered, bool is_held) {
   constexpr ImU32 kEdge = IM_COL32(255, 255, 255, 150), kBrightEdge = IM_COL32(255, 255, 255, 240),
                   kHovered = IM_COL32(255, 255, 255, 40), kHeld = IM_COL32(0, 0, 0, 90);
@@ -157,7 +157,7 @@ std::vector<TextLine> PlainLines(const std::string& text, world::UiFont font) {
 void DrawPanel(ImDrawList& out, const UiSnapshot& ui, ImVec2 corner, const world::SceneSnapshot& snapshot,
                const PanelHost& host, bool is_in_world, PanelImages& images, const ButtonState& buttons) {
   DrawBackground(out, ui, corner, images, buttons);
-  // A panel in the world is moved there when it has been drawn.
+  // A panel in the world is drawn without clipping and then moved to its place.
   if (!is_in_world) out.PushClipRect(corner, {corner.x + ui.width, corner.y + ui.height}, true);
   // The margin applies to the start of texts; a line that needs the space may use the margin at its end.
   const TextArea area{corner.x + ui.margin_left, corner.y + ui.margin_top, corner.x + ui.width,

@@ -8,12 +8,12 @@
 
 namespace soarbox::viewer {
 
-/// Which button the pointer is over, and which one it holds down: their numbers, 0 for none.
+/// Ids of the button under the pointer and of the button that is held down; 0: none.
 struct ButtonState {
   std::uint32_t hovered = 0, held = 0;
 };
 
-/// Draws the panels that scripts make (lua_api.md section 10): gradients, images, bars, plain text, markup, buttons,
+/// Draws the panels that scripts create (lua_api.md section 10): gradients, images, bars, plain text, markup, buttons,
 /// children, panels in the world. Text that would cross the right or bottom edge of its box is cut there.
 void DrawScriptUi(const world::SceneSnapshot& snapshot, const Projection& projection, const PanelHost& host,
                   const ScreenRoom& room, PanelImages& images, const ButtonState& buttons);

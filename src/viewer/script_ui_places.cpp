@@ -33,7 +33,7 @@ ScriptUiPlaces::Stand ScriptUiPlaces::Of(const UiSnapshot& ui) const {
     stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
   }
   if (stand.top->in_world) return stand;
-  // Families of the upper half move down together, so that they keep their arrangement.
+  // Panels of the upper half move down together with their children, so that they keep their arrangement.
   if (stand.top->y < room_.height / 2) stand.corner.y += room_.top;
   stand.corner.x += ShiftInto(stand.top->x, stand.top->width, room_.width, room_.window_width);
   stand.corner.y += ShiftInto(stand.top->y, stand.top->height, room_.height, room_.window_height);
@@ -42,7 +42,7 @@ ScriptUiPlaces::Stand ScriptUiPlaces::Of(const UiSnapshot& ui) const {
 
 namespace {
 
-/// The four corners in the picture of a panel that begins there in its family; none if one is behind the camera.
+/// The four corners, in the picture, of a panel at `begin` in its tree of panels; none if one is behind the camera.
 std::vector<ScreenPoint> CornersInWorld(const UiSnapshot& ui, ScreenPoint begin, const UiSnapshot& top,
                                         const Projection& projection) {
   const world::Vec3 right = Rotate(top.world_orientation, {kPanelMetresPerPixel, 0, 0});

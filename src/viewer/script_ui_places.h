@@ -16,7 +16,7 @@ namespace soarbox::viewer {
 struct ScreenRoom {
   float width = 0, height = 0;                ///< Of the picture.
   float window_width = 0, window_height = 0;  ///< Of the window.
-  float top = 0;                              ///< What a status bar hides of the picture's upper edge.
+  float top = 0;                              ///< Height of the upper part of the picture that the status bar covers.
 };
 
 /// Positions of the panels of scripts in the picture. A panel that was placed for the entire window and would be
@@ -40,11 +40,11 @@ class ScriptUiPlaces {
 /// 1 px of a panel in the world.
 inline constexpr float kPanelMetresPerPixel = 0.005f;
 
-/// The uppermost button under a pixel; null if there is none. One in the world is found from both sides.
+/// Returns the uppermost button under a pixel; null if there is none. A button in the world is found from both sides.
 const world::UiSnapshot* ButtonAt(const world::SceneSnapshot& snapshot, const ScreenRoom& room,
                                   const Projection& projection, ScreenPoint pixel);
 
-/// The parts of the picture that these panels hide; those that stand in the world not counted.
+/// The parts of the picture that these panels cover. Does not include panels in the world.
 std::vector<ScreenBox> BoxesOfScriptUi(const world::SceneSnapshot& snapshot, const ScreenRoom& room);
 
 }  // namespace soarbox::viewer

@@ -19,7 +19,7 @@ constexpr int kRate = 44'100, kChannels = 2;
 constexpr float kFullVolume_m = 5;
 constexpr std::size_t kMostVoices = 32;
 
-/// Samples of a file as the device wants them: left and right after each other.
+/// Converts a WAV file to samples of the device's rate, left and right alternating. Empty if it cannot be read.
 std::vector<float> SamplesOf(const std::string& file) {
   std::vector<float> samples;
   SDL_AudioSpec spec;
@@ -50,7 +50,7 @@ Heard HeardAt(const world::SoundSnapshot& sound, const world::CameraSnapshot& ea
   return {loud * std::min(1.0f, 1 - side), loud * std::min(1.0f, 1 + side)};
 }
 
-/// The device, and what sounds now. The device's thread calls Mix.
+/// The audio device and the sounds that it is playing. The device's thread calls Mix.
 struct SoundPlayer::Device {
   struct Voice {
     const std::vector<float>* samples = nullptr;
@@ -108,8 +108,8 @@ struct SoundPlayer::Device {
 
   bool has_audio = false;
   SDL_AudioDeviceID id = 0;
-  std::map<std::string, std::vector<float>> samples;  ///< By key; what is there never changes.
-  std::vector<Voice> voices;                          ///< Under the device's lock.
+  std::map<std::string, std::vector<float>> samples;  ///< By key. Entries never change.
+  std::vector<Voice> voices;                          ///< Guarded by the device's lock.
 };
 
 SoundPlayer::SoundPlayer() = default;

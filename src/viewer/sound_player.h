@@ -9,14 +9,15 @@
 
 namespace soarbox::viewer {
 
-/// How loud a sound arrives on the left and on the right, each 0 to 1: in full up to 5 m, half of it at twice the
-/// distance, and from its side.
+/// Volume of a sound on the left and on the right, each 0 to 1. Up to 5 m a sound has its full volume; beyond that, the
+/// volume is inversely proportional to the distance. A sound from one side is quieter on the other side.
 struct Heard {
   float left = 0, right = 0;
 };
 Heard HeardAt(const world::SoundSnapshot& sound, const world::CameraSnapshot& ear);
 
-/// Plays the sounds of a scene, once each. The device is opened with the first sound; without one all is silent.
+/// Plays each sound of a scene once. Opens the audio device for the first sound; if there is no device, nothing is
+/// played.
 class SoundPlayer {
  public:
   SoundPlayer();
@@ -24,8 +25,7 @@ class SoundPlayer {
   SoundPlayer(const SoundPlayer&) = delete;
   SoundPlayer& operator=(const SoundPlayer&) = delete;
 
-  /// Begins the sounds that are new in this scene. Those of the first scene, and those after a jump back, stay silent,
-  /// and so does a moment of the past (`is_live` false).
+  /// Starts the sounds that are new since the last call, if `is_live`. The first call and a jump back start nothing.
   void Take(const world::SceneSnapshot& scene, const world::CameraSnapshot& ear, bool is_live);
 
  private:

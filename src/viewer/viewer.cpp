@@ -138,7 +138,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water are shown instead");
 
   if (!options.hidden) sounds.Take(newest, camera.pose(), !status.paused);
-  // Pictures are taken of a camera that had the time that it has in a window.
+  // Simulated time since the last call. The camera of a hidden window advances by it.
   const auto passed_s = static_cast<float>(newest.time_s - scene.time_s);
   scene.tick = newest.tick;
   scene.time_s = newest.time_s;

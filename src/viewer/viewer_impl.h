@@ -90,7 +90,7 @@ struct Viewer::Impl {
   Clock::time_point last_frame = Clock::now(), last_drawn, awake_until;
   FrameCosts costs;
   int scripted_frames = 0;
-  bool shows_news = true;                       ///< Other things were shown since the last frame.
+  bool shows_news = true;                       ///< Something was shown since the last frame that it did not contain.
   bool stands = false;                          ///< Neither the world nor the camera has moved since the last frame.
   std::vector<world::LineSnapshot> last_marks;  ///< The lines that the last frame drew over the scene.
   std::vector<world::TriangleSnapshot> last_fills;
@@ -125,7 +125,7 @@ struct Viewer::Impl {
   /// The agent whose body or label is at a pixel; 0: none.
   std::uint32_t AgentUnder(ScreenPoint pixel) const;
   void Pick(const Picked& picked);
-  /// Takes the clicks on buttons of scripts out of what the user did, and reports them as presses.
+  /// Removes clicks on buttons of scripts from the input, and reports them as presses of these buttons.
   void TakeButtonClicks(FrameInput& in);
   ScreenRoom Room() const {
     return {static_cast<float>(engine->width()), static_cast<float>(engine->height()),

@@ -83,7 +83,7 @@ TEST_F(InputReaderTest, GamepadsReachTheScriptsByNameAndNumber) {
   EXPECT_EQ(input.events[0].name, "a_button");
   EXPECT_EQ(input.events[0].pad, 1);
   EXPECT_EQ(input.events[0].value, 1);
-  // An axis is reported once in a frame, and not near its rest.
+  // An axis is reported once per frame, and not at all near its rest.
   EXPECT_EQ(input.events[1].name, "left_y");
   EXPECT_EQ(input.events[1].pad, 2);
   EXPECT_FLOAT_EQ(input.events[1].value, -0.5f);

@@ -80,7 +80,7 @@ void Viewer::Impl::DrawWorkspace() {
 
 namespace {
 
-/// For a window without panels.
+/// An empty value, returned if the window has no panels.
 template <typename T>
 T& Nothing() {
   static T nothing;

@@ -17,7 +17,7 @@ struct InputEvent {
   int x = 0, y = 0;           ///< Mouse events: the cursor, from the top left.
   int dx = 0, dy = 0;         ///< Moves: since the last one.
   int wheel = 0;              ///< Moves: notches, positive away from the user.
-  int pad = 0;                ///< Gamepads: which, from 1.
+  int pad = 0;                ///< Gamepads: its number, from 1.
   float value = 0;            ///< Gamepads: 1 or 0 for buttons, -1 to 1 for axes.
 };
 
