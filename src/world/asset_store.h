@@ -10,9 +10,10 @@
 
 namespace soarbox::world {
 
-// Images and sounds that scripts take from files of their world. A scene refers to such a file by its key, and
-// renderers and players of the scene find the bytes here. One store serves all worlds of the process: a key depends
-// only on the content, so worlds cannot disturb each other. Nothing is removed before the process ends. Thread-safe.
+// Images, models and sounds that scripts load from files of their world. A scene refers to such a file by its key.
+// Renderers and sound players get the content here. One store serves all worlds of the process. A key depends only on
+// the name and the content, so worlds cannot disturb each other. Nothing is removed before the process ends.
+// Thread-safe.
 
 /// Largest file that is stored.
 inline constexpr std::size_t kLargestAsset = std::size_t{8} << 20;
@@ -26,7 +27,7 @@ std::shared_ptr<const std::string> FindAsset(std::string_view key);
 /// The name in a key; empty if the text is not a key.
 std::string_view AssetName(std::string_view key);
 
-/// The key of something that is found by a hash, and the hash in a key; nothing if the text is not a key.
+/// Makes the key of a name and a hash. HashInKey returns the hash in a key; nothing if the text is not a key.
 std::string AssetKey(std::string_view name, std::uint64_t hash);
 std::optional<std::uint64_t> HashInKey(std::string_view key);
 

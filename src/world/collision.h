@@ -19,7 +19,7 @@ struct Collision {
 /// A body entered or left a sensor in the last step.
 struct SensorChange {
   EntityId sensor = kNoEntity;
-  EntityId other = kNoEntity;  ///< An agent or an object; of one that leaves, it may have been removed.
+  EntityId other = kNoEntity;  ///< The agent or object. If it left, it may have been removed since.
   bool entered = false;
 };
 
@@ -27,7 +27,7 @@ struct SensorChange {
 struct HingeDef {
   Vec3 point;                       ///< On the axis.
   Vec3 axis;                        ///< Not zero.
-  float low_deg = 1, high_deg = 0;  ///< How far it may turn from its present orientation; low > high: without limits.
+  float low_deg = 1, high_deg = 0;  ///< Limits of the turn from its present orientation; low > high: no limits.
   float friction_nm = 0;            ///< Maximum torque that brakes it.
 };
 

@@ -59,7 +59,9 @@ class Object {
   /// In N m s; changes the angular velocity at once.
   bool ApplyAngularImpulse(Vec3 impulse);
 
-  /// From now on it turns about an axis only. `other`: the object that has the axis; null: the axis stays where it is.
+  /// Attaches it to a hinge, so that it can only turn about the hinge's axis. `other`: the object that carries the
+  /// axis; null: the axis is fixed in the world. Returns false for sensors, for `other` == this, for a zero axis and
+  /// for values that are not finite.
   bool AddHinge(const HingeDef& hinge, const Object* other);
   /// Removes the hinges that were added for this object.
   void RemoveHinges();

@@ -6,10 +6,10 @@
 namespace soarbox::world {
 namespace {
 
-/// The boxes in which the broad phase keeps bodies lag behind them by one step.
+/// Bounding boxes in the broadphase may be one step old, so the search covers this margin around the sensor.
 constexpr btScalar kLag_m = 1;
 
-/// Notes whether any point of contact is inside.
+/// Checks whether any contact point lies inside.
 struct OverlapTest final : btCollisionWorld::ContactResultCallback {
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                            const btCollisionObjectWrapper*, int, int) override {

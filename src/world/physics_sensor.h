@@ -9,8 +9,8 @@
 // For the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// Finds the owners of the bodies that can move and overlap a sensor, which is not in the world itself. Each once, in
-/// ascending order.
+/// Finds the owners of all movable bodies that overlap a sensor. The sensor itself is not in `world`. Each owner is
+/// listed once, in ascending order.
 void FindInside(btCollisionWorld& world, const AllBodies& bodies, btCollisionObject& sensor,
                 std::vector<EntityId>& found);
 

@@ -180,7 +180,7 @@ struct PhysicsWorld::Impl {
   void KeepInRange();
   void GatherCollisions();
   void GatherSensorChanges();
-  /// Removes the hinges for which `is_meant` holds.
+  /// Removes the hinges for which `is_meant` returns true.
   template <class IsMeant>
   void RemoveHingesIf(const IsMeant& is_meant);
   void LiftSunken();
@@ -313,7 +313,7 @@ void PhysicsWorld::Remove(BodyId id) {
     return;
   }
   impl_->RemoveHingesIf([id](const auto& hinge) { return hinge.body == id || hinge.other == id; });
-  // What leaned on it must not go on sleeping in the air.
+  // Wakes the bodies that touch it. Otherwise a sleeping body that it supported would hang in the air.
   for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold* manifold = impl_->dispatcher.getManifoldByIndexInternal(i);
     const bool touches = manifold->getBody0() == body.rigid.get() || manifold->getBody1() == body.rigid.get();

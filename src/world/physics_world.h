@@ -38,7 +38,7 @@ struct BodyDef {
   bool doorway = false;  ///< kMesh only: the wall has a doorway (modular_meshes.h).
   float mass_kg = 1;     ///< 0 = fixed.
   bool upright = false;  ///< Contacts never turn it, and it may not be an obstacle: an agent.
-  bool sensor = false;   ///< Fixed. Meets nothing and is met by nothing, rays included; see SensorChanges.
+  bool sensor = false;   ///< Fixed. Collides with nothing, and rays do not hit it; see SensorChanges.
   Vec3 position;
   Quat orientation;
   EntityId owner = kNoEntity;
@@ -80,13 +80,14 @@ class PhysicsWorld {
   void ApplyForce(BodyId body, Vec3 force_n);
   void ApplyAngularImpulse(BodyId body, Vec3 impulse);
 
-  /// `other`: the body that has the axis; kNone: the axis stays where it is. The hinge goes with either body.
+  /// `other`: the body that carries the axis; kNone: the axis is fixed in the world. Removing either body removes the
+  /// hinge.
   void AddHinge(BodyId body, const HingeDef& hinge, BodyId other);
   /// Removes the hinges that were added for this body.
   void RemoveHinges(BodyId body);
   std::size_t hinge_count() const;
 
-  /// One step. Bodies that leave the range of the numbers are put back at its edge, at rest.
+  /// One step. Bodies that leave the range of coordinates are put back at its edge, at rest.
   void Step(float step_s, const Workers& workers = {});
   /// The bodies that may have moved in the last step: those that are not fixed and were not asleep. In a fixed order.
   /// Some may have been removed since, and their ids reused.
@@ -105,8 +106,8 @@ class PhysicsWorld {
   EntityId OwnerOf(BodyId body) const;
   /// Sorted by (a, b).
   const std::vector<Collision>& Collisions() const;
-  /// Which bodies that can move came into sensors and left them in the last step. Sorted by sensor; those that left
-  /// come first, each kind in ascending order.
+  /// The movable bodies that entered or left sensors in the last step. Sorted by sensor; for each sensor, first the
+  /// bodies that left, then those that entered, each in ascending order.
   const std::vector<SensorChange>& SensorChanges() const;
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
   /// Makes the queries above and below cheaper until a body moves, is added or is removed. Worthwhile if there are
@@ -120,8 +121,8 @@ class PhysicsWorld {
   /// that is not const.
   std::span<const Obstacle> Obstacles();
   void AddDebugLines(std::vector<LineSnapshot>& lines);
-  /// Hash of all state that determines the future of bodies that are not upright. Reads only those that moved or were
-  /// changed since the last call; with `anew` all of them, which gives the same hash.
+  /// Hash of all state that determines the future of bodies that are not upright. Reads only bodies that have moved or
+  /// changed since the last call. With `anew`, reads all bodies; the hash is the same.
   std::uint64_t HashOfThings(bool anew = false);
 
   // Limits of bodies. Callers clamp values to these.

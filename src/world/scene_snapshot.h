@@ -139,30 +139,30 @@ struct UiSnapshot {
   bool is_markup = false;  ///< The text contains the sandbox's markup: %0..%9 colours, @nn fonts (spec:
                            ///< UI.SetMarkupText).
   std::string text;
-  /// The key of an image (world/asset_store.h) or the name of a material that fills it, if any.
+  /// The key of an image (world/asset_store.h) or the name of a material that fills the panel; empty: none.
   std::string material;
   std::string caption;  ///< A plain text in addition to the markup text; empty unless the component has both.
-  bool gradient_is_diagonal =
-      false;              ///< From the top left to the bottom right; gradient_is_vertical does not count then.
-  bool in_world = false;  ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
-  Vec3 world_position;    ///< Position of the panel's top left corner; only if in_world.
+  bool gradient_is_diagonal = false;  ///< From the top left to the bottom right; gradient_is_vertical is then ignored.
+  bool in_world = false;              ///< A panel in the world: 1 px = 0.005 m, x to its right, y down, facing its +z.
+  Vec3 world_position;                ///< Position of the panel's top left corner; only if in_world.
   Quat world_orientation;
-  std::string button;  ///< The name of the button that it is; empty: it is none.
+  std::string button;  ///< The button's name; empty: this is not a button.
   bool has_bar = false;
-  float bar = 0;  ///< How much of its width the bar fills, 0..1; only if has_bar.
+  float bar = 0;  ///< Filled fraction of the width, 0..1; only if has_bar.
   Color bar_color;
 };
 
-/// A sound that began a short time ago. Fronts play each sound once, by its number.
+/// A sound that started within the last kSoundStays_s. Renderers play each sound once; they recognise it by its id.
 struct SoundSnapshot {
-  std::uint32_t id = 0;  ///< From 1, in the order in which they began.
+  std::uint32_t id = 0;  ///< From 1, in the order in which sounds started.
   std::string file;      ///< The key of a file (world/asset_store.h).
-  double time_s = 0;     ///< When it began, in simulated time.
+  double time_s = 0;     ///< When it started, in simulated time.
   float volume = 1;      ///< 0..1
   bool in_world = false;
-  Vec3 position;  ///< Only if in_world; else it is everywhere equally loud.
+  Vec3 position;  ///< Only if in_world; other sounds are equally loud everywhere.
 };
-/// How long a sound stays in snapshots, so that fronts that do not show each tick hear of it too, and how many do.
+/// How long a sound stays in snapshots, so that renderers that skip ticks do not miss it; and the maximum number of
+/// sounds in a snapshot.
 inline constexpr double kSoundStays_s = 1;
 inline constexpr std::size_t kMostSounds = 32;
 
@@ -184,8 +184,8 @@ struct SceneSnapshot {
   std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they are among the lines.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
-  std::vector<SoundSnapshot> sounds;        ///< Those of the last second, in the order in which they began.
-  /// What %0 to %9 mean in markup texts.
+  std::vector<SoundSnapshot> sounds;        ///< Those of the last second, in the order in which they started.
+  /// The colours of %0 to %9 in markup texts.
   std::array<Color, 10> markup_palette{};
   Vec3 ambient{0.5f, 0.5f, 0.5f};
   std::string sky;  ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.

@@ -143,7 +143,7 @@ class SharedList {
     std::vector<T> entries;  ///< 1 to kMostPerBlock.
   };
 
-  /// Counts references, so that a list can tell on any thread whether a block is not shared.
+  /// Counts references, so that any thread can check whether a block is shared.
   class Handle {
    public:
     explicit Handle(Block* block) : block_(block) {}

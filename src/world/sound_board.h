@@ -9,11 +9,11 @@
 
 namespace soarbox::world {
 
-/// The sounds that began in the last second (scene_snapshot.h). They are part of what there is to see and hear: nothing
-/// in the world depends on them.
+/// The sounds that started in the last second (scene_snapshot.h). They are only part of snapshots: nothing in the world
+/// depends on them.
 class SoundBoard {
  public:
-  /// Begins a sound now. Beyond kMostSounds the oldest one is dropped.
+  /// Starts a sound now. If there are more than kMostSounds, removes the oldest.
   void Play(std::string_view file, double now_s, float volume, std::optional<Vec3> position);
 
   void FillSnapshot(SceneSnapshot& snapshot) const;

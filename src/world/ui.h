@@ -67,16 +67,17 @@ class Ui {
   bool RemoveBar(UiId id);
   /// The fraction of its bar; nothing if it has none.
   std::optional<float> Bar(UiId id) const;
-  /// The name of the button that it is; empty if it is none.
+  /// The button's name; empty if this is not a button.
   const std::string& Button(UiId id) const;
   /// The key of an image that fills it (asset_store.h); empty: none.
   bool SetImage(UiId id, std::string_view key);
-  /// Makes it a button with this name; an empty name makes it none. False if another one has the name.
+  /// Makes it a button with this name; an empty name makes it a plain component again. Returns false if another
+  /// component has the name.
   bool SetButton(UiId id, std::string_view name);
   /// The button with this name; kNone if there is none.
   UiId FindButton(std::string_view name) const;
   std::vector<std::string> ButtonNames() const;
-  /// Components in the world only; others return false.
+  /// Only for components in the world; returns false for others.
   bool SetWorldPosition(UiId id, Vec3 position);
   bool SetWorldOrientation(UiId id, Quat orientation);
 

@@ -13,7 +13,7 @@ std::uint32_t LittleEndian(std::string_view bytes, std::size_t at, std::size_t c
   return number;
 }
 
-/// Why this format is not played.
+/// Returns why this format cannot be played; empty if it can.
 std::string WhyNotPlayed(std::string_view format) {
   if (format.size() < 16) return "its format is cut off";
   const std::uint32_t kind = LittleEndian(format, 0, 2), channels = LittleEndian(format, 2, 2),
@@ -41,7 +41,7 @@ std::string WhyNoWav(std::string_view file) {
     } else if (kind == "data") {
       return !has_format ? "its samples come before their format" : length == 0 ? "it has no samples" : "";
     }
-    // Chunks begin at even places.
+    // Chunks begin at even offsets.
     at += length + length % 2;
     if (at > file.size()) break;
   }

@@ -6,8 +6,9 @@
 
 namespace soarbox::world {
 
-/// Why a file from anywhere is no sound that windows and pages can play: "this is not a WAV file". Empty if it is one:
-/// WAV with 8 or 16 bits, one or two channels, and 8,000 to 48,000 samples a second.
+/// Checks whether a file is a WAV file that windows and pages can play: 8 or 16 bits, one or two channels, 8,000 to
+/// 48,000 samples per second. Returns the reason if it is not, such as "this is not a WAV file"; else an empty text.
+/// Accepts any content.
 std::string WhyNoWav(std::string_view file);
 
 }  // namespace soarbox::world

@@ -63,8 +63,9 @@ class World {
   std::uint64_t time_millis() const;
   /// Physical time: tick() times the step. At 1/30 s, the scripts' clock is 1 % slower.
   double time_s() const;
-  /// Removes what has been asked to go, and returns it in ascending id, so that callers can drop what they keep about
-  /// it. Calls `before` for each agent of these while all of them are still there.
+  /// Starts a tick. Removes the agents and objects for which a removal was requested, and returns their ids in
+  /// ascending order, so that callers can drop their data about them. First calls `before` for each of these agents,
+  /// while all of them still exist.
   std::vector<EntityId> BeginTick(const std::function<void(EntityId agent)>& before = {});
   /// The agent's node follows its body.
   void SyncAgent(EntityId agent);
@@ -72,23 +73,25 @@ class World {
   void Step(const Workers& workers = {});
   /// The collisions of the last step.
   std::span<const Collision> Collisions() const;
-  /// Which agents and objects came into sensors and left them in the last step (PhysicsWorld::SensorChanges).
+  /// The movable agents and objects that entered or left sensors in the last step (PhysicsWorld::SensorChanges).
   std::span<const SensorChange> SensorChanges() const;
   std::size_t hinge_count() const;
-  /// Hash of all that decides the future of the bodies, agents and random streams. The same on every run of one build.
+  /// Hash of all state that determines the future of bodies, agents and random streams. The same in every run of one
+  /// build.
   std::uint64_t Hash() const;
   RandomStream& random();
 
-  // Agents. A removed one is still found by its id (Agent::IsGone), but it has no body, and nobody perceives it.
-  /// Made at the origin with a capsule body, half inside a floor at y = 0; physics lifts it.
+  // Agents. A removed agent is still found by its id (Agent::IsGone), but it has no body, and others do not perceive
+  // it.
+  /// Created at the origin with a capsule body, half inside a floor at y = 0; physics lifts it.
   EntityId CreateAgent(const AgentDef& def);
   /// Null for unknown ids and ids of objects. Valid during the life of the world.
   Agent* FindAgent(EntityId id);
   const Agent* FindAgent(EntityId id) const;
-  /// The agent goes at the next BeginTick, with everything attached to it. Calling this again is harmless. False if
-  /// unknown.
+  /// Removes the agent and everything attached to it in the next BeginTick. Repeated calls are allowed. Returns false
+  /// for unknown ids.
   bool RemoveAgent(EntityId id);
-  /// Those that have not gone, in creation order. The span is invalid after the next CreateAgent or BeginTick.
+  /// The agents that were not removed, in creation order. The span is invalid after the next CreateAgent or BeginTick.
   std::span<const EntityId> AgentIds() const;
 
   // Objects.
@@ -101,9 +104,9 @@ class World {
   /// Bodies without a drawable.
   EntityId CreatePhysicsCapsule(float height_m, float radius_m);
   EntityId CreatePhysicsSphere(float radius_m);
-  /// A box without looks that meets nothing. It notices which bodies that can move are inside (SensorChanges).
+  /// A box without a drawable that collides with nothing. It detects which movable bodies are inside (SensorChanges).
   EntityId CreateSensor(float width_m, float height_m, float length_m);
-  /// Null for unknown ids, ids of agents and objects that are gone.
+  /// Null for unknown ids, for ids of agents, and for removed objects.
   Object* FindObject(EntityId id);
   const Object* FindObject(EntityId id) const;
   /// By ascending id, including objects that will be removed. The span is invalid after the next creation or BeginTick.
@@ -138,7 +141,7 @@ class World {
   Scene& scene();
   const Scene& scene() const;
   Ui& ui();
-  /// Begins a sound now (sound_board.h).
+  /// Starts a sound now (sound_board.h).
   void PlaySound(std::string_view file, float volume, std::optional<Vec3> position);
   Camera& camera();
   const Camera& camera() const;
