@@ -31,7 +31,7 @@ class Arena {
   /// Gives an agent a body of this kind, with its appearance. If a script controls the body, the actor provides only
   /// the senses of the kind and executes no commands.
   Actor& Add(world::EntityId agent, const BodyKind& kind, bool is_scripted = false);
-  /// Removes an agent that has gone from the world, with what it carries, and reports that it leaves.
+  /// Removes the actor of an agent that the world has removed, with the things that it carries. Reports that it left.
   void Remove(world::EntityId agent);
   /// Null for agents that were not added.
   Actor* Find(world::EntityId agent);

@@ -140,7 +140,7 @@ void ClientScene::ShowText(const Shape& shape, world::World& world) {
   ui.SetFont(text, world::UiFont::kMedium);
   const world::Vec3 color = shape.Color();
   ui.SetFontColor(text, {color.x, color.y, color.z, 1});
-  // Its corner; the text is centred on its place.
+  // The position is that of the panel's left corner, so half of the width is subtracted to centre the text.
   ui.SetWorldPosition(text, shape.At("x", "y", kTextHeight_m) - world::Vec3{width_px * kPixel_m / 2, 0, 0});
   ui.SetVisible(text, true);
 }

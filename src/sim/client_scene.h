@@ -24,14 +24,14 @@ namespace soarbox::sim {
 ///     ^line   ^x ^y ^to-x ^to-y ^color
 ///     ^text   ^x ^y ^text ^color
 ///
-/// Metres and degrees: x to the right, y to the front, a heading of 0 along x, counter-clockwise. Values of another
-/// type count as left out. Takes the lines `add`, `set` and `remove` of a client's log, as their parts. Owned by the
-/// agent's mind.
+/// Metres and degrees: x to the right, y to the front, a heading of 0 along x, counter-clockwise. A value of the wrong
+/// type is treated as missing. Its input consists of the parts of the lines `add`, `set` and `remove` of a client's
+/// log. Owned by the agent's mind.
 class ClientScene {
  public:
-  /// Notes what the line changes. `input_link`: the name of the identifier of the input link.
+  /// Applies a line of the log. `input_link`: the name of the identifier of the input link.
   void Note(const std::vector<std::string>& parts, std::string_view input_link);
-  /// init-soar: the client describes all of it again.
+  /// Removes everything. Call it after init-soar: the client then adds everything again.
   void Clear();
   /// Draws it for the current tick; moves bodies of agents.
   void Show(world::World& world);
@@ -64,7 +64,7 @@ class ClientScene {
   std::string root_, scene_;                 ///< Identifiers of ^soarbox and ^scene; empty: there is none.
   std::map<std::string, Shape> shapes_;      ///< By their identifiers.
   std::map<std::string, Element> elements_;  ///< By their handles.
-  std::vector<world::UiId> texts_;           ///< Made so far, of which the first ones are in use.
+  std::vector<world::UiId> texts_;           ///< All texts that were created so far; the first ones are in use.
   std::size_t texts_shown_ = 0;
 };
 

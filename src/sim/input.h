@@ -39,7 +39,7 @@ struct WheelInput {
   friend bool operator==(const WheelInput&, const WheelInput&) = default;
 };
 
-/// A button that a script has put on the screen was pressed: UI.SetButton gave it this name.
+/// A button of a script's panel was pressed. `name` is the name that UI.SetButton gave it.
 struct PanelInput {
   std::string button;
   friend bool operator==(const PanelInput&, const PanelInput&) = default;
@@ -51,7 +51,7 @@ inline constexpr int kMostPads = 8;
 /// A button of a gamepad went down (1) or up (0), or an axis moved: sticks from -1 to 1, y downwards, triggers from 0
 /// to 1. Names are those of input_names.h.
 struct PadInput {
-  int pad = 1;  ///< Which gamepad, from 1.
+  int pad = 1;  ///< Number of the gamepad, from 1.
   std::string part;
   float value = 0;
   friend bool operator==(const PadInput&, const PadInput&) = default;

@@ -18,10 +18,10 @@ class InputDoor {
   /// Maximum number of inputs for one tick. Further inputs are refused, so that they cannot block the world.
   static constexpr std::size_t kMostPerTick = 10'000;
 
-  /// Files an input for its tick, after those that are already there. What comes too late takes effect in the next
-  /// tick. A camera pose or the value of an axis replaces the previous one if nothing came between, and moves of the
-  /// pointer add up. False:
-  /// refused, because there are too many for this tick.
+  /// Adds an input to the queue of its tick, after those that are already there. An input for a past tick takes effect
+  /// in the next tick. If nothing came between, a camera pose or the value of an axis replaces the previous one, and
+  /// moves of the pointer are added up. Returns false if there are too many inputs for the tick; the input is then
+  /// dropped.
   bool Submit(Input input);
   /// Records an input that took effect between two ticks: a debugger's command to the minds' kernel.
   void Note(InputValue value);

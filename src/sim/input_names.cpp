@@ -39,7 +39,7 @@ std::vector<std::string> AllButtons() {
   return names;
 }
 
-/// As an Xbox controller has them: "a" is the lower button.
+/// Names as on an Xbox controller: "a" is the lower button.
 constexpr const char* kPadParts =
     "a_button b_button x_button y_button back_button guide_button start_button left_stick_button right_stick_button "
     "left_shoulder_button right_shoulder_button up_button down_button left_button right_button "

@@ -42,8 +42,8 @@ InputText ReadInputs(std::string_view text, const std::string& file);
 /// Returns a line that ReadInputs converts to this input, without a line feed.
 std::string WriteInput(const Input& input);
 
-/// Such a line for people: what the client of recorded agents did in a tick is counted, "3 client: 2 command lines, 12
-/// changes of input"; other lines are returned unchanged.
+/// Shortens such a line for display: it counts what the client of recorded agents did in a tick, "3 client: 2 command
+/// lines, 12 changes of input". Returns other lines unchanged.
 std::string ShownInput(const std::string& line);
 
 }  // namespace soarbox::sim

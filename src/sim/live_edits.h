@@ -19,7 +19,7 @@ class Simulation;
 
 /// A file of a running world: rules, or a script that a machine has executed.
 struct WatchedFile {
-  std::string agent;  ///< Empty for the sandbox's own script.
+  std::string agent;  ///< Empty for the sandbox's own script and for the scenario file.
   std::filesystem::path file;
   bool is_rules = false;
   std::string script = {};  ///< If it is a script: its name in scripts ("Lib.lua").

@@ -159,7 +159,8 @@ class Minds final : public script::MindFactory {
   Mind* Find(world::EntityId agent);
   /// Finds a mind by the name of its agent; null if there is none.
   Mind* FindNamed(std::string_view agent);
-  /// Ends the mind of an agent that was removed from the world. A mind that a client drives ends with its client.
+  /// Ends the mind of an agent that was removed from the world. Does nothing for a mind that a client controls: the
+  /// client ends it.
   void EndRemoved(world::EntityId agent);
   std::span<Mind> all() { return minds_; }
   std::size_t size() const { return minds_.size(); }
@@ -174,9 +175,10 @@ class Minds final : public script::MindFactory {
   void PlayClientActs();
   void PlayClientAct(const std::vector<std::string>& parts);
   void MakeClientMind(const std::string& name);
-  /// An agent of a kernel elsewhere, which its own client lets run (`soarbox watch`): it is only looked into.
+  /// Adds the mind of an agent of another program's kernel (`soarbox watch`). Its own program runs it; it is only
+  /// inspected here.
   void AttachMind(const std::string& name);
-  /// Gives a mind that a client drives a body in the row of such bodies.
+  /// Adds a mind that a client controls, and places its body in the row of such bodies.
   void AddClientMind(const std::string& name, world::Agent& body, sml::Agent& agent, std::size_t thread);
   void EndClientMind(const std::string& name);
   /// Reports the commands of a mind after a run.
@@ -261,7 +263,7 @@ class Minds final : public script::MindFactory {
   std::map<std::filesystem::path, std::set<std::string>> made_by_rules_;  ///< By file: attributes that its rules make.
   std::set<std::string> script_rows_;             ///< Attributes that Agent_Sense of scripts returned.
   std::set<std::string> reported_;                ///< Problems that were already reported. Many agents share one file.
-  std::map<std::string, std::size_t> by_client_;  ///< Minds by their client's names.
+  std::map<std::string, std::size_t> by_client_;  ///< Index in minds_, by the client's name of the agent.
   bool has_new_rules_ = false;                    ///< Minds were created whose rules have not been checked for slips.
   std::set<std::filesystem::path> looked_over_;   ///< Files of rules that were checked for slips.
   /// Files with rules that did not load, with the errors.

@@ -94,7 +94,7 @@ void Minds::PlayClientAct(const std::vector<std::string>& parts) {
   if (kind == "gone") return EndClientMind(parts[1]);
   Mind& mind = minds_[found->second];
   if (kind == "look") {
-    // An attached agent has run.
+    // Its own program has already run the agent.
     if (mind.lost) return;
     mind.decided = true;
     mind.soar.agent().SynchronizeOutputLink();
@@ -194,7 +194,7 @@ void Minds::AddClientMind(const std::string& name, world::Agent& body, sml::Agen
 
 void Minds::AttachMind(const std::string& name) {
   if (by_client_.contains(name)) return;
-  // Without rules, the host looks for an agent that is there.
+  // Without a file of rules, CreateAgent finds an existing agent of the kernel.
   const Result<SoarHost::Loaded> found = host_.CreateAgent(name, {});
   if (!found) return;
   world::AgentDef def;

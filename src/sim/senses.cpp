@@ -391,7 +391,7 @@ void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const Fie
     const world::Agent& other = *world.FindAgent(id);
     const Vec3 place = other.Position();
     const bool seen = !other.IsGone() && view.Holds(place) && SeesAgent(actor.body(), other, around);
-    // Who runs is heard at the full range, who walks at a part of it.
+    // Running agents are heard at the full range, walking agents at a part of it.
     const float loudness = std::clamp(other.Speed() / 4, 0.0f, 1.0f);
     const bool heard = !seen && other.Health() > 0 && FlatDistance(here, place) <= senses.hearing_m * loudness;
     if (!is_known && !seen && !heard) continue;

@@ -87,7 +87,7 @@ struct Simulation::Impl final : script::ScriptListener {
   void ServeClients();
   void ApplyInputs();
   void ReportNewAgents();
-  /// Ends the minds and bodies of the agents among these.
+  /// Ends the minds and bodies of the agents in `removed`, which also contains ids of objects.
   void EndRemoved(std::span<const world::EntityId> removed);
   void ReportWarningsOfWorld();
   void ReportEnd(const std::string& reached);
@@ -279,7 +279,7 @@ void Simulation::Impl::ReportEndOfScripts() {
 }
 
 void Simulation::Impl::ReportNewAgents() {
-  // Their numbers ascend; those that have gone are no longer listed.
+  // Ids ascend; those of removed agents are no longer listed.
   const std::span<const world::EntityId> ids = world.AgentIds();
   for (auto next = std::ranges::upper_bound(ids, last_reported); next != ids.end(); ++next) {
     last_reported = *next;

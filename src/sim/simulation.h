@@ -98,11 +98,11 @@ class Simulation {
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
   /// Hash of all state that determines the world's future (World::Hash, and the commands of bodies).
   std::uint64_t StateHash() const;
-  /// How many minds there are, those of removed agents included.
+  /// Number of minds, including those of removed agents.
   std::size_t soar_agents() const;
-  /// The same without those of removed agents.
+  /// Number of minds without those of removed agents.
   std::size_t present_soar_agents() const;
-  /// What the mind of this number, in creation order, did in the last tick. Valid until the next.
+  /// What a mind did in the last tick. `index` counts the minds in creation order. Valid until the next tick.
   MindReport Mind(std::size_t index) const;
   const std::string& AgentOfMind(std::size_t index) const;
   /// Whether there is an agent of this name with a Soar mind. False if it was removed.
@@ -119,9 +119,9 @@ class Simulation {
   /// The events since the last call.
   EventList TakeEvents();
 
-  /// Takes an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
-  /// order of the calls. Inputs for ticks that are over (0: now) take effect in the next one. An event then reports
-  /// what an input cannot do (no such agent).
+  /// Accepts an input from outside. It takes effect at the beginning of its tick, before anything else happens, in the
+  /// order of the calls. An input for a past tick (0: now) takes effect in the next one. If an input cannot be applied,
+  /// for example because there is no such agent, an event reports it.
   void Submit(Input input);
   void Submit(InputValue value) { Submit(Input{0, std::move(value)}); }
   /// Executes a line of the Soar command language for an agent's mind now, between two ticks, and returns its output.
@@ -141,8 +141,8 @@ class Simulation {
   /// Number of inputs that are queued for later ticks.
   std::size_t waiting_inputs() const;
 
-  /// The files that its minds and scripts were made from. `with_scenario`: the scenario file (TOML), too, as the last
-  /// one; it belongs to no agent.
+  /// The files that its minds and scripts were loaded from. `with_scenario`: also the scenario file (TOML), as the last
+  /// one; its `agent` is empty.
   std::vector<WatchedFile> Files(bool with_scenario = false);
   /// Explains the present behaviour of an agent; nothing if there is no such agent with a mind.
   /// `with_operators`: include the operators that are selected now, as reported by commands of any kernel.

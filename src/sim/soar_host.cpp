@@ -77,7 +77,7 @@ const char* LoadWarnings(const Agent& agent) {
   return "";
 }
 
-/// Agents that other programs have made since.
+/// Finds the agents that other programs have created in the kernel since then.
 template <typename Kernel>
 void FindNewAgents(Kernel& kernel) {
   if constexpr (requires { kernel.UpdateAgentList(); }) kernel.UpdateAgentList();
@@ -93,7 +93,7 @@ Result<SoarHost::Loaded> Attach(Kernel& kernel, const std::string& name) {
   return loaded;
 }
 
-/// Never null; asks for HadError().
+/// Returns a kernel, never null. If the connection failed, its HadError() is true.
 std::unique_ptr<::sml::Kernel> Connect(const SoarSettings& settings) {
   std::unique_ptr<::sml::Kernel> kernel(
       ::sml::Kernel::CreateRemoteConnection(true, settings.remote_host.c_str(), settings.remote_port));

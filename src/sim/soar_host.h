@@ -57,9 +57,10 @@ class SoarHost {
     std::size_t thread = 0;  ///< The thread on which it decides. Agents of different threads share nothing.
     std::vector<Diagnostic> problems;
   };
-  /// Creates an agent and loads its rules. Fails if the file cannot be read or the kernel refuses the agent.
-  /// `first`: a command that is executed before the rules are loaded. `beside_world`: the agent decides in parallel to
-  /// scripts. The first thread, which is the world's, then gets half as many of these agents as each other thread.
+  /// Creates an agent and loads its rules. Fails if the file cannot be read or the kernel refuses the agent. If `rules`
+  /// is empty, returns an existing agent of a remote kernel instead. `first`: a command that is executed before the
+  /// rules are loaded. `beside_world`: the agent decides in parallel to scripts. The first thread, which is the
+  /// world's, then gets half as many of these agents as each other thread.
   Result<Loaded> CreateAgent(const std::string& name, const std::filesystem::path& rules, const char* first = "",
                              bool beside_world = false);
 

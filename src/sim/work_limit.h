@@ -6,7 +6,7 @@
 namespace soarbox::sim {
 
 /// Maximum number of firings of a mind's rules in a tick. When it is reached, all phases of the tick end at once, and
-/// the mind is halted (minds.h). It is far above what a program needs.
+/// the mind is halted (minds.h). It is far more than any useful program needs.
 inline constexpr std::uint64_t kMostFirings = 200'000;
 
 }  // namespace soarbox::sim
