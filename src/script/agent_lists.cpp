@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kShortest = 32;
 constexpr std::size_t kElement_bytes = 8;
 
-/// Elements are counted from 0 there.
+/// The block also has an element with index 0.
 std::size_t BlockSize(std::size_t count) {
   return (count + 1) * kElement_bytes;
 }
 
-/// In one piece, too.
+/// Compares the ids as one block of memory.
 bool AreSame(std::span<const world::EntityId> a, std::span<const world::EntityId> b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
@@ -67,7 +67,7 @@ bool AgentLists::Holds(lua_State* state, int index, std::span<const world::Entit
   const void* const block = LuaMachine::Of(state).memory().watched();
   if (block == nullptr || lua_topointer(state, index) != last_ || !AreSame(ids, ids_)) return false;
   if (std::memcmp(block, template_block_, BlockSize(ids.size())) != 0) return false;
-  // Nothing else may be in it.
+  // The table must not contain anything else.
   lua_pushinteger(state, static_cast<lua_Integer>(ids.size()));
   if (lua_next(state, index) == 0) return true;
   lua_pop(state, 2);

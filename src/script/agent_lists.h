@@ -13,7 +13,7 @@ namespace soarbox::script {
 
 class LuaMachine;
 
-/// Arrays of all agents, for one machine. The scripts of a flock ask for one in each step and hand it to several
+/// Arrays of all agents, for one machine. The scripts of a flock request one in each step and pass it to several
 /// steering forces. Creating and reading such an array element by element would take most of the time of a large flock.
 ///
 /// LuaJIT keeps the elements of a long array in one block of our memory (ScriptMemory). A new array is a copy of that
@@ -24,17 +24,17 @@ class AgentLists {
  public:
   /// Pushes a new array of the handles of these agents.
   void Push(lua_State* state, std::span<const world::EntityId> ids);
-  /// True if the table at `index` is the array that was pushed last, and it holds just the handles of these agents in
-  /// this order. False if that is not known.
+  /// Returns true if the table at `index` is the array that was pushed last, and it contains exactly the handles of
+  /// these agents in this order. Returns false if that is not certain.
   bool Holds(lua_State* state, int index, std::span<const world::EntityId> ids) const;
 
  private:
-  /// The block of the array that has just been made; null if it is not as expected.
+  /// The block of the array that was just created; null if its size is not as expected.
   static void* BlockOfNewArray(LuaMachine& machine, std::size_t count);
   void MakeTemplate(lua_State* state, std::span<const world::EntityId> ids);
 
-  std::vector<world::EntityId> ids_;  ///< Those in the template.
-  int template_ = 0;                  ///< Where it is kept; 0: nowhere.
+  std::vector<world::EntityId> ids_;  ///< The agents in the template.
+  int template_ = 0;                  ///< Reference of the template in the registry; 0: there is none.
   const void* template_block_ = nullptr;
   const void* last_ = nullptr;  ///< The table that was pushed last; its block is the one that the memory watches.
 };

@@ -150,7 +150,8 @@ bool IsInRange(lua_State* state, int index, const ApiArgument& argument) {
   return IsWithin(vector.x, argument) && IsWithin(vector.y, argument) && IsWithin(vector.z, argument);
 }
 
-/// Raises an error for the first handle before `end` whose thing was removed, because that is the first mistake.
+/// Raises an error for the first handle before argument `end` that refers to a removed thing. A wrong argument after it
+/// is not reported, because the removed thing is the first mistake.
 void CheckAlive(lua_State* state, int end) {
   for (int index = 1; index < end; ++index) {
     const Handle* handle = ToHandle(state, index);

@@ -176,7 +176,7 @@ int CreateSensor(lua_State* state) {
   return MakeObject(state, [&](world::World& world) { return world.CreateSensor(width, height, length); });
 }
 
-/// Harmless when asked again, also in later steps: collision callbacks do that.
+/// Repeated calls have no effect, also in later steps. Collision callbacks often call it more than once.
 int RemoveObject(lua_State* state) {
   if (!SandboxArgument(state, 1)) return 0;
   const Handle* handle = ToHandle(state, 2);
@@ -190,7 +190,7 @@ int RemoveObject(lua_State* state) {
   return 0;
 }
 
-/// Harmless when called again, as RemoveObject.
+/// Repeated calls have no effect.
 int RemoveAgent(lua_State* state) {
   if (!SandboxArgument(state, 1)) return 0;
   ContextOf(state).world.RemoveAgent(EntityId{CheckHandle(state, 2, ValueKind::kAgent)});

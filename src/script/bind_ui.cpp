@@ -123,7 +123,7 @@ int Remove(lua_State* state) {
   return 0;
 }
 
-/// Components on the screen have no place in the world.
+/// Warns if the panel is on the screen, because it then has no position in the world.
 void WarnUnlessInWorld(lua_State* state, bool is_in_world) {
   if (!is_in_world)
     WarnIgnored(state, "this panel is on the screen; Sandbox.CreateUIComponent3d makes one in the world");

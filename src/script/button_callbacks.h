@@ -14,17 +14,17 @@ namespace soarbox::script {
 /// Functions that the sandbox script registered for its buttons (UI.SetButton). Scripts of agents have no table UI.
 class ButtonCallbacks {
  public:
-  /// What came of the call in that machine: its error, or nothing.
+  /// Called after a callback has run in this machine, with its error if it failed.
   using OnResult = std::function<void(LuaMachine&, const std::optional<ScriptError>&)>;
 
-  /// A function that `machine` keeps; it replaces an earlier one of the panel.
+  /// Sets the callback of a panel: a function that `machine` keeps. Replaces the previous one.
   void Set(world::UiId panel, LuaMachine& machine, int function);
   void Remove(world::UiId panel);
-  /// Removes those of panels that no longer exist.
+  /// Removes the callbacks of panels that no longer exist.
   void RemoveGone(const world::Ui& panels);
   std::size_t size() const { return callbacks_.size(); }
 
-  /// Calls callback(sandbox, panel). Nothing happens if the panel has none.
+  /// Calls callback(sandbox, panel). Does nothing if the panel has no callback.
   void Press(world::UiId panel, const OnResult& on_result);
 
  private:

@@ -18,7 +18,7 @@ class CollisionCallbacks {
   void Add(world::EntityId object, LuaMachine& machine, int function);
   std::size_t size() const { return size_; }
   void RemoveObject(world::EntityId object);
-  /// Drops all callbacks that this machine keeps: it is about to go.
+  /// Drops all callbacks that this machine keeps. Call it before the machine is destroyed.
   void RemoveMachine(LuaMachine& machine);
 
   /// For each collision, calls the callbacks of `a`, then those of `b` with the two swapped. An object whose removal

@@ -46,9 +46,9 @@ class EventQueue {
   /// Sets the callback of a target (agent, object or the sandbox): a function that `machine` keeps. Replaces the
   /// previous one.
   void SetCallback(Handle target, LuaMachine& machine, int function);
-  /// Drops the callback of an agent or object that is gone.
+  /// Drops the callback of an agent or object that was removed.
   void RemoveTarget(std::uint32_t number);
-  /// Drops all callbacks that this machine keeps: it is about to go.
+  /// Drops all callbacks that this machine keeps. Call it before the machine is destroyed.
   void RemoveMachine(LuaMachine& machine);
 
   /// Calls every callback for every waiting event: events in the order of their sending, callbacks in ascending number

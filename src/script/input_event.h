@@ -16,9 +16,9 @@ struct InputEvent {
   float x = 0, y = 0;    ///< Mouse: pixels from the window's top left.
   float dx = 0, dy = 0;  ///< Mouse motion.
   float wheel = 0;       ///< Mouse wheel steps.
-  int pad = 0;           ///< Which gamepad, from 1.
-  std::string axis;      ///< Gamepad: the axis that moved, ...
-  float value = 0;       ///< ... and where it is, -1 to 1.
+  int pad = 0;           ///< Number of the gamepad, from 1.
+  std::string axis;      ///< Gamepad: name of the axis that moved.
+  float value = 0;       ///< Gamepad: value of that axis, -1 to 1.
 };
 
 inline InputEvent KeyEvent(std::string key, bool pressed) {

@@ -198,7 +198,7 @@ class LuaMachine {
   struct ValueReferences {
     std::array<int, 7> metatables{};  ///< By ValueKind.
     int agent_handles = 0;
-    int own_handle = 0;  ///< Of the machine's own agent; 0: not made yet.
+    int own_handle = 0;  ///< Of the machine's own agent; 0: not created yet.
   };
   ValueReferences values;
   AgentLists agent_lists;

@@ -68,7 +68,8 @@ void InstallHandleMetatable(lua_State* state, ValueKind kind) {
   KeepMetatable(state, kind);
 }
 
-/// No agent gets the id of another one, so one handle for each serves: scripts ask for all agents in every step.
+/// Pushes the handle of this agent if the machine already has one. Ids of agents are never reused, so one handle per
+/// agent is enough. Scripts request all agents in each step.
 bool PushKnownAgent(lua_State* state, std::uint32_t number) {
   const LuaMachine& machine = LuaMachine::Of(state);
   if (number == machine.owner() && machine.values.own_handle != 0) {

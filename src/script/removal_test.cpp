@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/host_test_support.h"
 
-// Scripts remove agents, objects and panels; what they keep of them then gives errors that say so.
+// Scripts remove agents, objects and panels. Using a handle of a removed one is an error that names the cause.
 namespace soarbox::script {
 namespace {
 

@@ -71,7 +71,7 @@ const std::string* FindOrRead(lua_State* state, std::string_view name, const cha
 
 std::string_view FileArgument(lua_State* state, int index, const char* kind, MakeKey make) {
   const std::string* const key = FindOrRead(state, TextArgument(state, index), kind, make);
-  // No other text is alive here when the error is raised.
+  // No C++ string is alive here when the error is raised.
   if (key == nullptr) {
     luaL_where(state, 1);
     lua_insert(state, -2);

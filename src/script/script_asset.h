@@ -17,7 +17,8 @@ inline constexpr std::size_t kMostAssets = 256;
 std::string_view ImageArgument(lua_State* state, int index);
 std::string_view SoundArgument(lua_State* state, int index);
 
-/// The name of a mesh, or the key of a model (model/model.h) if a file is named; then the world's catalog knows it.
+/// The name of a mesh; or, if the argument names a file, the key of its model (model/model.h). The model is then in the
+/// world's catalog.
 std::string_view MeshArgument(lua_State* state, int index);
 
 }  // namespace soarbox::script

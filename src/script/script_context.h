@@ -31,7 +31,8 @@ struct ScriptContext {
   EventQueue events{};
   CollisionCallbacks collisions{};
   ButtonCallbacks buttons{};
-  std::map<std::string, std::string, std::less<>> assets{};  ///< By the name of a file its key (script_asset.h).
+  std::map<std::string, std::string, std::less<>>
+      assets{};  ///< Keys of files, by the names of the files (script_asset.h).
 };
 
 /// Returns the context of a state's machine. The API is bound only in machines that have one.

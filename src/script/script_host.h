@@ -38,7 +38,7 @@ struct ScriptHostSettings {
 /// UpdateAgent.
 ///
 /// One tick, in the sandbox's order:
-///   host.BeginTick();                    // and the world's: removed agents and objects go
+///   host.BeginTick();                    // also begins the tick of the world and removes agents and objects
 ///   host.HandleInput(event) ...          // keys and mouse
 ///   host.DeliverEvents();                // custom events
 ///   for each agent, in creation order (a copy of world.AgentIds(): scripts may create more):
@@ -46,7 +46,7 @@ struct ScriptHostSettings {
 ///   world.Step();
 ///   host.HandleCollisions();
 ///   host.UpdateSandbox();
-///   host.TellTroubles();                 // what failed, each error once
+///   host.TellTroubles();                 // reports failures, each error once
 ///
 /// No script can end the world. An error ends only the call in which it occurs, and the agent continues with its next
 /// call. Each error is reported once, with the agents in which it occurred. An agent is stopped only if its script does
@@ -65,14 +65,14 @@ class ScriptHost final : private AgentMaker {
   /// Calls Sandbox_Initialize. False if it failed; the things that it created are kept.
   bool Initialize();
 
-  /// Begins the world's tick. Agent_Cleanup is called for agents that are removed; then their scripts end. Returns the
-  /// agents and objects that went, in ascending id.
+  /// Begins the world's tick. Calls Agent_Cleanup of agents that are removed, and ends their scripts. Returns the ids
+  /// of the removed agents and objects in ascending order.
   std::vector<world::EntityId> BeginTick();
-  /// First the sandbox, then each agent hears of it.
+  /// Calls Sandbox_HandleEvent, then Agent_HandleEvent of each agent.
   void HandleInput(const InputEvent& event);
   /// Calls the function of the button with this name, if the button is shown. False if there is no such button.
   bool PressButton(std::string_view name);
-  /// Files a custom event of the type "Order" with the fields `agent` and `order`: what a user asks an agent to do.
+  /// Adds a custom event of the type "Order", for an order of the user. Its fields are `agent` and `order`.
   void AddOrder(world::EntityId agent, const std::string& order);
   void DeliverEvents();
   /// Calls Agent_Update(agent, milliseconds [, command, parameters]). Does nothing for failed agents. False if it
@@ -99,7 +99,7 @@ class ScriptHost final : private AgentMaker {
   std::optional<PerceptGraph> SenseBySandbox(world::EntityId agent);
   /// Calls Sandbox_Command(sandbox, agent, command, parameters). If it fails, the reason is "script-failed".
   GameAnswer CommandBySandbox(world::EntityId agent, std::string_view command, const Table& parameters);
-  /// Also files the events "SensorEntered" and "SensorLeft" of the last step.
+  /// Calls the callbacks of collisions. Also adds the events "SensorEntered" and "SensorLeft" of the last step.
   void HandleCollisions();
   /// Calls Sandbox_Update(sandbox, milliseconds).
   void UpdateSandbox();

@@ -19,11 +19,11 @@ class ScriptObserver {
   };
 
   virtual ~ScriptObserver() = default;
-  /// The scripts of another world begin: the known machines are about to be destroyed.
+  /// Another world begins to create its scripts. All machines so far are about to be destroyed.
   virtual void OnWorld() {}
-  /// A machine of this world has been made; it lives as long as the world, or until OnGone.
+  /// A machine of this world was created. It exists as long as the world, or until OnGone.
   virtual void OnMachine(LuaMachine&) {}
-  /// The agent of this machine was removed: the machine is about to go. No call into it is under way.
+  /// The agent of this machine was removed, and the machine is about to be destroyed. No call into it is active.
   virtual void OnGone(LuaMachine&) {}
   /// What it wants of a machine. Asked when a call from outside begins, and when the machine loads a file.
   virtual Wants WantsOf(const LuaMachine& machine) = 0;

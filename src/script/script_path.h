@@ -51,7 +51,7 @@ class ScriptPath {
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
  private:
-  /// Where the file of this name is; fails as Load does.
+  /// Returns the path of the file with this name. Fails as Load does.
   Result<std::filesystem::path> Locate(std::string_view name, const std::string& kind, std::uintmax_t largest) const;
   /// True if the file, all links followed, lies below none of the folders.
   bool LinksOutside(const std::filesystem::path& file) const;

@@ -67,11 +67,11 @@ class ScriptView {
   // At any time:
   /// Global variables of a machine's scripts, without those of the language and the API.
   std::vector<ScriptVariable> Globals(std::uint32_t owner);
-  /// Fields of a value, by ScriptVariable::reference. References end when scripts continue.
+  /// Fields of a value, by ScriptVariable::reference. References become invalid when scripts continue.
   std::vector<ScriptVariable> Fields(int reference);
   /// The value of an expression of global variables.
   Result<ScriptVariable> EvaluateGlobal(std::uint32_t owner, std::string_view expression);
-  /// Ends all references.
+  /// Makes all references invalid.
   void DropReferences();
 
  private:
@@ -81,7 +81,7 @@ class ScriptView {
   /// `first_level` is the level of the innermost call that is shown.
   void BeginPause(LuaMachine& machine, lua_State* state, int first_level, std::string reason, std::string error);
   void EndPause();
-  /// The machine is about to go; references to its values lead to nothing from now on.
+  /// Call it before the machine is destroyed. References to its values become invalid.
   void Forget(LuaMachine& machine);
   /// Evaluates a condition in the innermost call; also true if it cannot be evaluated, so that the user notices.
   static bool Holds(LuaMachine& machine, lua_State* state, const std::string& condition);
@@ -99,7 +99,7 @@ class ScriptView {
   std::string reason_, error_;
   std::unique_ptr<Calls> calls_;
   struct Reference {
-    LuaMachine* machine;  ///< Null: it has gone.
+    LuaMachine* machine;  ///< Null: the machine was destroyed.
     int kept;
   };
   std::vector<Reference> references_;

@@ -27,7 +27,8 @@ struct WorldLimits {
   std::size_t waiting_events = 10'000;
   std::size_t event_bytes = std::size_t{64} << 20;  ///< Of all waiting events.
   std::size_t callbacks = 20'000;
-  std::size_t print_bytes = std::size_t{1} << 20;  ///< At most at once; each tick adds:
+  std::size_t print_bytes =
+      std::size_t{1} << 20;  ///< Maximum that can be printed at once. Each tick restores print_bytes_per_tick of it.
   std::size_t print_bytes_per_tick = std::size_t{16} << 10;
 };
 
@@ -37,9 +38,9 @@ struct ScriptsEnd {
   int exit_code = 0;
 };
 
-/// The rest of these limits. A call may use a tenth of the remaining instructions, and a machine may grow by an eighth
-/// of the remaining memory. Therefore scripts that ask for more than their share are stopped long before the others run
-/// short.
+/// The unused part of these limits. A call may use a tenth of the remaining instructions, and a machine may grow by an
+/// eighth of the remaining memory. Therefore scripts that need more than their share are stopped long before the others
+/// have too little.
 class WorldBudget {
  public:
   explicit WorldBudget(const WorldLimits& limits = {})
@@ -75,7 +76,7 @@ class WorldBudget {
   void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
   std::size_t used_bytes() const { return used_bytes_; }
 
-  /// Sets the memory that minds and bodies currently take from the world's.
+  /// Sets the memory that minds and bodies currently use of the world's.
   void SetOthers(std::size_t bytes) { other_bytes_ = bytes; }
   std::size_t other_bytes() const { return other_bytes_; }
   /// An eighth is reserved for minds, so that they continue when scripts have used all of their memory.
