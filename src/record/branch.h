@@ -48,7 +48,7 @@ class Branch {
   /// The simulation, to inspect it before it is taken.
   sim::Simulation& simulation() { return *simulation_; }
 
-  /// Compares the future that the simulation takes from now on with the recorded one.
+  /// Compares the simulation's future from now on with the recorded one.
   class Futures CompareFutures() const;
 
  private:

@@ -39,7 +39,7 @@ sim::DataFolders& TheDataFolders() {
 
 using Files = std::map<std::string, std::string>;
 
-/// The folder that all files lie below.
+/// The deepest folder that contains all files.
 fs::path CommonFolder(const Files& files) {
   if (files.empty()) return {};
   fs::path common = fs::path(files.begin()->first).parent_path();

@@ -12,7 +12,7 @@ namespace {
 /// Phases as the log numbers them. A decision is made when the apply phase comes next.
 constexpr std::uint64_t kApply = 3;
 
-/// How often an agent has decided when it is there.
+/// Number of decisions that an agent has made when it is in this cycle and phase.
 std::uint64_t DecisionsAt(std::uint64_t cycles, std::uint64_t phase) {
   return cycles + (phase >= kApply ? 1 : 0);
 }
@@ -64,7 +64,7 @@ void ClientTicks::Flush() {
   if (!ticks_.back().empty()) ticks_.emplace_back();
 }
 
-/// What follows a decision belongs to the next one.
+/// Lines after a decision belong to the tick of the next decision.
 void ClientTicks::Put(std::string_view line) {
   (in_this_tick_.empty() ? ticks_.back() : before_next_).append(line).append("\n");
 }
@@ -78,7 +78,7 @@ void ClientTicks::PutDecision(const std::string& agent, std::string_view line) {
   ticks_.back().append(std::exchange(before_next_, {})).append(line).append("\n");
 }
 
-/// Agents may be in kernels of their own.
+/// Adds a function of the client for one agent. Each agent needs its own line, because it may be in another kernel.
 void ClientTicks::TellFunction(const std::string& agent, const std::string& function) {
   Put(sim::ClientLine({"function", agent, function}));
 }

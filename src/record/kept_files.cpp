@@ -31,8 +31,8 @@ bool IsScriptName(std::string_view name) {
   return name.ends_with(".lua") || name.ends_with(".soar") || name.ends_with(".toml");
 }
 
-/// The files below a folder that are wanted by their names, in order of their names. Links that lead out of all folders
-/// of the run are not followed: a recording goes to others.
+/// The files below a folder that `is_wanted` accepts, in the order of their names. Does not follow links that lead out
+/// of all folders of the run, because recordings are given to other people.
 std::vector<fs::path> FilesBelow(const fs::path& folder, const std::vector<fs::path>& all_folders,
                                  bool (*is_wanted)(std::string_view name)) {
   std::vector<fs::path> files;
