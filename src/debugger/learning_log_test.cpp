@@ -24,7 +24,8 @@ using ::testing::Not;
 
 using LearnedRules = MindFixture;
 
-/// Looks up the price of a pear in a substate. The learned rule then knows that of a fig at once.
+/// Looks up the price of a pear in a substate. The rule that is learned there also gives the price of a fig, without a
+/// substate.
 constexpr const char* kShopper = R"(
 chunk always
 sp {hero*init (state <s> ^superstate nil) --> (<s> ^tag <t1> ^tag <t2>)

@@ -87,7 +87,7 @@ Result<void> Edit::Save() {
     return ProblemIn(file_.file, "this file cannot be written", "check the folder and its permissions");
   }
   saved_ = text_;
-  // A run in a window takes over what is saved, unless it has errors.
+  // The running world loads a saved file, unless it has errors.
   if (!is_scenario() && !sim::HasError(Check())) running_ = text_;
   written_ = fs::last_write_time(file_.file, ignored);
   return {};
@@ -103,7 +103,7 @@ Edit::Disk Edit::LookAtDisk() {
   if (now->text_ == saved_) return Disk::kSame;
   const bool is_own = is_unsaved();
   saved_ = now->text_;
-  // What has errors does not run.
+  // The running world does not load a file with errors.
   if (!is_scenario() && !sim::HasError(now->Check())) running_ = saved_;
   if (is_own) return Disk::kDiffers;
   text_ = saved_;

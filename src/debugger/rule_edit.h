@@ -22,17 +22,17 @@ class Edit {
   const sim::WatchedFile& file() const { return file_; }
   std::string& text() { return text_; }
   const std::string& text() const { return text_; }
-  /// It is a scenario file: the running world was built from it, and does not read it again.
+  /// Whether it is a scenario file. The running world was built from it, and does not read it again.
   bool is_scenario() const;
-  /// It differs from what runs.
+  /// Whether the text differs from the version that the running world uses.
   bool is_changed() const { return text_ != running_; }
   /// Whether the text differs from the file.
   bool is_unsaved() const { return text_ != saved_; }
 
   /// Returns the errors in the text, with lines. Changes nothing.
   std::vector<Diagnostic> Check() const;
-  /// Lets the text take effect in the next tick, through the simulation's door, for all agents that were made from this
-  /// file. An error among the problems: nothing is done. Returns what Check does. A scenario file is only checked.
+  /// Submits the text to the simulation, for all agents that use this file. It takes effect in the next tick. Does
+  /// nothing if the text has errors or is a scenario file. Returns the result of Check.
   std::vector<Diagnostic> Apply(sim::Simulation& simulation);
   /// Writes the file.
   Result<void> Save();
@@ -59,8 +59,8 @@ class Edit {
   std::filesystem::file_time_type written_{};  ///< Modification time of the file when it was last read.
 };
 
-/// The files that an agent was made from, with those that its rules source, and the scenario file last. An empty agent
-/// means the files of all agents. Each file occurs once.
+/// The files that an agent was loaded from, with those that its rules source, and the scenario file last. An empty
+/// agent means the files of all agents. Each file occurs once.
 std::vector<sim::WatchedFile> FilesOf(sim::Simulation& simulation, std::string_view agent);
 
 }  // namespace soarbox::debugger

@@ -17,7 +17,7 @@ struct WatchValue {
 /// Evaluates a watch of the user. It only reads and executes no command. A watch can be
 ///
 ///   a path            "io.input-link.self.health", "S3.operator.name", "<s>.operator": all its values; it begins at
-///                     an identifier, at <ts> (the top state, also when nothing is said), <s> (the lowest) or <o>
+///                     an identifier, at <ts> (the top state; the default), <s> (the lowest state) or <o>
 ///                     (the operator that is selected in the lowest state that has one)
 ///   print ID [-d N]   an identifier as a tree, N levels deep
 ///   print RULE        a rule
