@@ -11,7 +11,7 @@
 namespace soarbox::picture {
 namespace {
 
-/// A number with two digits after the point, without zeros at its end.
+/// Formats a number with at most two digits after the point, without trailing zeros.
 std::string Number(float value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", static_cast<double>(value));
@@ -28,7 +28,7 @@ std::string HexOf(Ink ink) {
   return text;
 }
 
-/// A name and a value, as an attribute.
+/// Formats an attribute: ` name="value"`.
 std::string With(std::string_view name, const std::string& value) {
   return " " + std::string(name) + "=\"" + value + "\"";
 }
@@ -37,7 +37,7 @@ std::string Alpha(std::string_view name, Ink ink) {
   return ink.a < 1 ? With(name, Number(ink.a)) : std::string();
 }
 
-/// Text that is text in XML; control characters, which XML has not, are left out.
+/// Escapes a text for XML. Removes control characters, which XML does not allow.
 std::string Escaped(std::string_view text) {
   std::string safe;
   for (const char c : text) {

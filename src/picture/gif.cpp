@@ -18,7 +18,7 @@ void AddShort(std::string& out, int number) {
   out += static_cast<char>(number >> 8 & 0xff);
 }
 
-/// Which of 32,768 cells of the space of colours a pixel is in.
+/// Index of the cell that contains the colour of a pixel. The colour space is divided into 32,768 cells.
 int CellOf(const std::uint8_t* pixel) {
   constexpr int kDropped = 8 - kBitsKept;
   return (pixel[0] >> kDropped) << (2 * kBitsKept) | (pixel[1] >> kDropped) << kBitsKept | pixel[2] >> kDropped;

@@ -27,7 +27,7 @@ int JpegBits::Bit() {
       return place < file_.size() ? static_cast<unsigned char>(file_[place]) : -1;
     };
     byte_ = at(at_);
-    // 0xff 0x00 stands for 0xff; other bytes after 0xff are a marker, at which the data end.
+    // 0xff 0x00 encodes the byte 0xff. Any other byte after 0xff is a marker, and the data end there.
     if (byte_ < 0 || (byte_ == 0xff && at(at_ + 1) != 0)) {
       byte_ = 0;
       ++missing_;

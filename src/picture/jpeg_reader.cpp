@@ -16,17 +16,17 @@ namespace {
 constexpr int kSide = 8, kArea = kSide * kSide;
 constexpr int kMostDc = 32767;
 
-/// Where the coefficients of a block are, in the order of the file.
+/// Indices of coefficients in a block, in the order in which the file stores them.
 constexpr std::array<std::uint8_t, kArea> kZigzag = {0,  1,  8,  16, 9,  2,  3,  10, 17, 24, 32, 25, 18, 11, 4,  5,
                                                      12, 19, 26, 33, 40, 48, 41, 34, 27, 20, 13, 6,  7,  14, 21, 28,
                                                      35, 42, 49, 56, 57, 50, 43, 36, 29, 22, 15, 23, 30, 37, 44, 51,
                                                      58, 59, 52, 45, 38, 31, 39, 46, 53, 60, 61, 54, 47, 55, 62, 63};
 
 struct Component {
-  int id = 0, across = 1, down = 1;  ///< `across`, `down`: blocks of it in a unit of the picture.
+  int id = 0, across = 1, down = 1;  ///< `across`, `down`: number of its blocks in a unit.
   std::size_t quantizer = 0;
-  int blocks_x = 0, blocks_y = 0;  ///< That it has, the padding of the last units included.
-  std::size_t dc = 0, ac = 0;      ///< Its tables in the current scan.
+  int blocks_x = 0, blocks_y = 0;  ///< Number of its blocks, including the padding of the last units.
+  std::size_t dc = 0, ac = 0;      ///< Indices of its Huffman tables in the current scan.
   int last_dc = 0;
   std::vector<std::int16_t> coefficients = {};
   std::vector<std::uint8_t> samples = {};
@@ -37,14 +37,14 @@ struct Component {
   }
 };
 
-/// The coefficients that a scan codes: `first` to `last` of each block, without their lowest `low` bits. If `high` is
-/// not 0, it adds a bit to what earlier scans coded.
+/// The coefficients that a scan stores: `first` to `last` of each block, without their lowest `low` bits. If `high` is
+/// not 0, the scan adds one bit to the coefficients of earlier scans.
 struct Scan {
   std::vector<Component*> components;
   int first = 0, last = kArea - 1, high = 0, low = 0;
 };
 
-/// The cosine of `angle` times pi / 16, times 2048; for angle 4 that is also the factor of the constant term.
+/// 2048 times the cosine of `angle` * pi / 16. The value for angle 4 is also the factor of the constant term.
 int Cosine(int angle) {
   constexpr int kQuarter[] = {2048, 2009, 1892, 1703, 1448, 1138, 784, 400, 0};
   angle %= 32;
@@ -52,7 +52,7 @@ int Cosine(int angle) {
   return angle > 8 ? -kQuarter[16 - angle] : kQuarter[angle];
 }
 
-/// By frequency and place.
+/// The factors of the inverse cosine transform, by frequency and position.
 const std::array<std::array<int, kSide>, kSide>& Waves() {
   static const auto waves = [] {
     std::array<std::array<int, kSide>, kSide> made{};
@@ -68,7 +68,7 @@ std::uint8_t Clamped(std::int64_t value) {
   return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
 }
 
-/// The samples of a block from its coefficients: the inverse cosine transform, rows after columns.
+/// Computes the samples of a block from its coefficients with the inverse cosine transform: first columns, then rows.
 void Transform(const std::int16_t* block, const std::array<std::uint16_t, kArea>& quantizer, std::uint8_t* to,
                std::size_t pitch) {
   const auto& waves = Waves();
@@ -84,7 +84,7 @@ void Transform(const std::int16_t* block, const std::array<std::uint16_t, kArea>
     for (std::size_t x = 0; x < kSide; ++x) {
       std::int64_t sum = 0;
       for (std::size_t u = 0; u < kSide; ++u) sum += columns[y * kSide + u] * waves[u][x];
-      // Both factors are times 4096 / 2.
+      // Each of the two factors is half a cosine times 4096, so the sum is divided by 4096 * 4096.
       to[y * pitch + x] = Clamped(((sum + (std::int64_t{1} << 23)) >> 24) + 128);
     }
   }
@@ -114,12 +114,12 @@ class Reader {
   int Byte(std::size_t at) const { return at < file_.size() ? static_cast<unsigned char>(file_[at]) : 0; }
   int Word(std::size_t at) const { return Byte(at) << 8 | Byte(at + 1); }
 
-  /// Reads the next marker and what belongs to it. False: it was the last.
+  /// Reads the next marker and its segment. Returns false after the last one.
   bool ReadSegment() {
     while (at_ < file_.size() && Byte(at_) != 0xff) ++at_;
     while (at_ < file_.size() && Byte(at_) == 0xff) ++at_;
     if (at_ >= file_.size()) {
-      // A file without its end is read if it has a picture.
+      // A file without an end marker is accepted if it contains a picture.
       if (scans_ == 0) Fail("the file ends before its picture");
       return false;
     }
@@ -154,7 +154,7 @@ class Reader {
       case 0xdd:
         restart_every_ = Word(begin);
         return;
-      case 0xee:  // Adobe: whether the colours are red, green and blue.
+      case 0xee:  // Adobe: specifies whether the components are red, green and blue.
         if (end - begin >= 12 && file_.substr(begin, 5) == "Adobe") is_rgb_ = Byte(begin + 11) == 0;
         return;
       default:
@@ -260,7 +260,8 @@ class Reader {
     Decode(scan);
   }
 
-  /// Decodes the data of a scan, unit by unit. A scan of one component has only the blocks that the picture needs.
+  /// Decodes the data of a scan, unit by unit. A scan of a single component contains only the blocks that the picture
+  /// covers.
   void Decode(const Scan& scan) {
     JpegBits bits(file_, at_);
     const bool is_alone = scan.components.size() == 1;
@@ -318,7 +319,7 @@ class Reader {
           k += 15;
           continue;
         }
-        // The rest of this block, and of as many others, has only zeros.
+        // The rest of this block is zero, and so are the next `empty_blocks_` blocks.
         empty_blocks_ = is_progressive_ ? (1 << zeros) - 1 + bits.Bits(zeros) : 0;
         return;
       }
@@ -329,7 +330,7 @@ class Reader {
     }
   }
 
-  /// Adds a bit to each coefficient that is not zero, and codes some new ones.
+  /// Adds a bit to each coefficient that is not zero, and reads new coefficients.
   void Refine(const Scan& scan, const Component& component, std::int16_t* block, JpegBits& bits) {
     const auto bit = static_cast<std::int16_t>(1 << scan.low);
     const auto correct = [&](std::int16_t& value) {
@@ -397,7 +398,7 @@ class Reader {
       rgba.insert(rgba.end(), {Clamped(light), Clamped(green), Clamped(blue), 255});
       return;
     }
-    // The colours of JFIF, with factors of 65536.
+    // Converts the colours of JFIF to RGB. The factors are multiplied by 65536.
     constexpr std::int64_t kHalf = 1 << 15;
     const std::int64_t cb = sample(components_[1]) - 128, cr = sample(components_[2]) - 128;
     rgba.insert(rgba.end(), {Clamped(light + ((91881 * cr + kHalf) >> 16)),
@@ -413,7 +414,7 @@ class Reader {
   std::vector<Component> components_;
   int width_ = 0, height_ = 0, most_across_ = 1, most_down_ = 1, units_x_ = 0, units_y_ = 0;
   int restart_every_ = 0, scans_ = 0;
-  int empty_blocks_ = 0;  ///< Further blocks of the scan that have no new coefficients.
+  int empty_blocks_ = 0;  ///< Number of following blocks of the scan without new coefficients.
   bool is_progressive_ = false, is_rgb_ = false;
 };
 

@@ -22,8 +22,9 @@ inline constexpr int kMostJpegPixels = 8 << 20;
 bool IsJpeg(std::string_view file);
 
 /// Reads a JPEG file, which is not trusted: each length in it is checked. Supports gray and coloured pictures of 8
-/// bits, baseline and progressive, with any sampling; not arithmetic coding, lossless files and CMYK. The pixels are
-/// the same on every machine: all computations use integers. Colours of fewer samples are repeated, not interpolated.
+/// bits, baseline and progressive, with any sampling. Does not support arithmetic coding, lossless files and CMYK. The
+/// pixels are the same on every machine, because all computations use integers. Components with fewer samples are
+/// enlarged by repeating samples, without interpolation.
 JpegRead ReadJpeg(std::string_view file);
 
 }  // namespace soarbox::picture

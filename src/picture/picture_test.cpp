@@ -279,7 +279,7 @@ TEST(Jpeg, ReadsBaselineProgressiveAndRestartedFiles) {
     for (int y = 0; y < 21; ++y) {
       for (int x = 0; x < 37; ++x) {
         const std::uint8_t* pixel = read.pixels.rgba.data() + 4 * (37 * y + x);
-        // Colours have a quarter of the samples.
+        // Two of the three components have a quarter of the samples.
         EXPECT_NEAR(pixel[0], x * 255 / 37, 16) << name << ' ' << x << ' ' << y;
         EXPECT_NEAR(pixel[1], y * 255 / 21, 16) << name << ' ' << x << ' ' << y;
         EXPECT_NEAR(pixel[2], 128 + 100 * std::sin(x * 0.2) * std::cos(y * 0.15), 24) << name << ' ' << x << ' ' << y;
@@ -287,7 +287,7 @@ TEST(Jpeg, ReadsBaselineProgressiveAndRestartedFiles) {
       }
     }
   }
-  // What is coded in other steps is the same picture.
+  // All three files contain the same picture.
   EXPECT_EQ(ReadJpeg(JpegFile("baseline.jpg")).pixels.rgba, ReadJpeg(JpegFile("progressive.jpg")).pixels.rgba);
   EXPECT_EQ(ReadJpeg(JpegFile("baseline.jpg")).pixels.rgba, ReadJpeg(JpegFile("restarts.jpg")).pixels.rgba);
 }
