@@ -78,7 +78,8 @@ class SceneEncoder::Out : public ByteWriter {
   }
 };
 
-/// The ids of removed ones, which are dropped, and then the changes; empty if there are none.
+/// Writes the ids of objects that no longer exist, and removes them from `known`. Then appends the changes. Empty if
+/// there are neither.
 template <typename Known>
 std::string SceneEncoder::GoneAndChanged(std::map<std::uint32_t, Known>& known, const std::string& changed) {
   std::vector<std::uint32_t> gone;
@@ -337,7 +338,7 @@ std::string SceneEncoder::Sounds(const world::SceneSnapshot& scene) {
   return bytes;
 }
 
-/// Each point as the way from the point before.
+/// Writes each point as the difference from the previous point.
 std::string SceneEncoder::Lines(const std::vector<world::LineSnapshot>& lines,
                                 const std::vector<world::CircleSnapshot>& circles,
                                 const std::vector<world::TriangleSnapshot>& triangles) {
@@ -397,7 +398,7 @@ Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::Overl
   WriteIfChanged(sections, kComponents, Components(scene));
   WriteIfChanged(sections, kLines, Lines(scene.lines, scene.circles, scene.triangles));
   WriteIfChanged(sections, kParticles, Particles(scene));
-  // Most worlds are silent.
+  // In most worlds there are no sounds.
   if (!scene.sounds.empty() || sections_.contains(kSounds)) WriteIfChanged(sections, kSounds, Sounds(scene));
   if (overlay != nullptr) {
     if (const std::string bytes = Minds(*overlay); !bytes.empty()) WriteSection(sections, kMinds, bytes);
@@ -460,7 +461,7 @@ std::string SceneEncoder::OneMind(const world::AgentOverlay& agent) {
     out.Number(contact.agent_id);
     out.Whole(contact.position, kSign);
     out.Byte(static_cast<std::uint8_t>((contact.visible ? 1 : 0) | (contact.heard ? 2 : 0) | (contact.alive ? 4 : 0)));
-    // How much of it is forgotten, 0 to 20.
+    // The forgotten fraction in twentieths, 0 to 20.
     const double share = contact.memory_s > 0 ? contact.age_s / contact.memory_s : 1;
     out.Byte(static_cast<std::uint8_t>(std::lround(20 * std::fmin(std::fmax(share, 0.0), 1.0))));
   }
@@ -483,7 +484,7 @@ std::string SceneEncoder::Minds(const world::OverlaySnapshot& overlay) {
   return GoneAndChanged(minds_, changed);
 }
 
-/// The times of events, not their ages, because these would change at each moment.
+/// Writes the times of events. Their ages would change in each block.
 std::string SceneEncoder::ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s) {
   std::string bytes;
   Out out(bytes);
