@@ -201,7 +201,7 @@ TEST(LocalFrame, TheOrientationOfTheStandardLeadsBackToTheDirection) {
     const Euler euler = frame.ToEuler(forward, {0, 1, 0});
     const Vector back = frame.ForwardOf(euler);
     ASSERT_LT(std::sqrt(Dot(back - forward, back - forward)), 1e-9);
-    // Down is down: the body is upright.
+    // The body's down axis points down, so the body is upright.
     const Vector down = frame.FromBodyAxes(euler, {0, 0, 1});
     ASSERT_NEAR(down.y, -1, 1e-9);
     // The right of a body that faces z is -x.
