@@ -183,7 +183,7 @@ Result<void> Change(const fs::path& definition, const Variant& variant, const Sp
   return Write(definition, out.str());
 }
 
-/// Whether an entry of a folder belongs to the scenario: it is not hidden, not a build, a sweep or a recording.
+/// Whether an entry of a folder belongs to the scenario. Hidden entries, builds, sweeps and recordings do not.
 bool BelongsToScenario(const fs::path& entry) {
   const std::string name = entry.filename().string();
   std::error_code error;
@@ -200,7 +200,7 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) return ProblemIn(folder, "this folder cannot be made: " + error.message());
   std::uintmax_t bytes = 0;
-  // Sweeps in the scenario's folder do not belong to it, above all not this one.
+  // Skips sweeps in the scenario's folder, including the folder of this sweep.
   const std::string inside = fs::weakly_canonical(folder, error).string();
   for (fs::recursive_directory_iterator it(from, error), end; !error && it != end; it.increment(error)) {
     std::error_code unknown;
