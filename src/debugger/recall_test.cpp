@@ -76,7 +76,7 @@ TEST_F(Recalling, ShowsWhatIsKnownAndRemembered) {
   EXPECT_EQ(LookAtEpisode(*mind, 100000).number, 0u);
   ASSERT_TRUE(episode.time_s.has_value());
   EXPECT_NEAR(*episode.time_s, simulation_->time_s(), 0.05);
-  // Which episodes may differ from the one before; the others are alike.
+  // The episodes that may differ from the previous one; the others are equal to it.
   const std::vector<std::size_t>& changed = view.facts.changed;
   ASSERT_FALSE(changed.empty());
   EXPECT_EQ(changed.front(), 1u);

@@ -228,7 +228,7 @@ Result<ViewText> ShowRecorded(const ViewSource& source, const ViewRequest& reque
   return NewProblem("the view " + request.view + " shows nothing that is recorded", "simulate the run again for it");
 }
 
-/// Shows what scripts show of their agents: of one, or of all that have such data.
+/// Shows what scripts show of their agents (Agent.Show): for one agent, or for all that have such data.
 Result<ViewText> ShowStates(const record::TickRecord& last, const std::string& agent) {
   ViewText view;
   Json json = Json::array();

@@ -35,7 +35,7 @@ struct EntityRow {
 /// The effect of a munition on our bodies.
 struct MunitionRow {
   TypePattern type;
-  float damage = 20;   ///< Health that a hit takes.
+  float damage = 20;   ///< Health that a hit removes.
   float radius_m = 0;  ///< Bodies within this distance also lose health, less with distance.
 };
 

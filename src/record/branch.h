@@ -20,7 +20,7 @@ namespace soarbox::record {
 ///     simulation = (*branch)->TakeSimulation();      // then Submit edits, Tick, Inspect minds
 ///     Futures futures = (*branch)->CompareFutures(); // then See each new tick
 ///
-/// The timeline must outlive the branch and everything made from it. It may grow meanwhile. Not thread-safe.
+/// The timeline must outlive the branch and everything created from it. It may grow meanwhile. Not thread-safe.
 class Branch {
  public:
   /// For a running world, with its scenario and the settings that it was created with. Debuggers cannot attach to the
@@ -45,7 +45,7 @@ class Branch {
 
   /// Hands over the simulation, at the end of the tick. Call it only when IsThere(), and only once.
   std::unique_ptr<sim::Simulation> TakeSimulation() { return std::move(simulation_); }
-  /// The simulation, to inspect it before it is taken.
+  /// The simulation, to inspect it before TakeSimulation.
   sim::Simulation& simulation() { return *simulation_; }
 
   /// Compares the simulation's future from now on with the recorded one.

@@ -17,7 +17,7 @@
 
 namespace soarbox::record {
 
-/// What a run was made from. It is sufficient to run it again.
+/// The data that are sufficient to run a recorded run again.
 struct Header {
   std::string build;     ///< The program that made it (BuildId()).
   std::string scenario;  ///< As the user named it, relative to `folder`.

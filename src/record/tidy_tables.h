@@ -18,7 +18,7 @@ struct TidyCounts {
 /// * `percepts`: a row for each change of a percept; a percept keeps its value until its next row
 Result<TidyCounts> TidyTables(Reader& recording, TickRange range, TableSink& sink);
 
-/// What the recording was made from and with: the data of its header and its manifest.
+/// The data of the recording's header and of its manifest.
 Metadata MetadataOf(const Reader& recording);
 
 }  // namespace soarbox::record

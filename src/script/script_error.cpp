@@ -132,7 +132,7 @@ ScriptError DescribeMessage(std::string_view message, std::string_view script_na
   std::string_view place, text;
   int line = 0;
   if (SplitPlace(message, place, line, text)) {
-    // Lua shortens long names ("...end/of/name.lua"); use the script's own name if it is meant.
+    // Lua shortens long names ("...end/of/name.lua"). If it is the script's name, the complete name is used.
     const std::string_view end_of_place = place.starts_with("...") ? place.substr(3) : place;
     if (!script_name.ends_with(end_of_place)) diagnostic.file = std::string(place);
     diagnostic.line = line;

@@ -45,7 +45,7 @@ class ScriptMemory {
   /// an allocation is refused. Resets the flag.
   bool TakeNearRefusal() { return std::exchange(near_refusal_, false); }
 
-  /// The block that was taken last, and its size as it was asked for.
+  /// The block that was allocated last, and its requested size.
   std::pair<void*, std::size_t> last_block() const { return {last_block_, last_size_}; }
   /// Notices when this block is freed, moved or resized; watched() is null from then on.
   void Watch(const void* block) { watched_ = block; }

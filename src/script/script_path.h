@@ -53,7 +53,7 @@ class ScriptPath {
  private:
   /// Returns the path of the file with this name. Fails as Load does.
   Result<std::filesystem::path> Locate(std::string_view name, const std::string& kind, std::uintmax_t largest) const;
-  /// True if the file, all links followed, lies below none of the folders.
+  /// Returns true if the file is outside of all folders after all links are resolved.
   bool LinksOutside(const std::filesystem::path& file) const;
 
   std::vector<std::filesystem::path> folders_;

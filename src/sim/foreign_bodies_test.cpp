@@ -107,7 +107,7 @@ TEST_F(Foreign, ItsShotsHurtOurs) {
   world.FindAgent(guard)->SetPosition({10, 1, 10});
   bodies.Apply(ForeignShotInput{"1:7:1", "guard", 30, 0, {3, 1, 4}, {10, 1, 10}});
   EXPECT_EQ(world.FindAgent(guard)->Health(), 70);
-  // A detonation at a distance of two metres, with a radius of four, takes half of its damage.
+  // A detonation at a distance of two metres, with a radius of four, causes half of its damage.
   bodies.Apply(ForeignShotInput{"1:7:1", "", 40, 4, {3, 1, 4}, {12, 1, 10}});
   EXPECT_NEAR(world.FindAgent(guard)->Health(), 50, 0.5);
   ASSERT_FALSE(arena.Find(guard)->happenings().empty());

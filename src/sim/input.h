@@ -70,8 +70,8 @@ struct CameraInput {
   friend bool operator==(const CameraInput&, const CameraInput&) = default;
 };
 
-/// A line of the Soar command language for an agent's mind. Debuggers send such lines, and edits of its rules do (`sp
-/// {...}`, `excise`).
+/// A line of the Soar command language for an agent's mind. Debuggers send such lines, and so do edits of its rules
+/// (`sp {...}`, `excise`).
 struct CommandInput {
   std::string agent;
   std::string line;

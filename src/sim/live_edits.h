@@ -57,8 +57,8 @@ bool IsEmptied(const std::string& before, const std::string& after);
 class LiveEdits {
  public:
   explicit LiveEdits(Simulation& simulation);
-  /// For a simulation that went back in the run that `earlier` watched. The files are treated as they were at this tick
-  /// of that run. Later edits therefore reach the simulation as edits of its own.
+  /// For a simulation that continues from an earlier tick of the run that `earlier` watched. The files are treated as
+  /// they were at that tick. Later edits therefore reach this simulation as its own edits.
   LiveEdits(Simulation& simulation, const LiveEdits& earlier);
 
   /// Checks all files. Returns a note for each reloaded file, and the problems of files.

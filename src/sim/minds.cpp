@@ -319,8 +319,8 @@ world::Workers Minds::AllThreads() {
   };
 }
 
-/// Updates what bodies know of orders and of each other. Each body changes only its own knowledge, draws from its own
-/// random stream and reads the present world. The result therefore does not depend on the threads.
+/// Updates what bodies know about orders and about each other. Each body changes only its own knowledge, draws from its
+/// own random stream and reads the present world. The result therefore does not depend on the threads.
 void Minds::Notice() {
   constexpr std::size_t kWorthThreads = 16;
   const auto actors = arena_.actors();
@@ -504,8 +504,8 @@ void Minds::TellGap(Mind& mind, const world::Agent& body) {
   TellCause(mind, body, "it gave no command within its decision budget");
 }
 
-/// An agent whose body commands control need not give a command in each tick. It is idle only if it gives none and no
-/// command is running, for some time.
+/// An agent that is controlled by commands need not get a command in each tick. It is idle only if its mind gives none
+/// and no command is running, for some time.
 void Minds::TellIdle(Mind& mind, const world::Agent& body) {
   if (mind.soar.Halted()) return TellHalt(mind, body);
   const Actor& actor = *arena_.Find(mind.agent);

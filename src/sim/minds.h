@@ -209,7 +209,7 @@ class Minds final : public script::MindFactory {
   void HaltForMemory(Mind& mind);
   /// Ends its program and reports the reason.
   void Halt(Mind& mind, RunEvent reason);
-  /// Removes it from the kernel; from then on it is gone.
+  /// Removes it from the kernel and sets `gone`.
   void End(Mind& mind);
   void TellMemory(Mind& mind);
   void TellLearned(Mind& mind);

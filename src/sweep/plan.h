@@ -54,8 +54,8 @@ struct Spec {
   std::string judgement;  ///< The checks and metrics in it, on which every row depends.
 };
 
-/// Reads a sweep file and adds all errors to `problems`. `is_copy`: the file is the copy in a sweep's folder, whose
-/// rule files need not exist any more.
+/// Reads a sweep file and adds all errors to `problems`. `is_copy`: the file is the copy in a sweep's folder. Its rule
+/// files need not exist any more.
 Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy = false);
 
 /// A variant that is ready to run. Its files were copied to the sweep's folder when the sweep began.

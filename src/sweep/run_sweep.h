@@ -13,7 +13,7 @@ struct SweepSettings {
   int jobs = 0;  ///< Number of processes at a time; 0: one per processor.
   /// For one of several tasks: run only the missing runs whose number has this remainder.
   std::size_t task = 0, tasks = 1;
-  bool retry = false;  ///< Run those once more that crashed or hung three times.
+  bool retry = false;  ///< Try runs once more that crashed or hung three times.
 };
 
 /// Progress of a sweep.

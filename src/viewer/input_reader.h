@@ -46,7 +46,7 @@ struct InputClaims {
   bool arrows = false;  ///< A list uses the arrow keys: they do not move the camera.
 };
 
-/// Reads SDL's events, those of gamepads included, and knows what is held down.
+/// Reads SDL's events, including those of gamepads, and stores which keys and buttons are held down.
 ///
 /// Left click selects, left drag selects a box, right drag looks around or circles, middle drag moves, the wheel zooms.
 class InputReader {

@@ -46,8 +46,8 @@ struct ShownLabel {
 };
 
 /// Names above agents, and speech bubbles. Labels do not cover each other and are not cut by the picture's edge. The
-/// selected and the nearest agents have priority. A label without space is shortened, then becomes a dot, then is
-/// counted in a crowd. A label keeps its place from frame to frame if it can.
+/// selected and the nearest agents have priority. If there is no space for a label, it is shortened, then replaced by a
+/// dot, then counted in a crowd. A label keeps its place from frame to frame if it can.
 class AgentLabels {
  public:
   /// Draws them below the panels of ImGui's current frame, in a picture of ImGui's display size.

@@ -15,8 +15,8 @@ namespace {
 using world::DrawableSnapshot;
 using world::ShapeKind;
 
-/// Minimum heights in the picture, in px, for the fine, the middle and the coarse mesh of bodies; smaller ones have the
-/// tiny mesh. Rifles use the height of a soldier. Likewise for agents of other shapes.
+/// Minimum heights in the picture, in px, for the fine, the middle and the coarse mesh; smaller things have the tiny
+/// mesh. First for bodies (rifles use the height of a soldier), then for agents of other shapes.
 using Heights = std::array<float, 3>;
 constexpr Heights kBodyHeights_px{100, 40, 34}, kAgentHeights_px{95, 38, 20};
 constexpr float kSoldier_m = 1.75f;

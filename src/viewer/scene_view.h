@@ -76,7 +76,7 @@ class SceneView {
   struct Thing {
     std::optional<Clothes> clothes;      ///< None: not created yet.
     Ogre::SceneNode* node = nullptr;     ///< Of transparent things.
-    Ogre::Entity* entity = nullptr;      ///< Likewise.
+    Ogre::Entity* entity = nullptr;      ///< Of transparent things.
     std::vector<InstanceBatch*> levels;  ///< Of opaque things, finest first.
     float radius_m = 0;                  ///< Around its origin, unless it is scaled.
     float height_m = 0;

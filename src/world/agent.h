@@ -36,7 +36,7 @@ struct AgentDef {
 /// Owned by the World and destroyed with it, even if it was removed earlier; found by id (World::FindAgent).
 /// Position is the centre of the capsule: the feet are at y - height / 2. All getters are current, also in the middle
 /// of a tick. Values that are not finite are refused (the setter returns false and changes nothing); sizes and
-/// positions are limited to what the physics can bear. Used by the simulation's thread only.
+/// positions are clamped to the limits of the physics. Used by the simulation's thread only.
 class Agent {
  public:
   Agent(const Agent&) = delete;

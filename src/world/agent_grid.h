@@ -63,7 +63,7 @@ class AgentGrid {
   std::vector<std::uint32_t> starts_;       ///< First entry of each bucket; has one more element than there are
                                             ///< buckets.
   std::vector<std::uint32_t> strays_;
-  std::vector<std::uint32_t> places_;  ///< Of each agent in entries_; kNoPlace for those that have gone.
+  std::vector<std::uint32_t> places_;  ///< Of each agent in entries_; kNoPlace for removed agents.
 };
 
 template <class Visitor>

@@ -19,7 +19,7 @@ namespace soarbox::world {
 /// All agents of one world, their motions side by side for steering, and the index that finds neighbours.
 ///
 /// Invariants: agent i (in creation order) and motion i belong together; a motion equals its body's state at all times;
-/// max_speed and max_radius are upper bounds; ids are those of the agents that have not gone, in creation order.
+/// max_speed and max_radius are upper bounds; ids are those of the agents that were not removed, in creation order.
 class AgentStore {
  public:
   AgentStore(const WorldSettings& settings, PhysicsWorld& physics, Scene& scene)

@@ -181,7 +181,7 @@ struct SceneSnapshot {
   std::vector<AgentSnapshot> agents;        ///< In creation order.
   std::vector<UiSnapshot> ui;               ///< In creation order.
   std::vector<LineSnapshot> lines;          ///< Debug lines of this tick, physics debug included if switched on.
-  std::vector<CircleSnapshot> circles;      ///< Likewise; in recordings before format 6 they are among the lines.
+  std::vector<CircleSnapshot> circles;      ///< Debug circles of this tick.
   std::vector<TriangleSnapshot> triangles;  ///< Debug fills of this tick.
   std::vector<ParticleSnapshot> particles;  ///< In creation order.
   std::vector<SoundSnapshot> sounds;        ///< Those of the last second, in the order in which they started.

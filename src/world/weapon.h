@@ -17,7 +17,7 @@ class World;
 /// The properties of a weapon. Shots are rays: they fly straight and hit at once.
 struct WeaponSettings {
   float range_m = 50;
-  float damage = 20;        ///< Health that a hit takes away.
+  float damage = 20;        ///< Health that a hit removes.
   float spread_deg = 1.5f;  ///< Standard deviation of the direction. Random numbers come from the shooter's own stream.
   int magazine = 10;        ///< Capacity of the magazine, in rounds.
   int reserve = 40;         ///< Further rounds that its owner carries.
@@ -31,7 +31,7 @@ struct Shot {
   EntityId shooter = kNoEntity;
   Vec3 from, to;             ///< `to`: the end of the shot.
   EntityId hit = kNoEntity;  ///< The agent or object that it hit.
-  float damage = 0;          ///< Health that it took away.
+  float damage = 0;          ///< Health that it removed.
   bool killed = false;
 };
 

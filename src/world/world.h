@@ -123,7 +123,7 @@ class World {
   void PrepareForReaders(bool for_many_rays = false);
   /// The first body on the segment, including agents and fixed bodies. A body that contains its start is not hit.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
-  /// The free horizontal paths of a walker, whose length is at most `reach_m`, including the width.
+  /// The free horizontal paths of a walker. The length of a path plus its width is at most `reach_m`.
   WaysAround Ways(const Walker& walker, float reach_m) const;
 
   // Navigation.

@@ -57,7 +57,7 @@ class Workspace {
   }
   /// Copies the contents of that panel to the clipboard.
   void CopyPanel() { wants_copy_ = true; }
-  /// The part of the picture that a small thing covers and whose mouse input it takes; empty: none.
+  /// The part of the picture that a strip covers. Mouse input there does not reach the scene. Empty: none.
   PictureRect cover() const { return cover_; }
 
   Layout layout;
