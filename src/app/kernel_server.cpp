@@ -88,7 +88,7 @@ int ServeKernel(const KernelServerOptions& options) {
     const char* why = kernel->GetLastErrorDescription();
     return Refuse("port " + std::to_string(options.port) + " cannot be opened" +
                       (why == nullptr ? "" : std::string(" (") + why + ")"),
-                  "another program holds it; choose another with --port N, or any free one with --port 0");
+                  "another program uses it; choose another with --port N, or any free one with --port 0");
   }
   if (const std::string problem = Record(*kernel, options); !problem.empty()) return Refuse(problem);
   if (kernel->GetListenerPort() == 0)

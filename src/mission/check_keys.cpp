@@ -54,7 +54,8 @@ constexpr KeyRow kKeys[] = {
     {"depth", Key::kDepth, Kind::kGauge, Source::kInsight, Names::kNothing, "states of the goal stack; 1: no impasse"},
     {"rule", Key::kRule, Kind::kEvent, Source::kFirings, Names::kRule, "fires this rule; * matches any text"},
     {"element", Key::kElement, Kind::kState, Source::kInsight, Names::kAttribute,
-     "has an element at this path from the top state, or behind \"substate.\" from any below it; is = VALUE, support = "
+     "has an element at this path from the top state, or after \"substate.\" from any state below it; is = VALUE, "
+     "support = "
      "\"i\" or \"o\""},
     {"learned", Key::kLearned, Kind::kCounter, Source::kInsight, Names::kNothing, "rules learned"},
     {"reused", Key::kReused, Kind::kCounter, Source::kInsight, Names::kNothing, "firings of rules that it learned"},

@@ -95,7 +95,7 @@ class Reader {
   explicit Reader(std::string_view file) : file_(file) {}
 
   JpegRead Read() {
-    if (!IsJpeg(file_)) Fail("this is no JPEG file");
+    if (!IsJpeg(file_)) Fail("this is not a JPEG file");
     at_ = 2;
     while (Goes() && ReadSegment()) {
     }
@@ -193,7 +193,7 @@ class Reader {
 
   void ReadFrame(std::size_t begin, std::size_t end) {
     if (!components_.empty()) return Fail("it has several pictures");
-    if (end - begin < 6 || Byte(begin) != 8) return Fail("it has not 8 bits per channel");
+    if (end - begin < 6 || Byte(begin) != 8) return Fail("it does not have 8 bits per channel");
     height_ = Word(begin + 1);
     width_ = Word(begin + 3);
     const int count = Byte(begin + 5);

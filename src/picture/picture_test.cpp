@@ -260,7 +260,7 @@ TEST(Png, SaysWhyAFileIsNotRead) {
   EXPECT_EQ(with(28, 1), "interlaced images are not read: save it without");
   EXPECT_EQ(with(16, 1), "an image has 1 to 4096 pixels on each side");
   EXPECT_EQ(with(19, 3), "its pixels are damaged");
-  EXPECT_EQ(with(25, 7), "its colours are of no known kind");
+  EXPECT_EQ(with(25, 7), "its colour type is unknown");
   EXPECT_EQ(with(25, 3), "it has no palette");
 }
 
@@ -304,7 +304,7 @@ TEST(Jpeg, ReadsGrayFiles) {
 
 TEST(Jpeg, SaysWhyAFileIsNotRead) {
   const std::string file = JpegFile("baseline.jpg");
-  EXPECT_EQ(ReadJpeg("").problem, "this is no JPEG file");
+  EXPECT_EQ(ReadJpeg("").problem, "this is not a JPEG file");
   EXPECT_EQ(ReadJpeg(file.substr(0, 100)).problem, "the file ends within a segment");
   EXPECT_EQ(ReadJpeg(file.substr(0, 20)).problem, "the file ends before its picture");
   EXPECT_EQ(ReadJpeg(file.substr(0, file.size() - 150)).problem, "the file ends within its picture");
@@ -317,7 +317,7 @@ TEST(Jpeg, SaysWhyAFileIsNotRead) {
   };
   EXPECT_EQ(with(1, '\xc9'),
             "it is lossless or arithmetically coded, which is not read: save it as an ordinary JPEG or as PNG");
-  EXPECT_EQ(with(4, 12), "it has not 8 bits per channel");
+  EXPECT_EQ(with(4, 12), "it does not have 8 bits per channel");
   EXPECT_EQ(with(5, 99), "it has no pixels, or more than 8 million, or more than 4096 on a side");
   EXPECT_EQ(with(9, 4), "it is neither gray nor of three colours (CMYK is not read): save it as RGB");
 }

@@ -75,8 +75,7 @@ void ReadHead(std::string_view content, Parts& parts) {
   const bool is_known = kind == kGray || kind == kRgb || kind == kPalette || kind == kGrayAlpha || kind == kRgba;
   const bool is_small = head.bits == 1 || head.bits == 2 || head.bits == 4;
   if (!is_known || !(head.bits == 8 || (is_small && (kind == kGray || kind == kPalette)))) {
-    parts.problem =
-        head.bits == 16 ? "16 bits per channel are not read: save it with 8" : "its colours are of no known kind";
+    parts.problem = head.bits == 16 ? "16 bits per channel are not read: save it with 8" : "its colour type is unknown";
     return;
   }
   if (ByteAt(content, 12) != 0) parts.problem = "interlaced images are not read: save it without";

@@ -143,7 +143,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   }
   if (!header.own_kernel) {
     rerun.warnings.push_back(Warning(recording, "the minds of this recording ran in a kernel in another process",
-                                     "they run in this one now; their thoughts are not compared, because the other "
+                                     "they run in this one now; their decisions are not compared, because the other "
                                      "kernel reported less"));
   }
   sim::SimulationSettings settings = given;

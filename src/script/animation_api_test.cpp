@@ -54,11 +54,11 @@ TEST_F(AnimationApiTest, MistakesAreToldWithWhatWasMeant) {
             "did you mean "
             "\"stand_fire_one_shot\"?)");
   EXPECT_EQ(Run("print(pcall(Animation.GetAnimation, agent, 'stand_reload'))"),
-            "false\tbad argument #1 to 'Animation.GetAnimation' (a mesh expected, got an agent; hand over the mesh "
-            "that hangs on it)");
+            "false\tbad argument #1 to 'Animation.GetAnimation' (a mesh expected, got an agent; pass the mesh that "
+            "is attached to it)");
   EXPECT_EQ(
       Run("local box = Core.CreateBox(sandbox, 1, 1, 1) print(pcall(Animation.GetAnimation, box, 'x'))"),
-      "false\tbad argument #1 to 'Animation.GetAnimation' (this has no mesh with a skeleton, so nothing in it moves)");
+      "false\tbad argument #1 to 'Animation.GetAnimation' (this has no mesh with a skeleton, so it has no animations)");
   EXPECT_EQ(Run("print(pcall(Animation.GetLength, body))"),
             "false\tbad argument #1 to 'Animation.GetLength' (animation expected, got scene node)");
   EXPECT_EQ(Run("print(pcall(Animation.GetLength, nil))"),

@@ -108,8 +108,8 @@ void WarnOfRange(lua_State* state, int index, const ApiArgument& argument, doubl
   std::string text = "argument " + std::to_string(index) + ", the " + std::string(argument.name) + ", ";
   if (argument.type == ApiType::kVector) text += "has a component that ";
   text += "is " + Shortly(value);
-  if (is_bounded) text += ": " + Shortly(taken) + unit + " is taken";
-  if (!is_bounded) text += ", no finite number";
+  if (is_bounded) text += ": " + Shortly(taken) + unit + " is used";
+  if (!is_bounded) text += ", which is not a finite number";
   WarnAtCallerOnce(state, std::move(text), argument.name);
 }
 

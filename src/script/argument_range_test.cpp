@@ -142,7 +142,7 @@ TEST_F(ArgumentRangeTest, WhatIsBeyondARangeIsToldWithWhatIsTakenInstead) {
           std::snprintf(taken, sizeof taken, ": %g", end);
           const std::string told = Told(call);
           EXPECT_NE(told.find(taken), std::string::npos) << call << ": " << told;
-          EXPECT_NE(told.find("is taken"), std::string::npos) << call << ": " << told;
+          EXPECT_NE(told.find("is used"), std::string::npos) << call << ": " << told;
           EXPECT_NE(told.find(arguments[i].name), std::string::npos) << call << ": " << told;
           ++tried;
         }
@@ -164,7 +164,7 @@ TEST_F(ArgumentRangeTest, RightValuesAreTakenWithoutAWord) {
         const std::string call = CallWith(function, i, InVector(arguments[i], std::to_string(middle)));
         const std::string told = Told(call);
         // Other arguments are not valid for this kind of call.
-        EXPECT_EQ(told.find("is taken"), std::string::npos) << call << ": " << told;
+        EXPECT_EQ(told.find("is used"), std::string::npos) << call << ": " << told;
       }
     }
     StartWith(kRangesWorld);
@@ -172,26 +172,26 @@ TEST_F(ArgumentRangeTest, RightValuesAreTakenWithoutAWord) {
 }
 
 TEST_F(ArgumentRangeTest, ABodyHasTheSizeThatIsToldInstead) {
-  EXPECT_EQ(Told("node = Core.CreateBox(agent, -1, 1, 1)"), "argument 2, the width, is -1: 0 m is taken|");
-  EXPECT_EQ(Told("Sandbox.CreatePhysicsSphere(sandbox, -3)"), "argument 2, the radius, is -3: 0.001 m is taken|");
+  EXPECT_EQ(Told("node = Core.CreateBox(agent, -1, 1, 1)"), "argument 2, the width, is -1: 0 m is used|");
+  EXPECT_EQ(Told("Sandbox.CreatePhysicsSphere(sandbox, -3)"), "argument 2, the radius, is -3: 0.001 m is used|");
   EXPECT_EQ(Told("ball = Sandbox.CreateCapsule(sandbox, 1 / 0, 0 / 0)"),
-            "argument 2, the height, is inf: 100000 m is taken|argument 3, the radius, is nan: 0.001 m is taken|");
-  EXPECT_EQ(Told("agent:SetHeight(-1)"), "argument 2, the height, is -1: 0 m is taken|");
+            "argument 2, the height, is inf: 100000 m is used|argument 3, the radius, is nan: 0.001 m is used|");
+  EXPECT_EQ(Told("agent:SetHeight(-1)"), "argument 2, the height, is -1: 0 m is used|");
   EXPECT_EQ(Run("print(agent:GetHeight())"), "0");
-  EXPECT_EQ(Told("Core.SetMass(object, -5)"), "argument 2, the mass, is -5: 0 kg is taken|");
+  EXPECT_EQ(Told("Core.SetMass(object, -5)"), "argument 2, the mass, is -5: 0 kg is used|");
   EXPECT_EQ(Run("print(Core.GetMass(object))"), "0");
   EXPECT_EQ(Told("Core.CreateCapsule(agent, 1, 1)"),
-            "the height is less than the two radii of the caps: their sum is taken|");
+            "the height is less than the two radii of the caps: their sum is used|");
 }
 
 TEST_F(ArgumentRangeTest, AVectorThatIsReplacedStaysAsItIsForItsOwner) {
   EXPECT_EQ(Told("far = Vector.new(0, 2e6, 0) agent:SetPosition(far)"),
-            "argument 2, the position, has a component that is 2e+06: 1e+06 m is taken|");
+            "argument 2, the position, has a component that is 2e+06: 1e+06 m is used|");
   EXPECT_EQ(Run("print(agent:GetPosition().y, far.y)"), "1000000\t2000000");
 }
 
 TEST_F(ArgumentRangeTest, APlaceIsToldOnceWhateverItsValues) {
-  EXPECT_EQ(Told("for i = 1, 50 do Core.SetMass(object, -i) end"), "argument 2, the mass, is -1: 0 kg is taken|");
+  EXPECT_EQ(Told("for i = 1, 50 do Core.SetMass(object, -i) end"), "argument 2, the mass, is -1: 0 kg is used|");
 }
 
 TEST_F(ArgumentRangeTest, VectorsTellOfWhatTheyCannotReckonWith) {
@@ -218,23 +218,22 @@ TEST_F(ArgumentRangeTest, AnAgentDoesNotFollowItself) {
 TEST_F(ArgumentRangeTest, CallsThatChangeNothingSaySo) {
   EXPECT_EQ(Told("agent:SetSpeed(3)"), "the agent has a body, which SetVelocity and forces move: the call is ignored|");
   EXPECT_EQ(Told("agent:SetMass(-1)"), "the mass is below 0 kg: the body counts as fixed, as with 0 kg|");
-  EXPECT_EQ(Told("agent:SetPath({Vector.new(), 'x', Vector.new(0 / 0)})"),
-            "point 2 is string: what is not a place is left out|");
+  EXPECT_EQ(Told("agent:SetPath({Vector.new(), 'x', Vector.new(0 / 0)})"), "point 2 is string: it is left out|");
   EXPECT_EQ(Told("Core.SetAxis(object, Vector.new(1), Vector.new(0, 1, 0), Vector.new(0, 0, 1))"),
-            "the axes are not perpendicular, of length 1 and right-handed: a turn near them is taken|");
+            "the axes are not perpendicular, of length 1 and right-handed: a similar rotation is used|");
   EXPECT_EQ(Told("Core.CreateDirectionalLight(sandbox, Vector.new())"),
             "the light has no direction: it shines straight down|");
   EXPECT_EQ(Told("UI.SetWorldPosition(ui, Vector.new())"),
             "this panel is on the screen; Sandbox.CreateUIComponent3d makes one in the world: the call is ignored|");
   EXPECT_EQ(Told("Sandbox.SetMarkupColor(sandbox, 10, 1, 1, 1)"),
-            "a markup colour is a number from 0 to 9: this one is none|");
+            "the index of a markup colour is a number from 0 to 9|");
   EXPECT_EQ(Told("Sandbox.AddEvent(sandbox, 'Noise', {f = print, n = node})").size(),
-            std::string("the event's field 'f' is function, which no event carries|"
-                        "the event's field 'n' is scene node, which no event carries|")
+            std::string("the event's field 'f' is function, which an event cannot contain|"
+                        "the event's field 'n' is scene node, which an event cannot contain|")
                 .size());
-  EXPECT_EQ(Told("Sandbox.AddEvent(sandbox, 'Noise', 7)"), "the event is not a table: it goes without fields|");
+  EXPECT_EQ(Told("Sandbox.AddEvent(sandbox, 'Noise', 7)"), "the event is not a table: it is sent without fields|");
   EXPECT_EQ(Told("Sandbox.DrawInfluenceMap(sandbox, 0, {1, 0, 0}, {0, 0, 0, 1}, {0, 0, 0, 1})"),
-            "a colour is a table of four numbers, red, green, blue and alpha: 0 is taken for the others|");
+            "a colour is a table of four numbers, red, green, blue and alpha: other values count as 0|");
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ int AttachToBone(lua_State* state) {
   const NodeId body = BodyArgument(state, 1);
   const Handle* other = ToHandle(state, 3);
   if (!other || other->kind != ValueKind::kNode)
-    return ArgumentError(state, 3,
-                         "a scene node expected, as Core.CreateMesh makes it: what has a body cannot be carried");
+    return ArgumentError(
+        state, 3, "a scene node expected, such as one of Core.CreateMesh: things with a body cannot be attached");
   const NodeId thing = NodeArgument(state, 3, false);
   if (body == NodeId::kNone || thing == NodeId::kNone) return 0;
   world::Scene& scene = ContextOf(state).world.scene();
@@ -90,8 +90,7 @@ int AttachToBone(lua_State* state) {
   LuaMachine::Of(state).Charge(scene.node_count() / 10);
   const bool hangs =
       scene.AttachToBone(body, static_cast<std::size_t>(index), thing, offset, world::FromRotationVector(turn_deg));
-  if (!hangs)
-    WarnIgnored(state, "the mesh hangs below what it shall carry, or nodes would hang too deep below each other");
+  if (!hangs) WarnIgnored(state, "the mesh is itself attached to this node, or the nodes would be nested too deep");
   return 0;
 }
 

@@ -83,10 +83,10 @@ world::UiId UiArgument(lua_State* state, int index) {
 world::NodeId BodyArgument(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
   if (handle && handle->kind == ValueKind::kAgent)
-    ArgumentError(state, index, "a mesh expected, got an agent; hand over the mesh that hangs on it");
+    ArgumentError(state, index, "a mesh expected, got an agent; pass the mesh that is attached to it");
   const world::NodeId node = NodeArgument(state, index, false);
   if (node != world::NodeId::kNone && !ContextOf(state).world.scene().AnimatorOf(node))
-    ArgumentError(state, index, "this has no mesh with a skeleton, so nothing in it moves");
+    ArgumentError(state, index, "this has no mesh with a skeleton, so it has no animations");
   return node;
 }
 
@@ -125,8 +125,7 @@ std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {
       vectors.push_back(*vector);
     } else {
       const char* what = vector ? "a Vector that is not finite" : NameOfValue(state, -1);
-      WarnAtCallerOnce(state, "point " + std::to_string(i) + " is " + what + ": what is not a place is left out",
-                       "points");
+      WarnAtCallerOnce(state, "point " + std::to_string(i) + " is " + what + ": it is left out", "points");
     }
     lua_pop(state, 1);
   }
@@ -140,7 +139,7 @@ void WarnUnless(lua_State* state, bool accepted) {
 
 void WarnOfShortCapsule(lua_State* state, float height, float radius) {
   if (height >= 2 * radius) return;
-  WarnAtCallerOnce(state, "the height is less than the two radii of the caps: their sum is taken", "capsule");
+  WarnAtCallerOnce(state, "the height is less than the two radii of the caps: their sum is used", "capsule");
 }
 
 void ChargeForCreation(lua_State* state, Made made) {

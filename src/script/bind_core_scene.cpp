@@ -113,7 +113,7 @@ bool AreAxes(Vec3 x, Vec3 y, Vec3 z) {
 int SetAxis(lua_State* state) {
   const Vec3 x = CheckVector(state, 2), y = CheckVector(state, 3), z = CheckVector(state, 4);
   if (!AreAxes(x, y, z))
-    WarnAtCaller(state, "the axes are not perpendicular, of length 1 and right-handed: a turn near them is taken");
+    WarnAtCaller(state, "the axes are not perpendicular, of length 1 and right-handed: a similar rotation is used");
   Orient(state, world::FromAxes(x, y, z));
   return 0;
 }
@@ -135,7 +135,7 @@ int SetMaterial(lua_State* state) {
   const std::string_view material = TextArgument(state, 2);
   const NodeId node = NodeArgument(state, 1, false);
   if (node != NodeId::kNone && !SceneOf(state).SetMaterial(node, material))
-    WarnIgnored(state, "nothing that could wear a material is attached to this node");
+    WarnIgnored(state, "nothing that can have a material is attached to this node");
   return 0;
 }
 

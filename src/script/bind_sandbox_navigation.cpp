@@ -48,7 +48,7 @@ int CreateNavigationMesh(lua_State* state) {
   }
   const Result<bool> made = WorldOf(state).CreateNavigationMesh(name, config);
   if (!made.ok()) return RaiseDiagnostic(state, made.error());
-  if (made.value()) WarnAtCaller(state, "fixed objects reach further than 100 m: what is beyond is not walked on");
+  if (made.value()) WarnAtCaller(state, "fixed objects reach further than 100 m: the parts beyond are not walkable");
   return 0;
 }
 

@@ -125,7 +125,7 @@ int CreateUIComponent3d(lua_State* state) {
 int ColorIndex(lua_State* state) {
   const double index = luaL_checknumber(state, 2);
   if (index >= 0 && index < 10) return static_cast<int>(index);
-  WarnAtCaller(state, "a markup colour is a number from 0 to 9: this one is none");
+  WarnAtCaller(state, "the index of a markup colour is a number from 0 to 9");
   return -1;
 }
 

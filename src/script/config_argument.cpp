@@ -27,7 +27,7 @@ void Take(lua_State* state, int index, const ConfigKey& key) {
     return;
   }
   ArgumentError(state, index,
-                lua_pushfstring(state, "%s is to be a %s, not a %s", key.name, key.number ? "number" : "Vector",
+                lua_pushfstring(state, "%s must be a %s, not a %s", key.name, key.number ? "number" : "Vector",
                                 NameOfValue(state, -1)));
 }
 
@@ -72,7 +72,7 @@ world::Color ColorArgument(lua_State* state, int index) {
     if (lua_isnumber(state, -1)) {
       channels[i] = static_cast<float>(lua_tonumber(state, -1));
     } else {
-      WarnAtCaller(state, "a colour is a table of four numbers, red, green, blue and alpha: 0 is taken for the others");
+      WarnAtCaller(state, "a colour is a table of four numbers, red, green, blue and alpha: other values count as 0");
     }
     lua_pop(state, 1);
   }

@@ -10,7 +10,8 @@ namespace soarbox::script {
 namespace {
 
 void WarnOfField(lua_State* state, const std::string& key, const char* what) {
-  WarnAtCallerOnce(state, "the event's field '" + key.substr(0, 40) + "' is " + what + ", which no event carries", key);
+  WarnAtCallerOnce(state,
+                   "the event's field '" + key.substr(0, 40) + "' is " + what + ", which an event cannot contain", key);
 }
 
 /// Copies the value on top of the stack into the event if it can be copied between machines.
@@ -49,7 +50,7 @@ struct PushValue {
 ScriptEvent CopyEvent(lua_State* state, std::string_view type, int index) {
   ScriptEvent event{std::string(type), {}};
   if (!lua_istable(state, index)) {
-    if (!lua_isnil(state, index)) WarnAtCaller(state, "the event is not a table: it goes without fields");
+    if (!lua_isnil(state, index)) WarnAtCaller(state, "the event is not a table: it is sent without fields");
     return event;
   }
   lua_pushnil(state);

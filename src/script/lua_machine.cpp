@@ -278,7 +278,7 @@ void LuaMachine::RaiseOutOfBudget(lua_State* state) {
   if (world_bound_) {
     lua_pushfstring(
         state,
-        "the script was given up after %d instructions: one call may use a tenth of what all scripts of this world "
+        "the script was stopped after %d instructions: one call may use a tenth of what all scripts of this world "
         "have left in this step",
         static_cast<int>(armed_));
     lua_error(state);

@@ -75,12 +75,11 @@ TEST_F(NavigationApiTest, FaultsAreErrorsThatNameThem) {
   EXPECT_EQ(Run("Sandbox.CreateNavigationMesh(sandbox, 'a', {WalkableRadius = -2})"),
             "error: WalkableRadius is -2 (it is a number from 0 to 50)");
   EXPECT_EQ(Run("Sandbox.CreateNavigationMesh(sandbox, 'a', {WalkableHeight = {}})"),
-            "error: bad argument #3 to 'Sandbox.CreateNavigationMesh' (WalkableHeight is to be a number, not a table)");
+            "error: bad argument #3 to 'Sandbox.CreateNavigationMesh' (WalkableHeight must be a number, not a table)");
   EXPECT_EQ(Run("Sandbox.SetDebugNavigationMesh(sandbox, 'b', true)"),
             "error: there is no navigation mesh \"b\" (make one with Sandbox.CreateNavigationMesh)");
-  EXPECT_EQ(
-      Run("Sandbox.CreateInfluenceMap(sandbox, 'default', {CellWidth = 2})"),
-      "error: CellWidth and CellHeight are to be from 0.01 to 1000 m (give both: {CellWidth = 2, CellHeight = 1})");
+  EXPECT_EQ(Run("Sandbox.CreateInfluenceMap(sandbox, 'default', {CellWidth = 2})"),
+            "error: CellWidth and CellHeight must be from 0.01 to 1000 m (give both: {CellWidth = 2, CellHeight = 1})");
   EXPECT_EQ(Run("Sandbox.SetInfluence(sandbox, 10, Vector.new(), 1)"),
             "error: bad argument #2 to 'Sandbox.SetInfluence' (a layer is a number from 0 to 9)");
   EXPECT_TRUE(recorder_.warnings.empty());

@@ -265,7 +265,7 @@ class Reader {
       lua_insert(state_, -3);
       lua_remove(state_, -2);
     }
-    Fail("__index leads in a circle");
+    Fail("__index leads back to itself");
   }
 
   /// Pops `count` values below the top.

@@ -21,8 +21,7 @@ std::vector<std::string> ProblemsOf(const std::string& lines, const std::string&
 TEST(ScenarioFile, ObstaclesThatNoBodyCouldBeAreRefusedWithTheirLine) {
   EXPECT_THAT(ProblemsOf("size = [5, 2, 0.5]\nmass = 10"), ElementsAre());
   EXPECT_THAT(ProblemsOf("mass = 3\nsize = [-5, 2, 1e-9]"),
-              ElementsAre("3: a width of -5 m is none that a body can have",
-                          "3: a length of 1e-09 m is none that a body can have"));
+              ElementsAre("3: a width of -5 m is not possible", "3: a length of 1e-09 m is not possible"));
   EXPECT_THAT(ProblemsOf("size = [nan, 2, 1]"), ElementsAre("2: 'size' takes [width, height, length] in metres"));
   EXPECT_THAT(ProblemsOf("mass = -1"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));
   EXPECT_THAT(ProblemsOf("mass = nan"), ElementsAre("2: 'mass' takes a number from 0 to 1000000"));

@@ -218,7 +218,8 @@ void Simulation::Impl::KeepConnected() {
   RunEvent event;
   if (std::exchange(connected, false)) {
     event.kind = EventKind::kMindLost;
-    event.text = "the Soar kernel at " + address + " is gone; its agents do nothing until a kernel answers there";
+    event.text =
+        "the Soar kernel at " + address + " no longer answers; its agents do nothing until a kernel answers there";
     Report(std::move(event));
   }
   if (!soar->Reconnect()) return;

@@ -152,7 +152,7 @@ Result<std::unique_ptr<SoarHost>> SoarHost::Create(const SoarSettings& settings)
     if (settings.port != 0) {
       return NewProblem(
           "port " + std::to_string(settings.port) + " cannot be opened for debuggers (" + ErrorText(*kernel) + ")",
-          "another program holds it; choose another with --port N, or none with --port 0");
+          "another program uses it; choose another with --port N, or none with --port 0");
     }
     return NewProblem("the Soar kernel did not start: " + ErrorText(*kernel));
   }

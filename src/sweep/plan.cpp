@@ -232,7 +232,7 @@ Result<void> RefuseLinks(const fs::path& folder) {
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const fs::file_type type = it->symlink_status(error).type();
     if (type == fs::file_type::regular || type == fs::file_type::directory) continue;
-    return ProblemIn(it->path(), "a sweep's folder holds plain files only, and this is none",
+    return ProblemIn(it->path(), "a sweep's folder may contain only plain files, and this is not one",
                      "remove it, or name another folder with --folder");
   }
   if (error && fs::exists(folder, error)) return ProblemIn(folder, "this folder cannot be read");
@@ -313,7 +313,7 @@ Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::pat
   const Result<sim::Scenario> original = sim::FindScenario(argument, data);
   if (!original) return ProblemIn(spec.file, original.error().message, original.error().hint);
   if (!original->rules.empty())
-    return ProblemIn(spec.file, "a sweep wants a scenario, not a file of rules", "soarbox new writes one");
+    return ProblemIn(spec.file, "a sweep needs a scenario, not a file of rules", "soarbox new writes one");
   const fs::path making = folder / "variants" / ("." + variant.name);
   fs::remove_all(making, error);
   const Result<fs::path> copied = CopyOf(*original, making);
@@ -433,7 +433,7 @@ Result<void> ClaimFolder(const Spec& spec, const Plan& plan, const fs::path& fol
     }
   }
   if (differing > 0) {
-    return ProblemIn(folder, "another sweep lives in this folder: its scenario, checks, metrics or seconds differ",
+    return ProblemIn(folder, "this folder belongs to another sweep: its scenario, checks, metrics or seconds differ",
                      "name another with --folder, or remove this one");
   }
   std::string text = (known_build.empty() ? build : known_build) + "\n";

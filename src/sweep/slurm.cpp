@@ -162,7 +162,7 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
     job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));
     if (submitted.code != 0 || !IsJob(job))
       return NewProblem(
-          "Slurm did not take the job: " + submitted.text,
+          "Slurm did not accept the job: " + submitted.text,
           "sinfo shows the partitions and their nodes; scontrol show config the limits, such as MaxArraySize");
     if (!(std::ofstream(folder / "slurm" / "job") << job << '\n').flush())
       return NewProblem("the job's number cannot be written below '" + folder.string() + "'");

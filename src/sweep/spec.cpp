@@ -193,7 +193,7 @@ class SpecReader : public sim::TableReader {
     base.kernel = Text(table, "kernel");
     if (!base.kernel.empty() && !IsOfThisMachine(base.kernel))
       Problem(*table.get("kernel"), "'" + base.kernel + "' is not a kernel of this machine",
-              "write \"127.0.0.1:12121\"; a sweep, which may be somebody else's, reaches no other machines");
+              "write \"127.0.0.1:12121\"; sweeps may come from strangers, so they cannot reach other machines");
     if (const toml::node* rules = table.get("rules")) {
       const toml::table* named = rules->as_table();
       if (named == nullptr) Problem(*rules, "'rules' takes { AGENT = \"file.soar\" }");

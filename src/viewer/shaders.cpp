@@ -93,7 +93,7 @@ Result<Shaders> Shaders::Load(const fs::path& folder, bool low_detail) {
     if (low_detail && missing.empty()) source = WithDefinition(std::move(source), "LOW_DETAIL");
     if (!missing.empty()) {
       return ProblemIn(missing.string(), "this shader cannot be read, so nothing can be drawn",
-                       "the media folder of Soarbox belongs beside its library; name another one if it was moved");
+                       "the media folder of Soarbox must be next to its library; specify the folder if it was moved");
     }
     const auto add = [&file](const std::string& name, const std::string& text) {
       Ogre::HighLevelGpuProgramManager::getSingleton().createProgram(name, kGroup, "glsl", file.type)->setSource(text);

@@ -91,7 +91,7 @@ void Viewer::Impl::Do(ViewerCommand command) {
         command != ViewerCommand::kLabels && command != ViewerCommand::kTrails && command != ViewerCommand::kForces;
     const std::string title(InfoOf(command).title);
     if (is_on && needs_more && !has_overlays) {
-      Notice(title + ": not available here; a recording does not hold it");
+      Notice(title + ": not available here; recordings do not contain it");
     } else if (is_on && command == ViewerCommand::kBelief && Selected() == nullptr) {
       Notice("Belief: select an agent to see the world as it believes it to be");
     } else {

@@ -22,8 +22,8 @@ BodyValue Within(std::string_view what, float asked, float least, float most, st
   if (asked >= least && asked <= most) return {asked, {}};
   BodyValue taken{std::isnan(asked) ? least : std::clamp(asked, least, most), {}};
   taken.problem.append("a ").append(what).append(" of ").append(Short(asked)).append(" ").append(unit);
-  taken.problem.append(" is none that a body can have: ").append(Short(taken.value)).append(" ").append(unit);
-  taken.problem.append(" is taken");
+  taken.problem.append(" is not possible: ").append(Short(taken.value)).append(" ").append(unit);
+  taken.problem.append(" is used");
   return taken;
 }
 

@@ -9,7 +9,7 @@ namespace soarbox::world {
 /// A valid size or mass of a body, and a message if another value was requested.
 struct BodyValue {
   float value = 0;      ///< The value to use.
-  std::string problem;  ///< "a width of -3 m is none that a body can have: 0.001 m is taken"; empty if the value was
+  std::string problem;  ///< "a width of -3 m is not possible: 0.001 m is used"; empty if the value was
                         ///< valid.
 };
 

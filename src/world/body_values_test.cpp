@@ -17,9 +17,9 @@ TEST(BodyValues, WhatABodyCanHaveIsTakenAsItIs) {
 }
 
 TEST(BodyValues, OthersAreLimitedAndSaidToBe) {
-  EXPECT_EQ(BodySize("width", -3).problem, "a width of -3 m is none that a body can have: 0.001 m is taken");
+  EXPECT_EQ(BodySize("width", -3).problem, "a width of -3 m is not possible: 0.001 m is used");
   EXPECT_EQ(BodySize("radius", 1e9f).value, 1e5f);
-  EXPECT_EQ(BodyMass(-1).problem, "a mass of -1 kg is none that a body can have: 0 kg is taken");
+  EXPECT_EQ(BodyMass(-1).problem, "a mass of -1 kg is not possible: 0 kg is used");
   EXPECT_EQ(BodyMass(std::numeric_limits<float>::quiet_NaN()).value, 0);
 }
 

@@ -42,8 +42,7 @@ Color Mix(Color from, Color to, float share) {
 Result<InfluenceMap> InfluenceMap::Create(const NavigationMesh& mesh, const InfluenceConfig& config) {
   const auto is_size = [](float size) { return size >= 0.01f && size <= 1000; };
   if (!is_size(config.cell_width_m) || !is_size(config.cell_height_m)) {
-    return Fault("CellWidth and CellHeight are to be from 0.01 to 1000 m",
-                 "give both: {CellWidth = 2, CellHeight = 1}");
+    return Fault("CellWidth and CellHeight must be from 0.01 to 1000 m", "give both: {CellWidth = 2, CellHeight = 1}");
   }
   if (!IsFinite(config.min_offset) || !IsFinite(config.max_offset))
     return Fault("an offset of the boundary is not finite", "give vectors of a few metres");

@@ -127,7 +127,7 @@ TEST_F(InfluenceMapTest, CellsThatCannotBeAreRefusedAndTheOldMapStays) {
     const Result<void> made = world_.CreateInfluenceMap("default", config);
     return made.ok() ? "no error" : made.error().message;
   };
-  EXPECT_EQ(message({0, 0, {}, {}}), "CellWidth and CellHeight are to be from 0.01 to 1000 m");
+  EXPECT_EQ(message({0, 0, {}, {}}), "CellWidth and CellHeight must be from 0.01 to 1000 m");
   EXPECT_EQ(message({0.01f, 0.01f, {}, {}}), "the influence map would have more than 1 million cells");
   EXPECT_EQ(message({1, 1, {std::nanf(""), 0, 0}, {}}), "an offset of the boundary is not finite");
   EXPECT_EQ(message({1, 1, {-1e9f, 0, 0}, {}}), "the influence map would have more than 1 million cells");

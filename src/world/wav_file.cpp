@@ -18,7 +18,7 @@ std::string WhyNotPlayed(std::string_view format) {
   if (format.size() < 16) return "its format is cut off";
   const std::uint32_t kind = LittleEndian(format, 0, 2), channels = LittleEndian(format, 2, 2),
                       rate = LittleEndian(format, 4, 4), bits = LittleEndian(format, 14, 2);
-  if (kind != 1 || (bits != 8 && bits != 16)) return "it is not plain samples of 8 or 16 bits: save it as PCM";
+  if (kind != 1 || (bits != 8 && bits != 16)) return "its samples are not PCM with 8 or 16 bits: save it as PCM";
   if (channels < 1 || channels > 2) return "it has " + std::to_string(channels) + " channels; one or two are played";
   if (rate < 8000 || rate > 48000)
     return "it has " + std::to_string(rate) + " samples a second; 8,000 to 48,000 are played";

@@ -231,7 +231,7 @@ class OnSlurm(SlurmCase):
         self.assertTrue(kept.is_file(), run.err)
         self.assertIn("4 runs made", kept.read_text(encoding="utf-8"))
         wrong = Run("sweep", self.sweep_of("1..2"), "--folder", self.folder / "other", "--on", "slurm", "--qos", "nosuch", "--mem", "much", code=3)
-        self.assertIn("Slurm did not take the job", wrong.err)
+        self.assertIn("Slurm did not accept the job", wrong.err)
 
     def test_who_waits_for_a_job_that_is_cancelled_is_told_and_continues_later(self):
         there = self.folder / "there"

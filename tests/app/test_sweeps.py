@@ -140,7 +140,7 @@ class Sweeps(MissionCase):
         self.assertEqual(Run("sweep", spec).code, 0)
         other = Run("sweep", self.write("other.toml", SWEEP.replace("8", "7")), "--folder",
                     self.folder / "sweep.sweep", code=3)
-        self.assertIn("another sweep lives in this folder", other.err)
+        self.assertIn("this folder belongs to another sweep", other.err)
 
     def test_a_full_disk_stops_it_and_what_was_made_stays(self):
         self.mission("")
@@ -166,7 +166,7 @@ class Sweeps(MissionCase):
         for old, new in (('at = "gate"', 'at = "gate"\nby = 3'), ('time_of = "there"', 'max = "distance"'), ("seconds = 8", "seconds = 7")):
             self.write("sweep.toml", kept.replace(old, new))
             run = Run("sweep", spec, code=3)
-            self.assertIn("another sweep lives in this folder", run.err)
+            self.assertIn("this folder belongs to another sweep", run.err)
         self.write("sweep.toml", "# A comment changes nothing.\n" + kept)
         bold.write_text(RULES + "# changed\n", encoding="utf-8")
         run = Run("sweep", spec, code=3)

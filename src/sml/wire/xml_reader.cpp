@@ -192,7 +192,7 @@ class Reader {
       if (AtEnd() || text_[at_] != '=') return Bad("an attribute has no value");
       ++at_;
       SkipSpace();
-      if (AtEnd() || (text_[at_] != '"' && text_[at_] != '\'')) return Bad("an attribute's value stands in quotes");
+      if (AtEnd() || (text_[at_] != '"' && text_[at_] != '\'')) return Bad("an attribute's value must be in quotes");
       const char quote = text_[at_++];
       std::string value;
       if (!ReadText(quote, value)) return false;

@@ -297,7 +297,7 @@ Result<void> SaveLayout(const Layout& layout, const std::filesystem::path& file)
   Diagnostic failure;
   failure.severity = Severity::kWarning;
   failure.file = file.string();
-  failure.message = "the window's layout cannot be remembered: " + error.message();
+  failure.message = "the window's layout cannot be saved: " + error.message();
   failure.hint = "may you write to this folder?";
   return failure;
 }

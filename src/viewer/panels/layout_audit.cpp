@@ -99,7 +99,7 @@ void AuditPutTexts(const ImGuiWindow& window, std::vector<std::string>& found) {
     const bool is_cut_x = (left || right) && !(is_edge_x && Scrolls(&window, 0));
     const bool is_cut_y = (above || below) && !(is_edge_y && Scrolls(&window, 1));
     if (is_cut_x || is_cut_y)
-      found.push_back(WindowName(window) + ": the text '" + text.text + "', drawn by hand, is cut");
+      found.push_back(WindowName(window) + ": the text '" + text.text + "', drawn by PutText, is cut");
   }
 }
 
@@ -152,13 +152,13 @@ void AuditContent(const ImGuiWindow& window, std::vector<std::string>& found) {
   const ImVec2 room{window.InnerRect.GetWidth() - 2 * window.WindowPadding.x + kSlack_px,
                     window.InnerRect.GetHeight() - 2 * window.WindowPadding.y + kSlack_px};
   if (window.ContentSize.x > room.x + window.WindowPadding.x && !Scrolls(&window, 0)) {
-    found.push_back(WindowName(window) + ": what stands in it is " +
-                    std::to_string(static_cast<int>(window.ContentSize.x)) + " px wide, and it has room for " +
+    found.push_back(WindowName(window) + ": its contents are " +
+                    std::to_string(static_cast<int>(window.ContentSize.x)) + " px wide, but it has space for " +
                     std::to_string(static_cast<int>(room.x)));
   }
   if (window.ContentSize.y > room.y + window.WindowPadding.y && !Scrolls(&window, 1)) {
-    found.push_back(WindowName(window) + ": what stands in it is " +
-                    std::to_string(static_cast<int>(window.ContentSize.y)) + " px high, and it has room for " +
+    found.push_back(WindowName(window) + ": its contents are " +
+                    std::to_string(static_cast<int>(window.ContentSize.y)) + " px high, but it has space for " +
                     std::to_string(static_cast<int>(room.y)));
   }
 }

@@ -73,7 +73,7 @@ TEST_F(Panels, AnAuditFindsWhatIsCutAndWhatOverlaps) {
     }
     ImGui::End();
   });
-  EXPECT_THAT(all, HasSubstr("first: what stands in it is"));
+  EXPECT_THAT(all, HasSubstr("first: its contents are"));
   EXPECT_THAT(all, HasSubstr("second: lies over first"));
   EXPECT_THAT(all, HasSubstr("third: leaves the window"));
   EXPECT_THAT(all, HasSubstr("third: cells of column 1 are cut"));
@@ -118,13 +118,13 @@ TEST_F(Panels, AnAuditSeesWhatIsDrawnByHandWhereTheWindowScrolls) {
   EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
                 PutText(out, {at.x + 300, at.y}, white, "far out");
               }),
-              HasSubstr("scrolls: the text 'far out', drawn by hand, is cut"));
+              HasSubstr("scrolls: the text 'far out', drawn by PutText, is cut"));
   EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
                 out.PushClipRect(at, {at.x + 100, at.y + 6}, true);
                 PutText(out, at, white, "narrow");
                 out.PopClipRect();
               }),
-              HasSubstr("'narrow', drawn by hand, is cut"));
+              HasSubstr("'narrow', drawn by PutText, is cut"));
   EXPECT_THAT(audit([&](ImDrawList& out, ImVec2 at) {
                 PutText(out, at, white, "first words");
                 PutText(out, {at.x + 12, at.y + 3}, white, "second words");

@@ -146,7 +146,7 @@ void UiScript::Advance(const UiStage& stage) {
     waited_ = 0;
     settle_ = kSettle;
   } else if (!failure_ && ++waited_ > kMostWait && now - waits_since_ > patience) {
-    Fail(step, "'" + step.word + " \"" + step.arguments[0] + "\"' waited in vain", stage);
+    Fail(step, "'" + step.word + " \"" + step.arguments[0] + "\"' timed out", stage);
   }
 }
 
