@@ -504,8 +504,8 @@ Symbol Agent::NewIdentifier(char letter, std::uint64_t number, Symbol parent) {
                                      core_->memory.identifier(parent).level);
 }
 
-/// The preferences for a value that rules made stay: its element comes back when the slot is decided again. Then all
-/// values are looked at, not only those that have changed.
+/// Preferences for the value of the removed element stay, so the element is added again when the slot is decided the
+/// next time. That decision must check all values, not only those that have changed.
 static void NoteLostByHand(WorkingMemory& memory, SlotId id) {
   Slot& slot = memory.mutable_slot(id);
   slot.lost_by_hand = true;
@@ -522,7 +522,7 @@ Result<void> Agent::RemoveWme(WmeId wme) {
   const WmeRecord& record = memory.record(wme);
   const bool removed = Guarded([&] {
     if (record.kind == WmeKind::kSlot && memory.slot(record.slot()).is_operator) {
-      core_->preferences.RemoveSelected(record.slot());  // The states below stay.
+      core_->preferences.RemoveSelected(record.slot());  // Substates stay.
     } else {
       if (record.preference != PreferenceId::kNone) NoteLostByHand(memory, record.slot());
       core_->changes.Lose(wme);

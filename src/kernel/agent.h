@@ -122,8 +122,8 @@ class Agent {
   /// kDecision: to the end of the output phase. kOutput: to the end of an output phase that changed the output link, or
   /// until max_nil_output_cycles output phases have passed without a change. kForever: until something else stops the
   /// run.
-  /// With kDecision, an agent whose further decisions would change nothing without new input is not simulated further:
-  /// the remaining decisions, up to `most` in total, are only counted.
+  /// With kDecision: if further decisions would change nothing without new input, the agent does not execute them. The
+  /// remaining decisions, up to `most` in total, are only counted.
   RunResult Step(RunUnit unit, std::uint64_t most = 1);
   /// Runs phase by phase until `phase` is next. Does nothing if `phase` is next already.
   RunResult RunToPhase(Phase phase);
@@ -257,8 +257,8 @@ class Agent {
   /// Creates an identifier with a given name, which must be unused, on the level of `parent`, which must be in working
   /// memory.
   Symbol NewIdentifier(char letter, std::uint64_t number, Symbol parent);
-  /// `wm remove`: any element, at once. Preferences stay: the element of a rule comes back when another preference
-  /// enters or leaves its slot, and the operator whose proposal goes stays selected.
+  /// `wm remove`: removes any element immediately. Preferences stay. So an element that a rule created is added again
+  /// when another preference enters or leaves its slot. If a proposed operator loses its element, it stays selected.
   Result<void> RemoveWme(WmeId wme);
 
   /// Functions of the host that rules call with (exec name ...) or (name ...). The argument is the concatenation of the

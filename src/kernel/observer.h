@@ -43,8 +43,8 @@ enum class Event : std::uint32_t {
   kReason = 1u << 16,         ///< Why operators are selected and impasses arise.
   kNotLearned = 1u << 17,     ///< Why results get no rule.
   kActivation = 1u << 18,     ///< Elements whose activation is followed.
-  kDecisionTrace = 1u << 19,  ///< Operators removed. With kDecision: each decision, also of an agent that rests.
-  kBacktrace = 1u << 20,      ///< What results rest on, step by step, as learning follows it.
+  kDecisionTrace = 1u << 19,  ///< Operators removed. With kDecision: each decision, even if the agent is idle.
+  kBacktrace = 1u << 20,      ///< Each step of learning while it traces what results depend on.
 };
 
 using EventMask = std::uint32_t;
@@ -131,8 +131,8 @@ struct RlUpdate {
   double new_current = 0, new_future = 0;
 };
 
-/// One step of learning as it follows what results rest on. Which fields are set depends on `kind`. Valid during the
-/// callback only.
+/// One step of learning while it traces what results depend on. `kind` determines which fields are set. Valid during
+/// the callback only.
 struct BacktraceStep {
   enum class Kind : std::uint8_t {
     kResult,       ///< A result is to be traced: `preference`.
@@ -141,9 +141,9 @@ struct BacktraceStep {
     kKnownFiring,  ///< A firing that was traced before: `firing`.
     kLocals,       ///< The elements of the substate that firings tested are traced from here on.
     kLocal,        ///< One of them is to be traced: `local`.
-    kNoMaker,      ///< No rule made it: there is nothing to trace.
-    kItem,         ///< It is an item of the impasse and rests on a proposal in the superstate: `grounds`.
-    kEnd,          ///< All is traced.
+    kNoMaker,      ///< No rule created it: there is nothing to trace.
+    kItem,         ///< It is an item of the impasse and depends on a proposal in the superstate: `grounds`.
+    kEnd,          ///< Everything has been traced.
   };
   Kind kind = Kind::kEnd;
   PreferenceId preference = PreferenceId::kNone;
@@ -154,7 +154,7 @@ struct BacktraceStep {
   const Production* negated = nullptr;  ///< A rule whose conditions are the negated ones of the firing; null: none.
 };
 
-/// What semantic or episodic memory answered to a command that rules put on its link. The texts are valid during the
+/// The result of a command that rules put on the link of semantic or episodic memory. The texts are valid during the
 /// callback only.
 struct RecallInfo {
   GoalLevel level = 0;
@@ -165,16 +165,16 @@ struct RecallInfo {
   std::string_view reason;    ///< Why this object or episode was retrieved, or why nothing was.
 };
 
-/// Sees what learning traces back, if it listens to kBacktrace.
+/// Receives the steps by which learning traces results, if it subscribes to kBacktrace.
 class BacktraceObserver {
  public:
   virtual ~BacktraceObserver() = default;
   virtual void OnBacktrace(const Agent&, const BacktraceStep& step) { (void)step; }
 };
 
-/// Sees what an agent does, in the order in which it happens. Callbacks run on the agent's thread, between steps of the
-/// cycle; they may read everything and change nothing, except that they may request a stop. Each callback belongs to
-/// the event named in its comment and is called only if that bit is in the observer's mask.
+/// Receives the events of an agent in the order in which they occur. Callbacks run on the agent's thread, between steps
+/// of the cycle. They may read everything and change nothing, except that they may request a stop. Each callback
+/// belongs to the event named in its comment and is called only if that bit is in the observer's mask.
 class Observer : public BacktraceObserver {
  public:
   // kPhase
@@ -327,8 +327,7 @@ class Observer : public BacktraceObserver {
   // kReinforcement
   /// Called before the new number takes effect.
   virtual void OnRlUpdate(const Agent&, const RlUpdate&) {}
-  /// If `begins`, decisions in this state are from now on made without a rule with a learned number. Else that gap
-  /// ends.
+  /// `begins`: from now on, decisions in this state are made without a rule with a learned number. Else this gap ends.
   virtual void OnRewardGap(const Agent&, Symbol state, bool begins) {
     (void)state;
     (void)begins;

@@ -68,7 +68,8 @@ struct NumberEntry {
   std::uint32_t stamp = 0;
   PoolMarks marks;
 
-  /// Round doubles differ only in their upper bits, so these are mixed into the lower half before the multiplication.
+  /// Doubles with short mantissas, such as 2.0 and 2.5, differ only in their upper bits. So the upper half is mixed
+  /// into the lower half before the multiplication.
   static std::uint32_t HashOf(std::uint64_t bits) {
     bits ^= bits >> 32;
     return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ull) >> 32);
@@ -80,8 +81,9 @@ struct NumberEntry {
 /// Interned constants of one kind. Entries have stable indices, from `first_index` on, and are found by their contents
 /// through a hash index with open addressing. Freed entries are reused, the last freed first.
 ///
-/// Invariant: the index holds exactly the live entries and is at most half full. Half of all searches are for new
-/// constants. Such a search ends at a gap, so it is short only if gaps are frequent.
+/// Invariant: the index contains exactly the live entries and is at most half full. About half of all searches are for
+/// constants that are not in the pool. Such a search ends at an empty position, so it is short only if many positions
+/// are empty.
 template <typename Entry>
 class ConstantPool {
  public:
@@ -179,7 +181,7 @@ class ConstantPool {
   }
 
  private:
-  /// The position in the index of the entry with this key, or of the gap where it would be inserted.
+  /// Returns the position in `slots_` of the entry with this key, or the empty position where it would be inserted.
   template <typename Key>
   std::uint32_t Search(std::uint32_t hash, const Key& key) const {
     const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
@@ -212,7 +214,7 @@ class ConstantPool {
     slots_[at] = local + 1;
   }
 
-  /// Removes an entry from the index and closes the gap, so that no tombstones are needed.
+  /// Removes an entry from the index. Moves later entries back, so that no tombstones are needed.
   void Leave(std::uint32_t local) {
     const std::uint32_t mask = static_cast<std::uint32_t>(slots_.size()) - 1;
     std::uint32_t gap = entries_[local].Hash() & mask;

@@ -18,7 +18,7 @@ namespace soarbox::kernel {
 namespace {
 
 constexpr std::size_t kFewest = std::size_t{32} << 10;  ///< In bytes; smaller arrays are copied.
-/// A process may have 65,530 mappings and often 1,024 open files. Most of both must remain for others.
+/// A process may have 65,530 mappings and often 1,024 open files. These limits leave most of both to other code.
 constexpr int kMostRooms = 8192;  ///< Each needs two mappings.
 constexpr int kMostImages = 64;
 std::atomic<int> rooms = 0;
@@ -32,7 +32,7 @@ std::size_t WholePages(std::size_t bytes) {
   return (bytes + PageBytes() - 1) / PageBytes() * PageBytes();
 }
 
-/// Increments `count` unless that would exceed `most`. Returns whether it did.
+/// Increments `count` and returns true, unless that would exceed `most`.
 bool TakeOne(std::atomic<int>& count, int most) {
   if (count.fetch_add(1, std::memory_order_relaxed) < most) return true;
   count.fetch_sub(1, std::memory_order_relaxed);
@@ -89,7 +89,7 @@ void* ForkableRoom::Resize(void* records, std::size_t bytes) {
   if (shared_ == 0) return std::realloc(records, bytes);
   bytes = WholePages(bytes);
   if (bytes <= all_) return records;
-  // Moves the pages without copying them: those of the image, and those after them.
+  // Moves the pages without copying them: first those of the image, then the rest.
   void* const moved = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (moved == MAP_FAILED) return nullptr;
   if (mremap(records, shared_, shared_, MREMAP_MAYMOVE | MREMAP_FIXED, moved) == MAP_FAILED) {

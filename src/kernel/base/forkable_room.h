@@ -9,8 +9,8 @@ namespace soarbox::kernel {
 /// An image of the records of an array. Copies of the array share its pages copy-on-write.
 class PageImage {
  public:
-  /// Returns null if there are few records, or if the system does not support such pages (or has none left). Copies of
-  /// the array are then full copies.
+  /// Returns null if the array is small, if there are too many images already, or if the system does not support such
+  /// pages. Copies of the array are then full copies.
   static std::shared_ptr<const PageImage> Of(const void* records, std::size_t bytes);
   ~PageImage();
   PageImage(const PageImage&) = delete;
@@ -24,9 +24,8 @@ class PageImage {
   std::size_t bytes_;  ///< A multiple of the page size.
 };
 
-/// The storage of a PlainVector that is copied often, where each copy changes little. A copy shares the pages of the
-/// original if the original has an image (Linux only). Pages that the copy changes, and records beyond the image, are
-/// its own.
+/// The storage of a PlainVector with many copies that differ little. A copy shares the pages of the original if the
+/// original has an image (Linux only). A copy owns the pages that it changes and the records beyond the image.
 class ForkableRoom {
  public:
   ForkableRoom() = default;

@@ -25,9 +25,9 @@ struct HeapRoom {
   static void Swap(HeapRoom&) noexcept {}
 };
 
-/// A vector of trivially copyable records, for arrays that keep growing. It grows with realloc, which copies nothing
-/// for large arrays and never holds two copies. It grows by a quarter below 8 KB and by an eighth above, where
-/// std::vector would double. `Room` is the storage (HeapRoom, ForkableRoom).
+/// A vector of trivially copyable records, for arrays that keep growing. It grows with realloc, which does not copy
+/// large arrays and never needs memory for two copies. It grows by a quarter below 8 KB and by an eighth above, not by
+/// a factor of two like std::vector. `Room` is the storage (HeapRoom, ForkableRoom).
 template <typename T, typename Room = HeapRoom>
 class PlainVector {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
@@ -108,7 +108,7 @@ class PlainVector {
     room_.Swap(other.room_);
   }
   [[gnu::noinline, gnu::cold]] void Grow(std::size_t size) {
-    constexpr std::size_t kLarge = std::size_t{1} << 13;  // Bytes: of agents there are thousands.
+    constexpr std::size_t kLarge = std::size_t{1} << 13;  // Bytes. Growth is small because there are many agents.
     Reserve(std::max(size, capacity_ + capacity_ / (capacity_ * sizeof(T) < kLarge ? 4 : 8) + 16));
   }
   void Reserve(std::size_t capacity) {

@@ -13,7 +13,7 @@
 namespace soarbox::kernel {
 
 /// The records of one kind that an agent owns. Records never move: a RecordId is a pointer, and references stay valid
-/// while other records are allocated. The record that was freed last is reused first, so the steady state does not
+/// while other records are allocated. Freed records are reused, the last freed first, so the steady state does not
 /// allocate. `kNextFree` is the member that links free records; Give overwrites it.
 template <typename Record, RecordId<Record> Record::*kNextFree>
 class RecordArena {

@@ -5,8 +5,8 @@
 
 namespace soarbox::kernel {
 
-/// Returns true if `pointer` is the only owner of its object. The caller may then change the object in place:
-/// everything that other threads did with it has happened before.
+/// Returns true if `pointer` is the only owner of its object. The caller may then change the object in place: all
+/// accesses by other threads happened before this call returned.
 template <typename T>
 bool IsSoleOwner(const std::shared_ptr<T>& pointer) {
   if (pointer.use_count() != 1) return false;

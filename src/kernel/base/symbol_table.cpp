@@ -138,7 +138,8 @@ struct SymbolTable::Contents {
   std::size_t unpinned = 0;
   std::uint64_t digest = 0;
 
-  /// A cache of recently used variables with short names, by the characters of their names: rules use the same few.
+  /// A cache of recently used variables with short names, indexed by the characters of the name. Rules use the same few
+  /// names.
   struct RecentVariable {
     std::uint64_t characters = 0;
     std::uint32_t length = 0;
@@ -346,7 +347,7 @@ Symbol SymbolTable::FindIdentifier(char letter, std::uint64_t number) const {
   auto& found = contents_->found_identifiers;
   std::uint32_t& at = found[(number + static_cast<unsigned char>(letter) * 7u) % found.size()];
   if (at >= identifiers_.size() || !is_at(at)) {
-    // Names that were not requested yet are mostly new, and new names are at the end.
+    // A name that is not in the cache is usually that of a new identifier, and new identifiers are at the end.
     std::size_t i = identifiers_.size();
     while (i > 0 && !is_at(i - 1)) --i;
     if (i == 0) return {};
@@ -496,8 +497,7 @@ std::shared_ptr<const FrozenSymbols> SymbolTable::Freeze() {
 bool SymbolTable::Adopt(std::shared_ptr<const FrozenSymbols> base) {
   Contents& c = *contents_;
   const ConstantPools& pools = base->pools;
-  // Our own base must be a part of the new one. This is so if ours is still the predefined one, or if both are the
-  // same.
+  // Our base must be a part of the new one. This is certain only if it is the predefined base or the new base itself.
   if (c.base != base && c.base != Predefined()) {
     return false;
   }

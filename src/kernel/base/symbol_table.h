@@ -41,7 +41,7 @@ class SymbolTable {
     return Symbol::FitsInHandle(value) && !pinning_ ? Symbol::SmallInteger(value) : InternInteger(value);
   }
   Symbol Float(double value);
-  /// `name` with its brackets: "<s>". Variables are always pinned.
+  /// `name` includes the brackets: "<s>". Variables are always pinned.
   Symbol Variable(std::string_view name);
   /// The handle of an interned string, or the none symbol. Never interns.
   Symbol FindString(std::string_view text) const;
@@ -158,8 +158,9 @@ class SymbolTable {
 /// True if Soar's lexer reads `text`, written without bars, as exactly this string.
 bool ReadsAsPlainString(std::string_view text);
 
-/// The letter of an identifier that is named after a variable or an attribute: the capital of its first letter. It is I
-/// if the name does not begin with an ASCII letter, and also for S, which is reserved for states.
+/// The letter of an identifier that is named after a variable or an attribute: the first letter of the name, as a
+/// capital. It is I if the name does not begin with an ASCII letter, and also if the letter is S, which is reserved for
+/// states.
 inline char LetterOfIdentifier(std::string_view name) {
   if (!name.empty() && name.front() == '<') name.remove_prefix(1);
   if (name.empty()) return 'I';

@@ -139,7 +139,7 @@ void InputLink::Void(Element& element) {
   element.generation = (element.generation + 1u) & kGenerationMask;
 }
 
-/// Frees the index of an element after its last change was applied.
+/// Frees the index of a removed element after its last change was applied.
 void InputLink::ReleaseIfDone(std::uint32_t place) {
   Element& element = elements_[place];
   if (element.buffered > 0 || element.wme != WmeId::kNone) return;
@@ -168,7 +168,7 @@ void InputLink::Apply(bool unheard) {
 }
 
 void InputLink::LoseElement(std::uint32_t place) {
-  // (The element may have been removed already, together with the structure above it.)
+  // (Working memory may have removed the element already, together with the structure above it.)
   if (const WmeId wme = elements_[place].wme; wme != WmeId::kNone) changes_.Lose(wme);
 }
 

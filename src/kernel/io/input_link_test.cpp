@@ -141,8 +141,8 @@ TEST(InputLink, DecisionsOfAnAgentAtRestAreCountedWithoutBeingMade) {
     ASSERT_EQ(made.State(), skipped.State()) << tick;
   }
   EXPECT_GT(count, 100u);
-  // An observer of decisions is informed of the first one at rest; an observer that wants each one causes them to be
-  // executed.
+  // An observer of kDecision is informed of the first idle decision; the others are still skipped. For an observer of
+  // kDecisionTrace, each decision is executed.
   skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kReason);
   EXPECT_EQ(skipped.agent.Step(RunUnit::kDecision, 5).decisions, 5u);
   skipped.agent.AddObserver(skipped.witness, Event::kDecision | Event::kDecisionTrace);

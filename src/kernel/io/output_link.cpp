@@ -9,7 +9,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// Memory for the output of a small agent, so that its first commands do not allocate more than later ones.
+/// Enough for the output of a small agent, so that its first commands do not allocate more than later ones.
 constexpr std::size_t kUsualElements = 8;
 
 }  // namespace

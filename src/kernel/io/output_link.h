@@ -39,7 +39,7 @@ class OutputLink {
   Symbol identifier() const { return identifier_; }
   /// The differences found by the last output phase with changes. Removals come first, in time-tag order. Additions
   /// follow in the order of a walk from the output link: the elements of an object are adjacent, oldest attribute
-  /// first, and follow those of the parent object. Of several objects below one parent, the newest comes first.
+  /// first, and follow those of the parent object. If a parent has several objects, the newest comes first.
   std::span<const OutputChange> changes() const { return changes_; }
   /// Number of output phases that found a difference. A client compares it with the number that it saw last.
   std::uint64_t generation() const { return generation_; }

@@ -9,8 +9,8 @@
 
 namespace soarbox::kernel {
 
-/// Receives what WmeChanges reports about elements that are added and removed. The match and the links are informed of
-/// all elements directly. These calls are for information that is rarely needed, or that few agents need.
+/// Is informed by WmeChanges of elements that are added and removed. WmeChanges informs the match and the links of all
+/// elements directly. The calls here are for events that are rare or that few agents need.
 class ElementListener {
  public:
   virtual ~ElementListener() = default;
@@ -29,7 +29,7 @@ class ElementListener {
   /// The changes are about to be passed on. Returns true if Entered and Left are to be called for each element. May
   /// throw std::bad_alloc: then nothing is passed on.
   virtual bool FlushBegins(std::size_t added, std::size_t removed) = 0;
-  /// The first added element was removed within the same phase. Called only if FlushBegins returned true.
+  /// The newest added element was removed within the same phase. Called only if FlushBegins returned true.
   virtual void FirstWasLost(WmeId wme) = 0;
   virtual void Entered(WmeId wme) = 0;
   virtual void Left(WmeId wme) = 0;

@@ -27,7 +27,7 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
 
   const IdentifierRecord& source = At(from);
   if (target.parent_link == LinkId::kNone) {
-    // An identifier that just lost its link from a higher level gets a new parent in Settle: its level falls then.
+    // If an identifier has just lost its link from a higher level, Settle gives it a new parent and lowers its level.
     const bool falls = target.rooted && source.level > target.level;
     // An identifier without children cannot be above `from`.
     if (!falls && (target.first_child == LinkId::kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
@@ -85,8 +85,9 @@ void LinkGraph::Remove(LinkId id) {
   links_.Give(id);
 }
 
-/// The identifier lost a link or the last element with it as value, or it is a removed goal. Its place in the queue is
-/// that of the first such loss. But an identifier that loses its last link to garbage is processed immediately.
+/// The identifier lost a link or the last element with it as value, or it is a removed goal. The position in the queue
+/// is that of the first such loss. But while Settle runs, an identifier that loses its last link is processed
+/// immediately.
 void LinkGraph::Post(Symbol id) {
   IdentifierRecord& record = At(id);
   restless_ = true;
@@ -133,7 +134,8 @@ LinkGraph::Ancestry LinkGraph::Trace(Symbol from, Symbol stop) const {
 
 // Settling ------------------------------------------------------------------------------------------------------------
 
-/// Returns true if the identifier is a value of any element: one of garbage, an item of an impasse, or its own.
+/// Returns true if the identifier has a link or is the value of any element. That element may belong to garbage, to an
+/// impasse (an item), or to the identifier itself. Returns false for removed goals.
 inline bool LinkGraph::IsHeld(Symbol id) const {
   const IdentifierRecord& record = memory_.identifier(id);
   if (record.gone) return false;
@@ -313,8 +315,8 @@ void LinkGraph::Rescue() {
 }
 
 /// Elements may outlive their preferences until their slot is decided. If such an element does not belong to garbage,
-/// its value is rescued with everything that it reaches. They are checked again when the last of these elements is
-/// removed.
+/// its value is rescued with everything that it reaches. Rescued values are checked again when the last of these
+/// elements is removed.
 void LinkGraph::RescueNamed() {
   const auto for_each_value = [&](Symbol id, auto visit) {
     for (SlotId slot = memory_.identifier(id).slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) {
@@ -432,8 +434,7 @@ std::string LinkGraph::CheckInvariants(const SymbolTable& symbols) const {
     }
     Symbol up = id;
     for (std::uint32_t steps = 0; memory_.identifier(up).parent_link != LinkId::kNone; ++steps) {
-      if (steps > memory_.identifier_limit())
-        return "the parents of " + ToString(symbols, id) + " go round in a circle";
+      if (steps > memory_.identifier_limit()) return "the parents of " + ToString(symbols, id) + " form a cycle";
       up = memory_.identifier(up).parent_link.record->from;
     }
     if (!memory_.identifier(up).is_goal) continue;

@@ -26,9 +26,9 @@ struct Link {
 /// parent link. The parent links form a tree below every goal; the level of an identifier is that of the goal at its
 /// root.
 ///
-/// Removing a link that is not a parent link changes nothing. When a parent link is removed, another link to the
-/// identifier itself is searched first; only if there is none, links into the rest of its subtree are searched. So the
-/// cost is that of the structure cut off, not that of all working memory.
+/// Removing a link that is not a parent link changes no level. When a parent link is removed, another link to the
+/// identifier itself is searched first. Only if there is none, links into the rest of its subtree are searched. So the
+/// cost depends on the size of the structure cut off, not on that of working memory.
 ///
 /// Invariants after Settle(): an identifier with a parent link has the level of the link's source. Following parent
 /// links ends at a goal (or at an identifier that was never linked). No link leads from a smaller level to a larger

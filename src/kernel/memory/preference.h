@@ -35,7 +35,7 @@ struct Preference {
 
   PreferenceId next_in_slot = PreferenceId::kNone, previous_in_slot = PreferenceId::kNone;
   PreferenceId next_of_instantiation = PreferenceId::kNone, previous_of_instantiation = PreferenceId::kNone;
-  /// Clones: the same result at other levels. Each justification on the way up creates one.
+  /// Clones: the same result at other levels. Each justification that passes the result to a higher level creates one.
   PreferenceId next_clone = PreferenceId::kNone, previous_clone = PreferenceId::kNone;
   /// All live preferences that instantiations of one goal created. They are removed with the goal.
   PreferenceId next_of_goal = PreferenceId::kNone, previous_of_goal = PreferenceId::kNone;

@@ -11,7 +11,7 @@ WmeId WmeChanges::Add(WmeKind kind, Symbol id, Symbol attribute, Symbol value, S
   const WmeId wme = memory_.Make(kind, id, attribute, value, false, slot);
   WmeRecord& record = memory_.mutable_record(wme);
   record.preference = preference;
-  // The preference of an element, if there is one, has the link.
+  // If the element has a preference, the preference holds the link.
   if (preference == PreferenceId::kNone && kind != WmeKind::kArchitecture && value.IsIdentifier()) {
     record.link = links_.Add(id, value);
   }
@@ -46,7 +46,7 @@ void WmeChanges::Record(WmeId wme, WmeKind kind, Symbol id, Symbol attribute, Sy
 void WmeChanges::Lose(WmeId wme) {
   if (memory_.record(wme).gds != 0) {
     listener_.DependencyLost(wme);
-    // An element of the goal itself has gone with it.
+    // If the element belonged to the goal, it was removed with the goal.
     if (!memory_.wme(wme).live) return;
   }
   Remove(wme);

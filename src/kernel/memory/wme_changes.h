@@ -49,7 +49,7 @@ class WmeChanges {
   std::span<const WmeId> dead() const { return dead_; }
 
   void AddReference(WmeId wme);
-  /// Drops a reference to an element. Frees it if it has left the match and was not referred to otherwise.
+  /// Drops a reference to an element. Frees the element if it has left the match and nothing else refers to it.
   void DropReference(WmeId wme);
   /// Frees the indices of removed elements. Call it only if no retraction is pending, because traces may show the
   /// retraction's elements.

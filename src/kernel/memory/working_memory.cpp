@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 const IdentifierRecord WorkingMemory::kUnknownIdentifier{};
 
 WorkingMemory::WorkingMemory(SymbolTable& symbols) : symbols_(symbols) {
-  // Memory for a small agent, so that its first decisions do not allocate more than later ones.
+  // Enough for a small agent, so that its first decisions do not allocate more than later ones.
   constexpr std::size_t kUsual = 64;
   wmes_.reserve(kUsual);
   records_.reserve(kUsual);

@@ -82,7 +82,7 @@ struct Slot {
   bool acceptables_changed : 1 = false;  ///< It is in the list of slots whose acceptable preferences changed.
   bool changed_since_selected : 1 =
       false;                      ///< ^operator of a goal: preferences changed after its operator was selected.
-  bool lost_by_hand : 1 = false;  ///< An element was taken away although there are preferences for its value.
+  bool lost_by_hand : 1 = false;  ///< `wm remove` removed an element that still has preferences.
   std::uint32_t acceptable_count = 0;
   std::uint32_t substate_facts = 0;               ///< O-supported acceptable preferences of substates' rules.
   WmeId wmes = WmeId::kNone;                      ///< Newest first.
@@ -228,8 +228,8 @@ class WorkingMemory {
     Slot& slot = *id.record;
     return slot.is_large || slot.acceptable_count > kManyPreferences ? &LargeOf(slot) : nullptr;
   }
-  /// Whether the slot has an o-supported acceptable preference of the top state's level for a value. Preferences that a
-  /// substate's rule created do not count, because they are removed with the substate.
+  /// Returns whether the slot has an o-supported acceptable preference for `value` on the level of the top state.
+  /// Preferences that a substate's rule created do not count, because they are removed with the substate.
   bool HasTopFact(SlotId slot, Symbol value);
   /// True if the indexes of large slots agree with the slots.
   bool LargeSlotsAreRight() const;
@@ -245,7 +245,8 @@ class WorkingMemory {
   static const IdentifierRecord kUnknownIdentifier;
   /// Up to this number of slots per identifier, slots are found by walking the list; beyond it, by slot_index_.
   static constexpr std::uint16_t kFewSlots = 4;
-  /// A slot with more acceptable preferences has an index in large_slots_. Builds that check invariants use it early.
+  /// A slot with more acceptable preferences has an index in large_slots_. Builds that check invariants use a smaller
+  /// limit, so that tests reach it.
 #ifdef SOARBOX_CHECK_INVARIANTS
   static constexpr std::uint32_t kManyPreferences = 1;
 #else
