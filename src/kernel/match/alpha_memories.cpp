@@ -33,7 +33,7 @@ std::uint32_t AlphaMemories::OldestItem(const AlphaState& memory) const {
   return index;
 }
 
-// Both functions start at the oldest item, so that each bucket is newest first again.
+// Both functions start at the oldest item, so that each bucket is ordered newest first.
 void AlphaMemories::BuildIdTable(std::uint32_t alpha, std::uint8_t bits) {
   AlphaState& memory = states_[alpha];
   MakeTable(memory, memory.id_table, memory.id_bits, bits);

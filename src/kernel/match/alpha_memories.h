@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kTinyMemory = 8;
 struct AlphaItem {
   std::uint32_t wme;
   std::uint32_t alpha;
-  std::uint32_t id, value;                           ///< Symbol bits of the element, for its buckets.
+  std::uint32_t id, value;                           ///< Symbol bits of the element's id and value, for the indexes.
   std::uint32_t next, previous;                      ///< All items of the memory, newest first.
   std::uint32_t next_in_bucket, previous_in_bucket;  ///< Index by identifier, if the memory has one.
   std::uint32_t next_in_pair;                        ///< Index by identifier and value, if it has one.
@@ -53,8 +53,8 @@ static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift
 /// The alpha memories of an agent: the elements that pass each set of constant tests, newest first. Indexes by
 /// identifier, and by identifier and value, are created on demand.
 ///
-/// Invariants: an element has one item in each memory that it fits, on the memory's list, on its own list, and in each
-/// index of the memory. NodeStates stores which nodes are linked to a memory.
+/// Invariants: an element has one item in each memory whose tests it passes. The item is on the memory's list, on the
+/// element's own list, and in each index of the memory. NodeStates stores which nodes are linked to a memory.
 class [[gnu::visibility("hidden")]] AlphaMemories {
  public:
   AlphaState& operator[](std::uint32_t alpha) {

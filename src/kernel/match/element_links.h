@@ -56,7 +56,7 @@ class ElementLinks {
     arrival_of_leaving_ = links_[wme].serial;
     links_[wme].serial = last_serial_ = serial;
   }
-  /// An element leaves and another one takes its place, in one step. Nothing else may refer to it.
+  /// Replaces an element that leaves by another one with the same index. Nothing else may refer to it.
   void Renew(std::uint32_t wme, std::uint64_t serial, std::uint64_t timetag) {
     WmeLinks& link = links_[wme];
     link.serial = last_serial_ = serial;
@@ -75,10 +75,10 @@ class ElementLinks {
   }
   /// The element that is now leaving, or kNil.
   std::uint32_t leaving() const { return leaving_; }
-  /// When the last element arrived or began to leave.
+  /// The serial number of the last event: an element arrived or began to leave.
   std::uint64_t last_serial() const { return last_serial_; }
   bool Holds(std::uint32_t wme) const { return wme < links_.size() && links_[wme].in_match; }
-  /// When an element of the match arrived, even if it is leaving.
+  /// The serial number of the arrival of an element of the match, even if it is leaving.
   std::uint64_t ArrivalOf(std::uint32_t wme) const {
     return wme == leaving_ ? arrival_of_leaving_ : links_[wme].serial;
   }

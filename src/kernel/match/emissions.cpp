@@ -32,7 +32,7 @@ void EmissionReader::AddTo(std::uint32_t index, std::vector<Emission>& emissions
       }
       if (nodes_[node.parent].count == 1 && alphas_[node.alpha].id_bits != 0 && node.IsJoinById() &&
           nodes_.marks(node.parent).HasList()) {
-        // With only one token, the elements are found from the left side.
+        // With only one token, the elements are looked up by its key.
         const std::uint32_t token = nodes_[node.parent].head;
         const std::uint32_t id = tokens_[token].key;
         const AlphaState& alpha = alphas_[node.alpha];

@@ -17,7 +17,7 @@ namespace soarbox::kernel {
 /// A token and an element that a node has passed to its children; kNil where there is none.
 using Emission = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Determines the pairs that the nodes of an agent have emitted and not withdrawn. Create it where you need it.
+/// Determines the pairs that the nodes of an agent have emitted and not withdrawn. Has no state of its own.
 class [[gnu::visibility("hidden")]] EmissionReader {
  public:
   EmissionReader(const Network& network, const AlphaMemories& alphas, const NodeStates& nodes, const TokenPool& tokens,

@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// Creates the tokens of a match without nodes: one per element, in a list that begins with the last token and is
-/// linked through their bucket links. `key` and `mark` are stored in each token (Token::previous_in_bucket).
+/// Creates the tokens of a match without nodes: one per element. Returns the last token, which is the head of a list
+/// that is linked through `next_in_bucket`. `key` and `mark` are stored in each token (`mark` in previous_in_bucket).
 std::uint32_t MakeElementTokens(TokenPool& tokens, ElementLinks& links, std::span<const WmeId> elements,
                                 std::uint32_t key, std::uint32_t mark);
 /// Frees such a list.

@@ -15,7 +15,7 @@ struct GoalView {
   std::span<const GoalLevel> level_of_goal;  ///< The level of an identifier that is a goal, else 0.
   std::span<const std::uint64_t> lti_of;     ///< The long-term identifier that it is linked to, else 0.
 
-  /// The level of any symbol; 0 if it is not a goal.
+  /// The level of the goal `id`; 0 if the symbol is not a goal.
   GoalLevel LevelOf(Symbol id) const {
     return id.IsIdentifier() && id.index() < level_of_goal.size() ? level_of_goal[id.index()] : GoalLevel{0};
   }

@@ -18,7 +18,7 @@ void JoinLinks::FindOnlyId(const Network& network, const NodeStates& nodes, Only
   if (node.kind != NodeKind::kJoin || node.key == KeyKind::kNone || nodes[node.parent].count != 1 ||
       network.node(node.parent).kind != NodeKind::kMemory || nodes.marks(node.parent).Is(NodeMarks::kSparse) ||
       nodes.marks(node.parent).bits() != 0) {
-    return;  // A table is not searched for the one token in it.
+    return;  // Also if the only token is in a table: it is not searched there.
   }
   const Node& memory = network.node(node.parent);
   const std::uint32_t token = nodes[node.parent].head;

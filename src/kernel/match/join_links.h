@@ -14,7 +14,7 @@
 namespace soarbox::kernel {
 
 /// Links joins and negative nodes to their memories and alpha memories, and unlinks them (unlinking is described at
-/// NodeState). Create it where you need it.
+/// NodeState). Has no state of its own.
 class [[gnu::visibility("hidden")]] JoinLinks {
  public:
   [[gnu::always_inline]] JoinLinks(const Network& network, AlphaMemories& alphas, NodeStates& nodes, OnlyIds& only_ids,
@@ -54,7 +54,7 @@ class [[gnu::visibility("hidden")]] JoinLinks {
     }
     return true;
   }
-  /// A pair is about to enter a sparse memory. The memory's join is linked while there are other pairs.
+  /// A pair is about to enter a sparse memory. If it is the first one, its join must be linked to the alpha memory.
   [[gnu::always_inline]] void LinkOnlyJoin(std::uint32_t memory, std::uint32_t join) {
     if (nodes_[memory].count == 0 && nodes_.marks(join).Is(NodeMarks::kLeftLinked) &&
         !nodes_.marks(join).Is(NodeMarks::kRightLinked)) {
@@ -82,8 +82,8 @@ class [[gnu::visibility("hidden")]] JoinLinks {
   [[gnu::always_inline]] void FindOnlyId(std::uint32_t node) {
     FindOnlyId(network_, nodes_, only_ids_, tokens_, wmes_, node);
   }
-  /// One more node uses an alpha memory. The memory becomes busy when many of its nodes are linked; they are counted
-  /// only from time to time.
+  /// One more node uses an alpha memory. The memory becomes busy when many of its nodes are linked. They are counted
+  /// only at every busy_from()-th use.
   void NoteNodes(std::uint32_t alpha);
 
  private:

@@ -22,24 +22,24 @@ class KeySignatures {
   static Set Of(std::uint32_t id) { return Set{1} << (id * 0x9E3779B1u >> 26); }
 
   bool empty() const { return sets_.empty(); }
-  /// A token has entered a node, which now has `count`.
+  /// A token has entered a node, which now has `count` tokens.
   void Add(std::uint32_t node, std::uint32_t id, std::uint32_t count) {
     Set& set = sets_[node];
     set = (count == 1 ? 0 : set) | Of(id);
   }
   /// False if no token of the node waits for the identifier.
   bool MayHave(std::uint32_t node, std::uint32_t id) const { return (sets_[node] & Of(id)) != 0; }
-  /// Whether the set must contain hashes of tokens that have left, because it has more than the node has tokens. Only
-  /// of a node with so few that the set is worth making again.
+  /// Returns true if the set has more hashes than the node has tokens, so that some of them belong to tokens that have
+  /// left. Always false for nodes with so many tokens that computing the set again is not worthwhile.
   bool IsStale(std::uint32_t node, std::uint32_t count) const {
     constexpr std::uint32_t kMost = 32;
     return count <= kMost && static_cast<std::uint32_t>(std::popcount(sets_[node])) > count;
   }
   void Replace(std::uint32_t node, Set set) { sets_[node] = set; }
-  /// The tokens of the node are no longer added here until it has been empty.
+  /// Adds all hashes. They stay in the set until the node gets a first token again.
   void AddAll(std::uint32_t node) { sets_[node] = kAll; }
 
-  /// Creates the sets of this many nodes. Nothing is known about their tokens yet.
+  /// Creates the sets for this number of nodes. Each set contains all hashes at first.
   void Begin(std::size_t nodes) { sets_.resize(nodes, kAll); }
   /// The number of nodes is now `nodes`.
   void MakeRoom(std::size_t nodes) {

@@ -239,7 +239,7 @@ TEST_F(MatchPartsTest, ATableGrowsWithItsKeysNotWithTokensOfTheSame) {
     nodes.Insert(tokens, 2, tokens.Make(elements, 2, kNil, wme), n < 1000 ? n % 3 : n, true);
   }
   EXPECT_EQ(nodes.marks(1).bits(), 8u);
-  EXPECT_EQ(nodes.marks(2).bits(), 12u);  // Checked at 2,048 and 4,096 tokens, when there were many keys at last.
+  EXPECT_EQ(nodes.marks(2).bits(), 12u);  // Checked at 2,048 and 4,096 tokens; by then there are many keys.
   EXPECT_EQ(TokensAt(1).size(), 5000u);
   EXPECT_EQ(TokensAt(2).size(), 5000u);
 }
@@ -337,7 +337,7 @@ TEST_F(MatchPartsTest, ARunIsStaleOnceItsTokenHasLeftAndThenMakesRoom) {
                 {n == 0 ? second : first, 3, tokens.TakeSerial(), elements[b].serial, elements[a].serial});
     if (n == 10) tokens.ForgetPairs(tokens[first]);
   }
-  EXPECT_EQ(memory.saved, 3 * 10u);  // The log has room for sixteen pairs; ten of them were stale then.
+  EXPECT_EQ(memory.saved, 3 * 10u);  // The log has room for sixteen pairs, and ten of these were stale.
   EXPECT_EQ(memory.runs.size(), 10u);
   EXPECT_EQ(memory.runs.front().parent, second);
   EXPECT_TRUE(std::ranges::none_of(memory.runs, [&](const ParkedRun& run) { return sparse.IsStale(tokens, run); }));

@@ -72,8 +72,8 @@ class MatchSet {
   /// Takes the newest retraction of a level (0: the no-goal list), or kNone. Its elements, rule and instantiation stay
   /// readable until Release.
   MatchId TakeRetraction(GoalLevel level);
-  /// Releases a taken match. Also allowed for a fired match whose instantiation ended otherwise: it still matches,
-  /// without effect.
+  /// Releases a taken match. Also allowed for a fired match if its instantiation ended for another reason. The rule
+  /// then still matches, but the match has no effect.
   void Release(MatchId match);
 
   /// Number of calls of GoalRemoved.
@@ -106,7 +106,8 @@ class MatchSet {
     GoalLevel level = 0;
     bool o_support = false;
   };
-  /// An equal match that waits for its retraction and that `arrival.token` matches again; kNone if there is none.
+  /// If an equal match waits for its retraction, makes it a fired match again, with the token of `arrival`, and returns
+  /// it. Else returns kNone.
   MatchId Revive(const Arrival& arrival, const WmeTable& wmes);
   /// Returns false if no waiting retraction of the rule can return.
   bool MayReturn(std::uint32_t production) const { return rules_[production].returnable != 0; }
@@ -119,7 +120,7 @@ class MatchSet {
   /// Whether to record new assertions of a rule; see TakeInterrupting.
   void SetInterrupts(std::uint32_t production, bool on) { rules_[production].interrupts = on; }
   bool HasInterrupting() const { return !interrupting_.empty(); }
-  /// The rules with interrupts that have new assertions since the last call, each once.
+  /// Returns the rules with interrupts that got new assertions since the last call, each once.
   std::vector<std::uint32_t> TakeInterrupting() { return std::exchange(interrupting_, {}); }
   /// Frees the memory reserved for more rules.
   void ShrinkRules() { rules_.shrink_to_fit(); }
@@ -135,8 +136,7 @@ class MatchSet {
   void Drop(MatchId match);
   std::uint32_t TokenOf(MatchId match) const { return records_[Index(match)].token; }
   std::uint32_t ProductionOf(MatchId match) const { return records_[Index(match)].production; }
-  /// An instantiation refers to the rule, although its match may be released. The rule keeps its number until the hold
-  /// ends.
+  /// An instantiation refers to the rule and may outlive its match. The rule keeps its number until LetGoOfRule.
   void HoldRule(ProductionId production) { ++rules_[Index(production)].live; }
   void LetGoOfRule(ProductionId production) { --rules_[Index(production)].live; }
   /// Number of records in use and holds of a rule. If it is 0, the rule's number is free.
@@ -170,7 +170,7 @@ class MatchSet {
     Symbol goal;
     InstantiationId instantiation = InstantiationId::kNone;
     std::uint32_t next = kNil, previous = kNil;  ///< In its list; `next` also in the free list.
-    std::uint32_t generation = 0;  ///< That of its level at its creation; shows whether the goal was removed since.
+    std::uint32_t generation = 0;  ///< The level's generation at its creation; differs if the goal was removed since.
     std::uint32_t hash_previous = kNil;
     std::uint64_t stamp = 0;         ///< Running number of assertions and retractions, for the order of display.
     std::uint64_t last_timetag = 0;  ///< The highest time tag when it became a retraction.

@@ -3,10 +3,11 @@
 
 namespace soarbox::kernel {
 
-/// As in Soar 9.6.3, all matches of the rule matter, the newest first: the actions of the new match are checked against
-/// the operator that each of them tests. The support is mixed if an action changes the operator of one match, and
-/// another action, checked against that match or a newer one, changes something else. Mixed matches are i-supported
-/// unless an older match objects.
+/// As in Soar 9.6.3, the support of a new match depends on all matches of its rule. They are considered in turn: the
+/// new one first, then the others, newest first. Each time, the actions of the new match are compared with the operator
+/// that the considered match tests. If an action changes something other than this operator, the new match becomes
+/// o-supported. If an action changes this operator and the new match is o-supported at this point, the support is
+/// mixed: it becomes i-supported again. A match that is considered later can make it o-supported again.
 bool MatchSupport::ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arrival, const GoalView& goals,
                              const TokenPool& tokens, std::uint32_t other, std::uint32_t count) {
   if (arrival.production >= shared_.size()) {
@@ -28,8 +29,8 @@ bool MatchSupport::ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arri
   if (count == 0) {
     shared = {own.selected, goals_removed, !has_a_say};
   }
-  // For rules with many matches: if none of them objects, they are not checked again for each new match, so that the
-  // total cost is linear.
+  // For rules with many matches: if no match tests an operator of its goal, the others are not considered again for
+  // each new match. So the total cost is linear.
   if (!has_a_say && shared.none_has_a_say && shared.goals_removed == goals_removed) {
     return false;
   }

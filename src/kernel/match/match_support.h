@@ -45,7 +45,7 @@ class [[gnu::visibility("hidden")]] MatchSupport {
   /// other matches, `count` of them, newest first.
   bool ByMatches(const RuleInfo& rule, const MatchSet::Arrival& arrival, const GoalView& goals, const TokenPool& tokens,
                  std::uint32_t other, std::uint32_t count);
-  /// A rule is new, or ByMatches has not seen some of its matches.
+  /// A rule is new, or ByMatches was not called for some of its matches.
   void Forget(std::uint32_t rule) {
     if (rule < shared_.size()) {
       shared_[rule] = SharedOperator();

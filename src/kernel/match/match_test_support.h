@@ -15,7 +15,7 @@
 
 namespace soarbox::kernel {
 
-/// The nth of a few instantiations for matches to refer to: the matcher never looks inside.
+/// The nth of a few instantiations that matches can refer to. The matcher never reads their contents.
 InstantiationId SomeInstantiation(std::size_t n);
 
 /// Working memory for tests: a table of elements, goals, and a Rete over them. Words: "S1" is an identifier, "<x>" a

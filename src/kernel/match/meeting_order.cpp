@@ -8,7 +8,7 @@ namespace soarbox::kernel {
 
 /// Whether a token of a path was created when its element arrived, and not when the token above it was created.
 bool MeetingOrder::CameWithElement(const Token& token) const {
-  // Below the anchor this is always so, because the owners existed before.
+  // The first token of a path counts as such a token, so that searches end below the anchor.
   const Token& above = tokens_[token.parent];
   return above.parent == kNil || elements_.ArrivalOf(token.wme) > above.serial;
 }
@@ -46,7 +46,7 @@ bool MeetingOrder::CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const
     if (x.serial == y.serial && x.prefix == y.prefix) {
       return a.place > b.place;
     }
-    // One element completed both: it was joined first with the newest token.
+    // One element completed both. Then it was joined first with the newest token.
     x.prefix = of_x.parent;
     y.prefix = of_y.parent;
     std::swap(x, y);

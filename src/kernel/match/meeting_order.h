@@ -26,7 +26,7 @@ class [[gnu::visibility("hidden")]] MeetingOrder {
 
   /// The meeting of an owner and a token on a path.
   OwnerAndPath Meeting(std::uint32_t owner, std::uint32_t prefix) const;
-  /// Whether the partial match of a's owner and prefix would have been created after that of b.
+  /// Whether the partial match of a's owner and prefix would have been created after that of b's.
   bool CameLater(const OwnerAndPath& a, const OwnerAndPath& b) const;
 
  private:

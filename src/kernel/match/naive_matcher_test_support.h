@@ -13,8 +13,8 @@
 
 namespace soarbox::kernel {
 
-/// All matches of a rule, as time tags in condition order, found by backtracking over all elements: the reference for
-/// the Rete. For tests only. Shares no code with the Rete.
+/// All matches of a rule, as time tags in condition order, found by backtracking over all elements. It is the reference
+/// for the Rete, with which it shares no code. For tests only.
 std::multiset<std::vector<std::uint64_t>> MatchNaively(const Production& rule, const SymbolTable& symbols,
                                                        const WmeTable& wmes, std::span<const WmeId> live,
                                                        const GoalView& goals);

@@ -42,7 +42,7 @@ enum class NodeKind : std::uint8_t {
 enum class KeyKind : std::uint8_t {
   kNone,     ///< No key: every pair is tested.
   kId,       ///< The element's identifier equals an earlier binding.
-  kIdValue,  ///< The value also equals a binding. Both are mixed into 32 bits: check each hit on the left side.
+  kIdValue,  ///< The value also equals a binding. Different pairs may have the same 32-bit key.
 };
 
 enum class TestOp : std::uint8_t {
@@ -159,7 +159,7 @@ struct NodePlan {
   NodeShape shape;
   std::span<const NodeTest> tests;
   std::span<const std::uint32_t> disjuncts;  ///< Of the tests.
-  std::uint32_t digest = 0;                  ///< Distinguishes nodes that FindShared never looks for.
+  std::uint32_t digest = 0;                  ///< Distinguishes nodes that FindShared never looks for; 0 for others.
   // These fields are used only if the node is created.
   std::uint32_t ancestor = kNil;
   std::uint32_t rule = kNil;
@@ -298,7 +298,7 @@ class [[gnu::visibility("hidden")]] Network {
   /// A mutable copy. `many`: more copies may follow; they share unchanged pages if there are enough. Callable from any
   /// thread.
   std::shared_ptr<Network> Fork(bool many) const;
-  /// The network has one owner and is about to change: later copies are based on the result.
+  /// Call before changing a network with one owner. Later copies then contain the changes.
   void BeginChange() {
     if (has_images_) {
       ForgetImages();

@@ -39,8 +39,8 @@ struct NodeState {
 };
 static_assert(sizeof(NodeState) == 16, "nodes are addressed by a shift");
 
-/// The small part of a node's state, in a separate array to avoid padding. It is one 16-bit number, because stores of
-/// bytes, which may alias anything, would force the compiler to reload its registers.
+/// The small part of a node's state, in a separate array to avoid padding. It is one 16-bit number and not several
+/// bytes: bytes may alias any object, so storing one would force the compiler to reload its registers.
 class NodeMarks {
  public:
   // How a node relates to sparse memories (rete_sparse.cpp).

@@ -32,7 +32,7 @@ bool PairTests::PassesTest(const NodeTest& test, std::uint32_t parent, std::uint
   switch (test.op) {
     case TestOp::kEqual:
     case TestOp::kNotEqual:
-      break;  // Decided above.
+      break;  // Compare decides these.
     case TestOp::kLess:
       passed = CompareSymbols(symbols_, value, referent) < 0;
       break;

@@ -9,8 +9,8 @@
 
 namespace soarbox::kernel {
 
-/// Generates random rules and elements with few identifiers, attributes and values. So many rules match, and an element
-/// often matches twice in a rule. Equal seeds give equal results.
+/// Generates random rules and elements with few identifiers, attributes and values. Therefore many rules match, and an
+/// element often matches twice in a rule. Equal seeds give equal results.
 class RandomRules {
  public:
   RandomRules(MatchFixture& fixture, std::uint32_t seed);

@@ -24,7 +24,7 @@ class Records {
 
 /// A growing array of plain records for the innermost loops. A record is addressed by a 32-bit handle: its offset from
 /// the start in bytes, so that following a link needs no multiplication. Records are not destroyed individually. The
-/// array grows by reallocation, which copies nothing for large arrays.
+/// array grows by reallocation, which does not copy large arrays.
 template <typename T>
 class RecordArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

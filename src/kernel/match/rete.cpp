@@ -149,7 +149,7 @@ bool Rete::AdoptNetwork(const std::shared_ptr<const Network>& network) {
   if (!network->SameAs(*state_->network)) {
     return false;
   }
-  // A topology with more than one owner is never changed: OwnNetwork copies it first.
+  // A topology with more than one owner is never changed: Network::Own copies it first.
   state_->network = std::const_pointer_cast<Network>(network);
   // Many agents may share it, and most of them get no more rules.
   state_->nodes.ShrinkToFit();

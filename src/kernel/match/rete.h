@@ -79,8 +79,8 @@ class Rete {
   void RemoveWme(WmeId wme, const GoalView& goals);
   /// Removes all elements and matches, but keeps the rules (init-soar).
   void Clear();
-  /// Call it when memory ran out in the middle of a change: frees the memory of partial matches. Nothing may be matched
-  /// afterwards. Rules and the match set stay readable, and the queries below find no matches.
+  /// Call it after memory ran out in the middle of a change. Frees the memory of partial matches. Nothing may be
+  /// matched afterwards. Rules and the match set stay readable, and the queries below find no matches.
   void Abandon();
 
   /// Adds a match without a rule in the network, fired from the start. It becomes a retraction as soon as one of the
@@ -137,8 +137,8 @@ class Rete {
   /// A digest of all rules added and excised so far. Agents with equal digests, equal frozen symbols and equal rules
   /// have equal topologies.
   std::uint64_t NetworkDigest() const;
-  /// Replaces its own network by `network` if the two are equal, and frees the room in its own state for more nodes and
-  /// rules; false (and no change) otherwise.
+  /// If `network` equals its own network, replaces its own by it, frees reserved memory for further nodes and rules,
+  /// and returns true. Else changes nothing and returns false.
   bool AdoptNetwork(const std::shared_ptr<const Network>& network);
 
   struct Statistics {
@@ -149,7 +149,7 @@ class Rete {
   std::size_t MemoryBytes() const;   ///< This agent's part.
   std::size_t NetworkBytes() const;  ///< The topology.
 
-  /// Checks links, counts, indices and unlinking; an empty text if all is well. Slow.
+  /// Checks links, counts, indices and unlinking. Returns an empty text if there is no error. Slow.
   std::string CheckInvariants() const;
 
  private:
@@ -162,9 +162,9 @@ class Rete {
   std::unique_ptr<struct ReteState> state_;
 };
 
-/// True for an element of the match that no rule tests, and that no rule would test if it had this value.
+/// Returns true if the match contains the element, no rule tests it, and no rule would test it if it had this value.
 bool IsUntested(const Rete& rete, WmeId wme, Symbol value);
-/// Has the effect of removing such an element, whose value has changed, and adding another one in its place.
+/// Call after the value of such an element has changed. Equivalent to removing the old element and adding the new one.
 void Renew(Rete& rete, WmeId wme);
 /// The running number of an element's arrival in the match; 0 if it is not in the match.
 std::uint64_t ArrivalOf(const Rete& rete, WmeId wme);

@@ -248,8 +248,8 @@ std::uint32_t ReteBuilder::FindOrMakeShaped(std::uint32_t parent, NodeKind kind,
   return shared != kNil ? shared : Make(plan, hash);
 }
 
-/// For a memory, the anchors with the same index and parent; for anchors, such a memory. kNil if there is none. Without
-/// sharing the two would be one node, so they must be adjacent.
+/// Returns the anchors node with the same key and parent as a memory, or such a memory for an anchors node; kNil if
+/// there is none. Without sharing, the two would be one node, so they must be adjacent.
 std::uint32_t ReteBuilder::TwinOf(std::uint32_t index) const {
   const Node& node = state_.network->node(index);
   if (!state_.shared.exist || (node.kind != NodeKind::kAnchors && node.kind != NodeKind::kMemory)) {
@@ -320,8 +320,8 @@ std::uint32_t ReteBuilder::BuildPositive(const Condition& condition, std::uint32
   return join;
 }
 
-/// In Soar a memory with one join is one node with the join. It becomes a separate node with the second join, and is
-/// merged again when only one is left; the merged node is then its parent's newest child.
+/// In Soar, a memory with only one join forms one node with it. The two are separated when a second join is added, and
+/// merged when only one join is left. The merged node then becomes the newest child of its parent.
 void ReteBuilder::MoveIfJoinsAre(std::uint32_t count, std::uint32_t memory) {
   Network& network = *state_.network;
   const std::uint32_t twin = TwinOf(memory);
@@ -348,8 +348,8 @@ std::uint32_t ReteBuilder::BuildNegative(const Condition& condition, std::uint32
   return FindOrMake(emitter, NodeKind::kNegative, condition);
 }
 
-// The conjunction's own nodes must process a token before the conjunctive node does, so that the token is blocked in
-// time. Therefore they are placed before it.
+// The nodes of the conjunction must process a token before the conjunctive node does, so that the token is blocked in
+// time. Therefore they are before it in the list of children.
 std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   if (CanBeShared(condition, emitter, depth)) {
     return BuildShared(condition, emitter, depth);
@@ -358,7 +358,7 @@ std::uint32_t ReteBuilder::BuildConjunctive(const Condition& condition, std::uin
   const std::uint32_t bottom = BuildAll(condition.conditions(), emitter, depth);
   Unbind(trail);
   if (bottom == emitter) {
-    return emitter;  // The conjunction is empty; the parser never creates such a one.
+    return emitter;  // The conjunction is empty. The parser never creates one.
   }
   NodePlan node;
   node.parent = emitter;

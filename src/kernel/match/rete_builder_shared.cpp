@@ -102,7 +102,7 @@ bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter,
   memory.parent = emitter;
   memory.shape = ShapeOf(NodeKind::kAnchors, depth, anchor);
   if (state_.network->FindShared(memory, memory.Hash()) != kNil) {
-    return true;  // An equal rule would be shared, too.
+    return true;  // Another shared conjunction has the same anchors.
   }
   memory.shape.kind = NodeKind::kMemory;
   return state_.network->FindShared(memory, memory.Hash()) == kNil && state_.emissions().Of(emitter).size() < 2;

@@ -44,7 +44,7 @@ class Checker {
     for (std::uint32_t item = memory.first; item != kNil; item = s_.alphas.item(item).next) {
       Expect(s_.alphas.item(item).previous == previous, "broken list of items", alpha);
       Expect(s_.alphas.item(item).alpha == alpha, "item of another alpha memory", alpha);
-      Expect(s_.links[s_.alphas.item(item).wme].in_match, "item of an element that has gone", alpha);
+      Expect(s_.links[s_.alphas.item(item).wme].in_match, "item of an element that is not in the match", alpha);
       previous = item;
       ++count;
     }
@@ -69,7 +69,7 @@ class Checker {
       }
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
         for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
-          Expect(up != node, "an ancestor stands before its descendant", later);
+          Expect(up != node, "an ancestor is before its descendant", later);
         }
       }
       previous = node;
@@ -135,7 +135,7 @@ class Checker {
       const bool right = s_.alphas[node.alpha].count != 0;
       Expect(left_linked || right_linked, "join unlinked on both sides", index);
       Expect(!(left && right) || (left_linked && right_linked), "join is not linked", index);
-      Expect(!(left_linked && right_linked) || (left && right), "join is linked in vain", index);
+      Expect(!(left_linked && right_linked) || (left && right), "join is linked although one side is empty", index);
       Expect(left_linked || !right, "join left-unlinked from a full alpha memory", index);
       Expect(right_linked || !left, "join right-unlinked with a full memory", index);
       return;
@@ -167,7 +167,7 @@ class Checker {
     count = state.count;
     Expect((node.kind == NodeKind::kGuard && state.first_linked == kNil) || TestsLinks(network_.node(node.parent)) ||
                s_.emissions().Of(node.parent).size() == count,
-           "memory differs from what reaches it", index);
+           "tokens of a memory differ from the pairs that reach it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(right_linked == (count != 0), "negative node linked wrongly", index);
       s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) { CheckResults(node, token); });
@@ -272,7 +272,7 @@ class Checker {
     }
     Expect(indexed == memory.indexed, "wrong count of parked pairs", index);
     for (const auto& [pair, missing] : pairs) {
-      Expect(missing == 0, "pair of a sparse memory is lost or there twice", index);
+      Expect(missing == 0, "pair of a sparse memory is missing or duplicated", index);
     }
     s_.nodes.ForEachToken(s_.tokens, above, [&](std::uint32_t token) {
       Expect(s_.tokens[token].pairs == of_token[token], "wrong number of pairs of a token", token);

@@ -37,7 +37,7 @@ namespace {
   return item;
 }
 
-/// Same as a separate function, for loops in which few items get so far.
+/// Same as a separate function, for loops that seldom call it.
 [[gnu::noinline]] std::uint32_t FirstPassingOf(const ReteState& state, const RightSide& right, const Node& join,
                                                const KeyParts& key, std::uint32_t parent, std::uint32_t wme,
                                                std::uint32_t item) {
@@ -474,7 +474,7 @@ void ReteState::LeftMemory(std::uint32_t index, std::uint32_t parent, std::uint3
   }
 }
 
-/// Passes it to the joins in the memory's list, from `next` on.
+/// Passes the token to the joins in the memory's list, from `next` on.
 void ReteState::JoinRest(std::uint32_t next, std::uint32_t token, KeyParts key) {
   while (next != kNil) {
     const std::uint32_t join = next;
@@ -619,7 +619,7 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
 void ReteState::RightMatch(std::uint32_t index, std::uint32_t wme, std::uint32_t token, std::uint32_t key) {
   const Node& node = network->node(index);
   const Wme& element = wmes[wme];
-  std::uint32_t late = 0;  // Number of tokens that would have been parked.
+  std::uint32_t late = 0;  // Number of tokens that join. A sparse memory would have parked them.
   if (nodes.marks(index).Is(NodeMarks::kFeedsSparse)) {
     gathered.clear();
     ForEachLeft(*this, node, token, key, element, [this](std::uint32_t left) { gathered.push_back(left); });
@@ -737,7 +737,7 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     const bool is_join = node.kind == NodeKind::kJoin;
     const std::uint32_t memory = is_join ? node.parent : index;
     if (wanted == 0 && is_join && nodes[memory].count == 1) {
-      FindOnlyId(*this, index);  // It had more than one token.
+      FindOnlyId(*this, index);  // The memory had more than one token.
       wanted = ids[index];
       if (wanted != 0 && wanted != id) {
         continue;

@@ -116,7 +116,7 @@ void ReteState::LeftPartner(std::uint32_t node_index, std::uint32_t parent, std:
   BlockOwner(owner, parent, wme);
 }
 
-/// Makes (parent, wme) a result that blocks a conjunctive token; removes the tokens that the token led to.
+/// Makes (parent, wme) a result that blocks the conjunctive token `owner`. Removes the tokens below it.
 void ReteState::BlockOwner(std::uint32_t owner, std::uint32_t parent, std::uint32_t wme) {
   if ((tokens[owner].node & Token::kBlockedBit) == 0) {
     while (tokens[owner].first_child != kNil) {

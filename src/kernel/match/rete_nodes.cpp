@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Adds and removes nodes, together with the agent's state of them.
+// Adds and removes nodes, and their state in the agent.
 #include <utility>
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 
 void ReteState::NodeAdded(std::uint32_t index) {
-  nodes.MakeRoom(index + 1u);  // Otherwise RemoveNode has reset its state.
+  nodes.MakeRoom(index + 1u);  // A reused index needs no initialization: RemoveNode has reset its state.
   only_ids.MakeRoom(nodes.size());
   signatures.MakeRoom(nodes.size());
   ChildAdded(index);
@@ -40,7 +40,7 @@ void ReteState::NodeAdded(std::uint32_t index) {
 void ReteState::Prime(std::uint32_t child) {
   const std::uint32_t parent = network->node(child).parent;
   if (network->node(parent).kind == NodeKind::kMemory || network->node(parent).kind == NodeKind::kAnchors) {
-    return;  // A join emits when it gets children.
+    return;  // The child is a join: it emits pairs when its own children are primed.
   }
   std::vector<Emission> all = std::exchange(primed, {});
   all.clear();

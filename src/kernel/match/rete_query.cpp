@@ -147,7 +147,7 @@ std::size_t Rete::CountTokens(ProductionId production, bool complete) const {
         n.kind == NodeKind::kAnchors || n.kind == NodeKind::kPaths) {
       count += state_->nodes[node].count;
     }
-    // The conjunction is below the node before it, so its nodes lead further up.
+    // Continues with the nodes of the conjunction. They lead up to the node before it.
     node = n.kind == NodeKind::kConjunctive ? network.node(n.partner()).parent : n.parent;
   }
   return count;

@@ -123,7 +123,7 @@ void ReteState::RemoveSubtree(std::uint32_t root) {
           tokens.ForgetPairs(leaf);
         }
         if (nodes.marks(node).Is(NodeMarks::kSparse)) {
-          --SparseOf(node).tokens;  // As a pair, it is counted off when its element or its parent leaves.
+          --SparseOf(node).tokens;  // As a pair, it is subtracted when its element or its parent leaves.
         } else if (--nodes[node].count == 0) {
           joins().MemoryEmptied(node);
         }
@@ -149,7 +149,7 @@ void ReteState::RemoveRareLeaf(std::uint32_t index) {
       tokens.Free(index);
       if (network->node(node).IsShared()) {
         const std::uint32_t anchor = std::exchange(tokens[index].pairs, 0);
-        tokens[index].node = 0;  // So that it does not count as an owner any more.
+        tokens[index].node = 0;  // So that it no longer counts as an owner.
         shared.last_owner = shared.last_owner == index ? kNil : shared.last_owner;
         if (--tokens[anchor].previous_sibling == 0) {  // It was the last of its owners.
           tokens[anchor].previous_sibling = kNil;

@@ -89,7 +89,7 @@ void ReteBuilder::RemoveUnused(std::uint32_t index) {
     }
     if (node.kind == NodeKind::kConjunctive) {
       const std::uint32_t partner = node.partner();
-      next = state_.network->node(partner).parent;  // Leads up to this node's own parent.
+      next = state_.network->node(partner).parent;  // The conjunction's nodes lead up to this node's parent.
       state_.RemoveNode(partner);
     }
     const bool was_join = node.kind == NodeKind::kJoin;

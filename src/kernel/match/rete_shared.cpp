@@ -84,7 +84,7 @@ void ReteState::BlockOwners(std::uint32_t above) {
         continue;
       }
       if ((tokens[owner].node & Token::kBlockedBit) != 0) {
-        BlockOwner(owner, path, kNil);  // A further result, whose order does not matter.
+        BlockOwner(owner, path, kNil);  // A further result. Its order does not matter.
         continue;
       }
       OwnerAndPath meeting = order.Meeting(owner, prefix);

@@ -4,10 +4,10 @@
 #include "kernel/match/rete_inline.h"
 
 /// Sparse memories. Most pairs that reach a memory never join with anything, because the join below is a filter (has
-/// this colour, is the current one). Such a filter is found where a memory, its only join, the only memory of that join
-/// and the only join of that memory form a chain. The lower memory becomes sparse when many of its pairs do not join. A
-/// sparse memory creates a token for a pair only when the pair joins. Until then the pair is parked, and is on no list
-/// of its token or its element.
+/// this colour, is the current one). Filters are detected in chains of only children: a memory, its join, the memory
+/// below, and its join. The lower memory becomes sparse when many of its pairs do not join. A sparse memory creates a
+/// token for a pair only when the pair joins. Until then the pair is parked, and is on no list of its token or its
+/// element.
 ///
 /// Sparse memories have no observable effect. A pair gets its serial number when it arrives. Lists to which a late
 /// token is added are sorted by serial number before their order matters. The count of a sparse memory includes parked
@@ -15,8 +15,8 @@
 /// memory or its token is removed. Parked pairs themselves are dropped later, when their space is needed.
 ///
 /// A memory is a *hop* if its pairs are found by the value of their element: (s ^many x) above (x ^attribute known). A
-/// new token meets each x of a bucket, and hardly any x has the attribute. Pairs that are adjacent in the bucket are
-/// parked as one *run*, which only stores the first and last element; the pairs are counted, but nothing is written for
+/// new token is joined with each x of a bucket, but few x have the attribute. Pairs that are adjacent in the bucket are
+/// parked as one *run*, which only stores the first and last element. The pairs are counted, but nothing is written for
 /// each. An element that arrives at the join below finds x by the value, and the tokens above by x's identifier. Then
 /// it splits the run at the pair. The pair's serial number is that of the run plus the number of the run's elements
 /// before it. If some elements have left, it is smaller than originally, but the order is the same. The elements of a
@@ -46,7 +46,7 @@ void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint3
   const NodeMarks above = nodes.marks(feeding.parent);
   const bool sorted = !above.Is(NodeMarks::kSparse) || !SparseOf(feeding.parent).unsorted;
   const std::size_t before = gathered.size();
-  bool too_many = false;  // The table is faster.
+  bool too_many = false;  // True if searching the table is faster.
   alphas.ForEachWithValue(feeding.alpha, element.id.bits(), [&](const AlphaItem& item) {
     const std::uint64_t arrival = links[item.wme].serial;
     for (std::uint32_t token = nodes.BucketHead(feeding.parent, above.bits(), item.id); token != kNil;

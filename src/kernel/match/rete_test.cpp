@@ -140,7 +140,8 @@ TEST_F(ReteTest, MixedElaborationAndApplicationIsReportedAndGetsISupport) {
   Add("S1", "operator", "O1");
   Add("S1", "operator", "O2");
   EXPECT_EQ(reports, 2);
-  // The second match is mixed with respect to its own operator, but only applies that of the older match.
+  // The second match is mixed with respect to its own operator. With respect to the older match's operator, it only
+  // applies.
   EXPECT_EQ(rete.matches().Pending(MatchSet::List::kIAssertions).size(), 1u);
   EXPECT_EQ(rete.matches().Pending(MatchSet::List::kOAssertions).size(), 1u);
 }

@@ -41,7 +41,7 @@ bool SameValue(const RhsValue& a, const RhsValue& b) {
     case RhsValueKind::kFunction:
       break;
   }
-  // As in Soar, a call with fewer arguments at the end counts as the same.
+  // As in Soar, two calls are equal if one of them only lacks some of the last arguments.
   const std::size_t both = std::min(a.arguments().size(), b.arguments().size());
   return a.function_index() == b.function_index() &&
          std::ranges::equal(a.arguments().first(both), b.arguments().first(both), SameValue);

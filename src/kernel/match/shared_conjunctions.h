@@ -30,8 +30,8 @@ struct [[gnu::visibility("hidden")]] SharedConjunctions {
   static bool IsInPath(const NodeStates& nodes, const Token& token);
   /// Whether an owner is blocked by a path without the element.
   static bool StaysBlocked(const TokenPool& tokens, std::uint32_t owner, std::uint32_t wme);
-  /// Finds the owners that nothing will block after the paths with an element are removed, and stores them in
-  /// `openings`; those to open first are last. Moves the element's tokens in paths after its other tokens.
+  /// Finds the owners that nothing will block after the paths with an element are removed. Stores them in `openings`,
+  /// in reverse order of opening. Moves the element's tokens in paths after its other tokens.
   void FindOpenings(const Network& network, const NodeStates& nodes, TokenPool& tokens, ElementLinks& links,
                     std::uint32_t wme);
 };

@@ -157,7 +157,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
   // points. For other memories it is kNil.
   static constexpr std::uint32_t kTryBits = 3;
   static constexpr std::uint32_t kTryMask = (1u << kTryBits) - 1;
-  /// See Rete::ParkAfter. Each try multiplies the patience of a memory by sixteen.
+  /// See Rete::ParkAfter. Each try makes the threshold of a memory sixteen times larger.
   void ParkAfter(std::uint32_t matches) {
     for (std::uint32_t tries = 0; tries <= kTryMask; ++tries) {
       const std::uint64_t points = std::min(std::uint64_t{matches} << (4 * tries), (std::uint64_t{1} << 29) - 2);

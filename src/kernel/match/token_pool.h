@@ -39,7 +39,7 @@ struct Token {
   std::uint32_t next_of_wme, previous_of_wme;
   std::uint32_t next_in_bucket, previous_in_bucket;
   std::uint32_t key;
-  std::uint32_t pairs;      ///< Memory above a sparse one: pairs of this token in the sparse memory, else 0.
+  std::uint32_t pairs;      ///< Memory above a sparse one: number of this token's pairs in the sparse memory, else 0.
   std::uint64_t serial;     ///< Running number of the arrival of the token (or of the parked pair that it was) at its
                             ///< node.
   std::uint64_t forgotten;  ///< When a token with parked pairs last freed this record; pairs that are older are stale.
@@ -86,7 +86,7 @@ class [[gnu::visibility("hidden")]] TokenPool {
   void ForgetPairs(Token & token) {
     token.forgotten = last_forgotten_ = next_serial_;
   }
-  /// When a token last did that.
+  /// The next serial number at the last call of ForgetPairs.
   std::uint64_t last_forgotten() const {
     return last_forgotten_;
   }
