@@ -195,8 +195,8 @@ void AgentCore::CheckSupported(const Preference& left_out) const {
       if (kept.value == left_out.value && kept.o_supported && kept.level == 1 && kept.in_slot) return;
     }
   }
-  Fail(*this, "nothing supports what was left out of " + ToString(symbols, left_out.id) + " ^" +
-                  ToString(symbols, left_out.attribute));
+  Fail(*this, "no preference of the top state replaces the one that was left out of " + ToString(symbols, left_out.id) +
+                  " ^" + ToString(symbols, left_out.attribute));
 }
 #else
 void AgentCore::CheckAfterPhase() const {}

@@ -116,10 +116,10 @@ struct AgentCore {
   std::size_t sweep_constants_at = kLeastConstantsSwept;
   std::vector<std::uint8_t> identifier_marks;
 
-  /// Rules that will leave the network at the end of the elaboration, so that no firing loses its rule.
+  /// Rules that leave the network at the end of the elaboration, not before, so that no firing loses its rule.
   std::vector<ProductionId> excisions;
 
-  /// Shares the rules with agents that have equal ones. Must be called before the agent creates constants that no rule
+  /// Shares the rules with agents that have equal rules. Must be called before the agent creates constants that no rule
   /// mentions.
   [[gnu::noinline]] void OfferRules();
   /// The string symbol of a rule's name. It lives as long as the agent.

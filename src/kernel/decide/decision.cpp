@@ -34,7 +34,7 @@ bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outco
   for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = next) {
     const Preference& preference = memory.preference(p);
     next = preference.next_in_slot;
-    // (The bit of a value that is not a candidate is above those of all candidates.)
+    // (The index of a value that is not a candidate is larger than those of all candidates.)
     const std::uint32_t at = find(preference.value), bit = 1u << at;
     switch (preference.type) {
       case PreferenceType::kBest:
@@ -180,8 +180,8 @@ void Decision::Install(GoalLevel level, const Candidate& winner, Symbol forced) 
   const Goal& goal = core_.goals.at(level);
   core_.memory.mutable_slot(goal.operator_slot).changed_since_selected = false;
   core_.changes.Add(WmeKind::kSlot, goal.id, words::kOperator, winner.value, goal.operator_slot, winner.preference);
-  // The element of the operator must outlive its preference if that is removed while another one still proposes the
-  // operator.
+  // If this preference is removed while another one still proposes the operator, the operator's element stays.
+  // Therefore the element refers to the preference.
   core_.preferences.AddReference(winner.preference);
   if (core_.modules.Wants(ModuleHook::kChoices)) core_.modules.OperatorInstalled(level, winner.value);
   if (!core_.forced_operator.empty() && ToString(core_.symbols, winner.value) == core_.forced_operator) {
@@ -242,8 +242,8 @@ void Decision::RemoveOperator(GoalLevel level, OperatorRemoval reason, WmeId acc
   }
 }
 
-/// Whether the existing decision of a goal is still consistent. It is the installed operator; if there is none, it is
-/// the impasse of the state below, if any.
+/// Whether the existing decision of a goal is still consistent. The decision is the installed operator or, if there is
+/// none, the impasse of the state below, if any.
 bool Decision::Stands(const Goal& goal) {
   const Slot& slot = core_.memory.slot(goal.operator_slot);
   const bool has_operator = slot.wmes != WmeId::kNone;
@@ -281,7 +281,7 @@ bool Decision::CheckChanged(GoalLevel level) {
 }
 
 std::string Decision::Predict() {
-  // The prediction must come true: the next decision draws from the same stream again.
+  // Seeds the stream, and the next decision uses the same seed. So the prediction comes true.
   do {
     foretold_seed_ = core_.random.Next32();
   } while (foretold_seed_ == 0);

@@ -22,8 +22,9 @@ struct AgentCore;
 
 /// The decide phase, and the checks whether earlier decisions are still consistent.
 ///
-/// Each goal has one context slot, ^operator. A slot without an operator is decided; a slot with an operator is a
-/// no-change impasse. Goals above the highest one whose operator preferences changed are skipped.
+/// Each goal has one context slot, ^operator. The decide phase decides a slot without an operator. If the slot still
+/// has its operator, that is a no-change impasse. Goals above the highest one whose operator preferences changed are
+/// skipped.
 class Decision {
  public:
   explicit Decision(AgentCore& core) : core_(core) {}
@@ -44,7 +45,7 @@ class Decision {
   }
   /// Evaluates a goal's slot without the random choice. The result is valid until the next call.
   PreferenceSemantics::Outcome Evaluate(const Goal& goal, Symbol forced = {}, DecisionTrace* trace = nullptr);
-  /// Like Evaluate, and reports which candidates are dropped and why. Valid until the next call.
+  /// Like Evaluate, but also reports which candidates are dropped and why. Valid until the next call.
   DecisionReport Explain(const Goal& goal);
   /// The result of the next decide phase, in the format of `decide predict`.
   std::string Predict();

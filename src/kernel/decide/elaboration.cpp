@@ -269,8 +269,8 @@ void Elaboration::ApplyWorkingMemoryChanges() {
 }
 
 void Elaboration::ApplyBufferedChanges() {
-  // Agents that do not reach quiescence retract something in each elaboration: free the elements removed before this
-  // one.
+  // Agents that do not reach quiescence retract something in each elaboration. So elements that were removed before
+  // this elaboration are freed here.
   if (core_.changes.HasDead()) BuryDead();
   if (!core_.preferences.changed_acceptables().empty()) core_.slot_decision.UpdateAcceptables();
   while (core_.links.HasWork()) {
@@ -288,7 +288,7 @@ void Elaboration::ApplyBufferedChanges() {
 }
 
 void Elaboration::BuryDead() {
-  // Elements of matches that wait for their retraction may still be shown.
+  // Elements of matches that wait for their retraction may still be shown, so they are not freed.
   const MatchSet& matches = core_.rete.matches();
   for (GoalLevel level = 0; level <= core_.goals.depth(); ++level) {
     if (matches.HasRetractions(level)) return;

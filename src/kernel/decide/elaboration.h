@@ -33,8 +33,8 @@ class Elaboration {
 
   /// Decides changed slots, updates levels of identifiers and passes the changes to the match.
   void ApplyWorkingMemoryChanges();
-  /// Like ApplyWorkingMemoryChanges, but decides no slots: slots that changed outside an elaboration wait for the next
-  /// one.
+  /// Like ApplyWorkingMemoryChanges, but decides no ordinary slots: those that changed outside an elaboration are
+  /// decided in the next one.
   void ApplyBufferedChanges();
   /// Frees removed elements, unless a match is still waiting for its retraction.
   void BuryDead();

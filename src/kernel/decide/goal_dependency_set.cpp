@@ -15,20 +15,20 @@ namespace soarbox::kernel {
 
 void GoalDependencySets::NoteNewFact(WmeId wme) {
   const WorkingMemory& memory = uses_.memory;
-  // A result belongs to the higher state: it depends on its justification.
+  // A result belongs to a higher state: it depends on its justification.
   const PreferenceId maker = memory.record(wme).preference;
   if (maker == PreferenceId::kNone) return;
   const GoalLevel level = memory.preference(maker).level;
   if (!memory.preference(maker).o_supported || level < 2 || level > uses_.goals.depth()) return;
-  // As in Soar 9.6.3, only the first such element counts: elements on which later ones depend are never added. Other
-  // elements that the state's rules created earlier in the same slot, with any value, count together with the first
+  // As in Soar 9.6.3, only the first such element counts: elements on which later ones depend are never added. If the
+  // state's rules created other elements in the same slot before, with any value, these count together with the first
   // one.
   if (uses_.goals.at(level).has_gds) return;
   uses_.goals.at(level).has_gds = true;
   for (PreferenceId p = maker; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
     if (memory.preference(p).level == level) Queue(memory.preference(p).instantiation);
   }
-  // Generation by generation; within a generation the newest entry first.
+  // Breadth-first search. Within one level of the search, the newest entry is first.
   while (!queue_.empty()) {
     exploring_.swap(queue_);
     while (!exploring_.empty()) {

@@ -81,7 +81,7 @@ class HandleCheck {
       ++references_[retired.record];
     }
     core_.selections.ForEachPreference([&](PreferenceId p) {
-      RequireLive(p, "what decided an operator");
+      RequireLive(p, "the record of a selection");
       ++references_[p.record];
     });
     for (GoalLevel level = 1; level <= core_.goals.depth(); ++level) {
@@ -101,16 +101,17 @@ class HandleCheck {
               "the instantiation of a preference is gone");
       if (!violation_.empty()) return;
       Require(preference.instantiation.record->level == preference.level,
-              "a preference has another level than its maker");
+              "a preference has another level than its instantiation");
       bool listed = false;
       for (PreferenceId p = preference.instantiation.record->preferences; p != PreferenceId::kNone;
            p = memory_.preference(p).next_of_instantiation) {
         listed |= p.record == &preference;
       }
-      Require(listed, "an instantiation does not know its preference");
+      Require(listed, "an instantiation does not list its preference");
       if (preference.next_clone != PreferenceId::kNone) {
         RequireLive(preference.next_clone, "a preference");
-        Require(preference.next_clone.record->previous_clone.record == &preference, "clones do not know each other");
+        Require(preference.next_clone.record->previous_clone.record == &preference,
+                "clones are not linked to each other");
       }
     });
   }
@@ -137,11 +138,11 @@ class HandleCheck {
         const Preference& maker = memory_.preference(trace.preference);
         const Wme& wme = memory_.wme(trace.wme);
         Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,
-                "a condition takes another preference for its element's maker");
+                "a condition names another preference as the creator of its element");
       }
     });
     core_.modules.ForEachHeld([&](PreferenceId held) {
-      RequireLive(held, "an answer of long-term memory");
+      RequireLive(held, "a result of long-term memory");
       ++references_[held.record];
     });
     memory_.ForEachPreference([&](const Preference& preference) {
@@ -189,7 +190,7 @@ class HandleCheck {
       RequireLive(record.preference, "an element");
       const Preference& maker = memory_.preference(record.preference);
       Require(maker.id == wme.id && maker.attribute == wme.attribute && maker.value == wme.value,
-              [&] { return "the maker of " + TextOf(wme.id, wme.attribute, wme.value) + " says something else"; });
+              [&] { return "the creator of " + TextOf(wme.id, wme.attribute, wme.value) + " is for another element"; });
     }
   }
 

@@ -185,8 +185,8 @@ void PreferenceChanges::FreeIfUnused(PreferenceId id) {
   if (!unused_.empty()) Drain();
 }
 
-/// The preferences of one result at several levels are freed together: while one of them is in use, learning may need
-/// the others.
+/// The preferences of one result at several levels are freed together. As long as one of them is in use, learning may
+/// need the others.
 void PreferenceChanges::NoteUnused(PreferenceId id) {
   const WorkingMemory& memory = core_.memory;
   PreferenceId first = id;
@@ -211,8 +211,8 @@ void PreferenceChanges::Free(PreferenceId id) {
   FreeInstantiation(instantiation);
 }
 
-/// Freeing a preference may free its instantiation, whose conditions release other preferences, and so on. Such a chain
-/// may be as long as the reasoning in a substate was, so this is a loop instead of a recursion.
+/// Freeing a preference may free its instantiation, whose conditions refer to other preferences, and so on. Such a
+/// chain may be as long as the reasoning in a substate, so this is a loop and not a recursion.
 void PreferenceChanges::Drain() {
   if (unused_.empty() || draining_) return;
   draining_ = true;
@@ -282,8 +282,8 @@ void PreferenceChanges::LinkToGoal(InstantiationId id) {
 
 void PreferenceChanges::LeaveGoal(PreferenceId id) {
   UnlinkFromGoal(id);
-  // Preferences that depend on the result at another level no longer keep this one alive, nor does this one keep the
-  // others alive.
+  // From now on, preferences that depend on the result at another level do not keep this one alive. This one does not
+  // keep the others alive either.
   const Preference& preference = core_.memory.preference(id);
   const PreferenceId other =
       preference.next_clone != PreferenceId::kNone ? preference.next_clone : preference.previous_clone;

@@ -31,7 +31,7 @@ class PreferenceChanges {
   /// the same value.
   bool Assert(PreferenceId preference);
   /// Removes it from its slot and drops the slot's reference. If there are substates, it stays alive until its slot has
-  /// been decided: until then its element may be matched, and learning asks for the element's creator.
+  /// been decided. Until then rules may match its element, and learning needs the element's creator.
   void Retract(PreferenceId preference);
   /// Number of prohibit preferences in slots.
   std::uint32_t prohibits() const { return prohibits_; }

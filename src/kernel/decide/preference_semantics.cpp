@@ -120,8 +120,8 @@ bool PreferenceSemantics::AllIndifferent(std::span<const SlotPreference> prefere
   }
   if (all_marked) return true;
 
-  // Each of the others needs a binary preference with every other candidate: collects the pairs, then counts them per
-  // candidate.
+  // A candidate without a mark needs a binary preference with every other candidate. Collects the pairs, then counts
+  // them per candidate.
   pairs_.clear();
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kBinaryIndifferent) continue;

@@ -84,7 +84,8 @@ void RunControl::DecidePhase() {
   BeginPhase();
   ++core_.counters.decision_phases;
   core_.decision.Decide();
-  // Frees what removed states held at the end of the propose phase here, not in the next elaboration.
+  // States may have been removed at the end of the propose phase. Frees here, not in the next elaboration, what they
+  // held.
   core_.elaboration.ApplyWorkingMemoryChanges();
   if (core_.observers.Wants(Event::kDecision)) {
     const GoalInfo info = core_.descriptions.Describe(core_.goals.bottom());
@@ -257,8 +258,8 @@ bool RunControl::RunOneDecision() {
   return whole && IsIdle(changes, elaborations);
 }
 
-// If a decision began with the input phase and changed nothing after it, the next one cannot differ: slots and goals
-// were checked, and no random choice was made.
+// If a decision began with the input phase and changed nothing after it, the next one cannot differ: all slots and
+// goals were checked, and no random choice was made.
 bool RunControl::IsIdle(std::uint64_t changes_before, std::uint64_t elaborations_before) const {
   const AgentCounters& counters = core_.counters;
   const auto wants = [&](auto... hooks) { return (core_.modules.Wants(hooks) || ...); };

@@ -70,7 +70,7 @@ class RunControl {
   /// Runs one elaboration, or an entire phase that has none. Returns true if a phase ended.
   bool Advance();
   void InputPhase();
-  /// True if no observer wants single elements, and no match that waits for its retraction can still show any.
+  /// True if neither observers nor modules want single elements, and no waiting retraction can still show one.
   bool InputIsUnheard() const;
   void DecidePhase();
   void OutputPhase();

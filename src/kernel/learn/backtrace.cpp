@@ -45,7 +45,8 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
   }
   if (uses_.instantiations[out.base].backtrace != out.trace_number) VisitFiring(out.base);
   Tell({.kind = Kind::kLocals});
-  // The grounds of a firing are taken at once, what it rests on in the substate later: the last one first.
+  // When a firing is visited, its grounds are added immediately. What it depends on in the substate is visited later,
+  // the last one first.
   while (!queue_.empty()) {
     const Open open = queue_.back();
     queue_.pop_back();
@@ -60,7 +61,7 @@ void Backtracer::Trace(Explanation& out, bool every_condition) {
     }
   }
   Tell({.kind = Kind::kEnd});
-  // What was found last is tested first.
+  // The grounds and negations that were found last come first in the learned rule.
   std::ranges::reverse(out.grounds);
   std::ranges::reverse(out.negations);
   if (!out.negations.empty()) SortNegations();
@@ -164,7 +165,7 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   }
   const bool is_item = uses_.goal_changes.ProposalOfItem(trace.wme) != WmeId::kNone;
   if (is_told_ && !is_item) queue_.push_back({InstantiationId::kNone, WmeId::kNone, {}, trace.wme});
-  // Of the architecture: it came with the substate.
+  // An element of the architecture, created with the substate.
   if (out_->level < 2 || out_->level > uses_.goals.depth() || wme.id != uses_.goals.at(out_->level).id) return;
   if (wme.attribute == words::kQuiescence) {
     out_->quiescence = true;
@@ -176,7 +177,7 @@ inline void Backtracer::VisitCondition(InstantiationId firing, std::uint16_t con
   }
 }
 
-// Telling -------------------------------------------------------------------------------------------------------------
+// Reporting -----------------------------------------------------------------------------------------------------------
 
 void Backtracer::Tell(const BacktraceStep& step) const {
   uses_.observers.Notify(Event::kBacktrace, [&](Observer& o) { o.OnBacktrace(uses_.agent, step); });
@@ -336,7 +337,7 @@ void Backtracer::CollectNegations(InstantiationId firing) {
   if (rule == nullptr) return;
   for (const Condition& condition : rule->conditions) {
     if (condition.kind == ConditionKind::kPositive) continue;
-    // Most are about the substate, and their details are not needed.
+    // Most negated conditions are about the substate, and their details are not needed.
     if (uses_.learn.allow_local_negations && !MayReferToHigherOnly(condition, firing)) {
       out_->local_negation = true;
       continue;

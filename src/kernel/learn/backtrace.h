@@ -50,8 +50,8 @@ class Backtracer {
   };
   explicit Backtracer(const Uses& uses) : uses_(uses) {}
 
-  /// Fills in the explanation of its results. With `every_condition`, each condition is a separate ground; else there
-  /// is one ground per element.
+  /// Adds what the results depend on to their explanation. With `every_condition`, each condition is a separate ground;
+  /// else there is one ground per element.
   void Trace(Explanation& out, bool every_condition);
   void Clear() { seen_wmes_.clear(); }
 
@@ -65,8 +65,8 @@ class Backtracer {
   /// Follows the preferences that made the local operator, which a firing tests or proposed, better than others.
   void VisitSelection(std::uint32_t selection);
   void VisitItem(WmeId item);
-  /// The firing that proposed the substate's selected operator, if the reason of its selection is recorded. It keeps
-  /// the reason while the operator is selected.
+  /// The firing that proposed the substate's selected operator, if the reason of the selection is recorded. This firing
+  /// keeps the reason while the operator is selected.
   InstantiationId SelectedProposal() const;
   void AddGround(const Explanation::Ground& ground, const Wme& wme);
   void CollectNegations(InstantiationId firing);
@@ -86,7 +86,7 @@ class Backtracer {
   Explanation* out_ = nullptr;
   bool every_condition_ = false;
   bool is_told_ = false;  ///< An observer receives the steps.
-  /// Still to be followed: a firing, or else an item of the impasse.
+  /// An entry of the queue: a firing to visit, or else an item of the impasse.
   struct Open {
     InstantiationId firing = InstantiationId::kNone;
     WmeId item = WmeId::kNone;

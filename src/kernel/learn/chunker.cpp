@@ -48,7 +48,7 @@ Chunker::Chunker(const Uses& uses)
 Chunker::~Chunker() = default;
 
 void Chunker::ModeChanged() {
-  // Elements created before were not reported.
+  // Elements that were created earlier have not been reported.
   if (settings_.automatic_singletons || notes_elements_) singletons_.NoteAll();
   notes_elements_ = settings_.learning() && settings_.automatic_singletons;
   uses_.changes.TellOfAttributes(notes_elements_);
@@ -366,7 +366,7 @@ std::string Chunker::NewName(InstantiationId base, bool is_chunk, bool counts) {
   std::string name = kind;
   if (origin.depth > 0) name += "x" + std::to_string(origin.depth + 1);
   name += "*" + origin.base;
-  // The impasse one level above that in which the rule matched.
+  // The impasse that created the state above the one in which the rule matched.
   const GoalLevel level = uses_.instantiations[base].level;
   if (level > 2) {
     switch (uses_.goals.at(static_cast<GoalLevel>(level - 1)).impasse) {
@@ -456,7 +456,7 @@ InstantiationId Chunker::Enter(InstantiationId base, bool repaired) {
     uses_.observers.Notify(Event::kLearning,
                            [&](Observer& o) { o.OnDuplicateLearned(uses_.agent, rule->name, original); });
     uses_.justifier.CountDuplicate(base);
-    // Unused results are freed: these firings leave no preferences, because the existing rule fires itself.
+    // Frees unused results. These firings leave no preferences, because the existing rule itself fires.
     for (const PreferenceId result : explanation_.results) uses_.preferences.FreeIfUnused(result);
     log_.CountDuplicate(original);
     return InstantiationId::kNone;

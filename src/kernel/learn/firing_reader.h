@@ -127,15 +127,15 @@ class FiringReader {
     TestKind kind = TestKind::kBlank;
     Symbol referent;  ///< A variable of the rule.
   };
-  /// The firing is a learned rule's own instance. When something is learned from it in turn, a swapped comparison still
-  /// has the identity of its old referent, which is now the tested value: it compares the value with itself. Soar 9.6.3
-  /// behaves so, too.
+  /// The firing is a learned rule's own instance. If another rule is learned from it, a swapped comparison still has
+  /// the identity of its old referent, which is now the tested value. So it compares the value with itself. Soar 9.6.3
+  /// has the same behaviour.
   void NoteTurned(InstantiationId firing, const std::vector<TurnedTest>& tests);
   void ForgetTurned(InstantiationId firing);
   bool IsTurned(InstantiationId firing, std::uint16_t condition, Field field, const Test& test) const;
 
-  /// Until the next call, cached data of a rule are not compared with the rule again: while one of its firings is
-  /// analysed, no other rule gets its number.
+  /// Until the next call, cached data of a rule are not compared with the rule again. This is correct because a rule's
+  /// number is not given to another rule while one of its firings is analysed.
   void BeginAnalysis() { ++analysis_; }
   /// Frees the plans of this analysis, except those of rules.
   void EndAnalysis() {

@@ -209,9 +209,9 @@ void Justifier::MakeClones(const Explanation& explanation, InstantiationId holde
   }
 }
 
-/// The match that ends when the justification is no longer valid: a fixed match of its elements or, if negated
-/// conditions matter, the match of a literal rule. None if it is invalid already: then only o-supported results will be
-/// asserted.
+/// Returns the match that ends when the justification is no longer valid: a fixed match of its elements or, if negated
+/// conditions matter, the match of a literal rule. Returns none if the justification is already invalid. Then only
+/// o-supported results are asserted.
 MatchId Justifier::MatchOf(std::uint32_t index, InstantiationId id, GoalLevel goal_level) {
   Record& record = records_[index];
   if (record.negations != nullptr) {

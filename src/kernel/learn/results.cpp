@@ -57,8 +57,8 @@ void ResultCollector::Add(PreferenceId preference, const Explanation::Child& fro
   parts_.push_back({PreferenceId::kNone, content.value, {PreferenceId::kNone, preference, false}});
 }
 
-/// An object of the substate that becomes part of a result is added with all its contents. The object may even be a
-/// state; then it is kept only by the preferences for its elements.
+/// If an object of the substate becomes part of a result, it is added with all its contents. The object may even be a
+/// state. Then only the preferences for its elements keep it alive.
 void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out) {
   const WorkingMemory& memory = uses_.memory;
   if (!id.IsIdentifier() || memory.level(id) < out.level) return;
@@ -117,7 +117,7 @@ void ResultCollector::Check(const Explanation& explanation) const {
           reach(memory.preference(p).value);
           reach(memory.preference(p).referent);
           if (memory.preference(local).seen == explanation.trace_number) continue;
-          std::fprintf(stderr, "soarbox: a result lacks a part: (%s ^%s %s)\n",
+          std::fprintf(stderr, "soarbox: a result is incomplete, missing: (%s ^%s %s)\n",
                        ToString(uses_.symbols, memory.preference(p).id).c_str(),
                        ToString(uses_.symbols, memory.preference(p).attribute).c_str(),
                        ToString(uses_.symbols, memory.preference(p).value).c_str());

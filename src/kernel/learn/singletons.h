@@ -16,9 +16,9 @@ class WorkingMemory;
 /// The requirement of a `chunk singleton` pattern for an identifier or a value.
 enum class SingletonType : std::uint8_t { kAny, kConstant, kIdentifier, kOperator, kState };
 
-/// Elements that are the only ones of their kind: an object has one ^name, whichever rule tests it. Conditions of
-/// different rules that tested the same singleton of a higher state must have the same value, so one condition in the
-/// learned rule is enough.
+/// Elements that are the only ones of their kind. For example, an object has only one ^name, no matter which rule tests
+/// it. If conditions of different rules tested the same singleton of a higher state, their values must be equal. So one
+/// condition in the learned rule is enough.
 ///
 /// An attribute has at most one pattern. With `chunk automatically-create-singletons`, each string that has been the
 /// attribute of an element gets the pattern that matches all elements.
