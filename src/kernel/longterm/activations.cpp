@@ -108,7 +108,7 @@ void Activations::Update(std::uint32_t object) {
 }
 
 void Activations::Prohibit(std::uint32_t object) {
-  // An object that was never used has no last use.
+  // If an object was never used, there is no use to undo.
   if (Find(object) != nullptr) RecordOf(object).forget_last = true;
 }
 

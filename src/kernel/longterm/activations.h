@@ -17,16 +17,16 @@ namespace soarbox::kernel {
 /// The activation of each object for one agent. Only objects that were touched have a record; all others have
 /// activation 0.
 ///
-/// The clock counts touches, not decisions: nothing happens while nothing is touched, and init-soar does not reset it.
-/// recency: the clock at the last touch. frequency: how often. base-level: ln(s / (1 + s)), where s is the sum of
-/// age^-decay over the last ten touches, the older ones by Petrov's approximation.
+/// The clock counts touches, not decisions. init-soar does not reset it. The activation is, by mode: recency: the clock
+/// at the last touch. frequency: the number of touches. base-level: ln(s / (1 + s)), where s is the sum of age^-decay
+/// over the last ten touches; older touches are estimated by Petrov's approximation.
 class Activations {
  public:
   static constexpr std::size_t kHistory = 10;
 
   struct Touched {
     std::uint32_t object = 0;
-    bool forget_last = false;  ///< Prohibited since its last touch: the next touch undoes that one.
+    bool forget_last = false;  ///< Prohibited since its last touch: the next touch undoes the last one.
     double activation = 0;
     std::uint64_t count = 0;
     std::uint64_t first = 0;                      ///< Tick of the first touch.

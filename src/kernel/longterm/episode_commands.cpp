@@ -146,7 +146,7 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
   const auto object = [&](EpisodeNode node, EpisodeTerm attribute) {
     const auto [found, is_new] = known.try_emplace(node);
     if (is_new) {
-      // An identifier is named after the attribute that refers to it, but never like a state.
+      // An identifier gets the first letter of the attribute that refers to it, but never the letter of states.
       char letter = terms_.kind(attribute) == SymbolKind::kString && !terms_.Text(attribute).empty()
                         ? terms_.Text(attribute)[0]
                         : 'I';
@@ -170,8 +170,8 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
       contents.push_back({{id, terms_.ToSymbol(uses_.symbols, triple.attribute), value}, *fact, triple.value.IsNode()});
     }
   }
-  // Links are created first, then constants, sorted by age; for one attribute the newest first. (What Soar lists last
-  // is created first.)
+  // Elements are created in the reverse order of this list: links before constants, the oldest facts first. Only the
+  // values of one attribute are created newest first. (What Soar lists last is created first.)
   std::ranges::sort(contents,
                     [](const Content& a, const Content& b) { return a.links != b.links ? b.links : a.fact > b.fact; });
   for (const Content& content : contents) output.contents.push_back(content.triple);
@@ -292,8 +292,8 @@ void EpisodeCommands::Query(GoalLevel level, const Command& command, Output& out
   }
   const auto objects = Recall(level, answer.episode, output);
   const auto variable = [&](std::size_t n) { return query.positive.edge(order[n]).to; };
-  // What is listed last is created first; for one attribute, the last one is listed first. An object to which several
-  // links of the cue refer is reported once, with the last of them.
+  // What Soar lists last is created first. Within one attribute, the last one is listed first. If several links of the
+  // cue match the same node, only the last of their pairs gets ^retrieved.
   std::map<EpisodeNode, std::size_t, std::greater<>> listed;
   for (std::size_t n = 0; n < pairs.size(); ++n) listed[answer.nodes[variable(n)]] = n;
   for (const auto& [node, n] : listed) {
@@ -346,7 +346,7 @@ void EpisodeCommands::Execute(GoalLevel level, const Command& command, Output& o
                                    ? (by_number ? "asked for by its number"
                                                 : (command.kind == Kind::kNext ? "it follows " : "it precedes ") + from)
                                : by_number || state.retrieved != 0 ? std::string("there is no such episode")
-                                                                   : std::string("none was recalled to go on from");
+                                                                   : std::string("no episode was retrieved before");
     Tell(level, there ? static_cast<EpisodeNumber>(wanted) : 0, question, reason);
   }
   if (there) {

@@ -85,8 +85,8 @@ class EpisodeCommands {
   EpisodeCue CueOf(const Reach& reach) const;
   /// Adds the contents of an episode below a new identifier on ^retrieved. Returns the identifiers by node.
   std::vector<std::pair<EpisodeNode, Symbol>> Recall(GoalLevel level, EpisodeNumber episode, Output& output);
-  /// The links of a cue to objects, in Soar's order: that of the memory addresses of the cue's elements, which each
-  /// query allocates and frees.
+  /// Returns the cue's links to objects in the order in which Soar lists them. In Soar, this is the order of the memory
+  /// addresses of the cue's elements, which each query allocates and frees. `places_` and `free_places_` simulate them.
   std::vector<std::uint32_t> ListingOrder(const EpisodeCue& positive, const EpisodeCue& negative);
   void Say(Output& output, GoalLevel level, const char* attribute, Symbol value) const;
   /// Reports the result of a command, with the reason, to observers.

@@ -24,7 +24,7 @@ EpisodeCue::EpisodeCue(std::span<const EpisodeCueElement> elements, std::uint32_
   for (std::uint32_t n = 0; n < elements.size(); ++n) of_object[elements[n].object].push_back(n);
   std::vector<CueStage> stage(objects, CueStage::kUnknown);
   std::vector<std::uint32_t> variable_of(objects, kNoVariable);
-  // Edges refer to objects until the remaining objects are known.
+  // At first, edges refer to objects, because the variables are not known yet.
   std::vector<bool> dropped;
   const auto add = [&](const EpisodeCueElement& element, std::uint32_t to, bool leaf) {
     edges_.push_back({element.object, to, element.attribute, element.value_is_object ? 0 : element.value, leaf,

@@ -232,7 +232,8 @@ void EpisodeRecorder::Restart() {
   added_.clear();
   free_.clear();
   listed_.clear();
-  // Every node is free. The lowest are reused first, because they are removed from the end of the list.
+  // Every node is free. The nodes with the lowest numbers are reused first, because nodes are taken from the end of the
+  // list.
   for (EpisodeFact fact = 0; fact < store_.fact_count(); ++fact) NoteFact(fact);
   for (std::size_t node = nodes_.size(); node-- > 1;) MakeFree(static_cast<EpisodeNode>(node));
 }

@@ -262,11 +262,11 @@ const char* EpisodeStore::CheckInvariants() const {
     const EpisodeNumber open = facts_[fact].open;
     if (open != 0 && open < free_from) return "an open interval begins before the last one ends";
     if (open > last()) return "an open interval begins in the future";
-    if (open != 0 && live_[now_[fact].live_at] != fact) return "an open fact is not on the list of those";
+    if (open != 0 && live_[now_[fact].live_at] != fact) return "an open fact is not in the list of open facts";
   }
   if (last() == 0) return "";
   const std::vector<EpisodeFact> replayed = Replay(last());
-  if (replayed.size() != live_.size()) return "replay of the newest episode differs from what is true";
+  if (replayed.size() != live_.size()) return "replay of the newest episode differs from the facts that are true";
   return "";
 }
 

@@ -78,8 +78,8 @@ class EpisodicMemory final : public Module {
   /// From now on all episodes are written to the journal, which must contain the existing ones. Null: none.
   void SetJournal(std::unique_ptr<Journal> journal);
   Journal* journal() const { return journal_.get(); }
-  /// All episodes as a record for a journal, and the inverse. Load returns false if the records are invalid: then there
-  /// are not episodes.
+  /// All episodes as a record for a journal, and the inverse. Load returns false if the records are invalid; then there
+  /// are no episodes.
   std::string Image() const;
   bool Load(std::string_view image, std::span<const std::string> records);
 

@@ -48,7 +48,7 @@ void Installer::Install(GoalLevel level, std::span<const WmeId> command, std::sp
     uses_.firing.TraceConditions(id, command);
     if (uses_.chunker.settings().learning()) uses_.chunker.NoteFiring(id);
   }
-  // The list of an instantiation's preferences is last first.
+  // (The list of an instantiation's preferences is in the reverse order.)
   preferences_.clear();
   for (const Triple& triple : triples) {
     preferences_.push_back(uses_.preferences.Make(id, triple.id, triple.attribute, triple.value, Symbol(),

@@ -214,7 +214,7 @@ std::string Knowledge::CheckInvariants() const {
       if (slot > 0 && list.At(slot - 1).row > list.At(slot).row) return "an index is out of order";
       counted += list.IsHidden(slot) ? 0 : 1;
     }
-    if (counted != list.size()) return "an index miscounts what is hidden";
+    if (counted != list.size()) return "an index counts its hidden members wrongly";
     members += counted;
     return {};
   };
@@ -233,7 +233,7 @@ std::string Knowledge::CheckInvariants() const {
     }
   }
   if (edges != edge_count_) return "augmentations are miscounted";
-  return members == 2 * edges ? std::string() : "an index holds what no object has";
+  return members == 2 * edges ? std::string() : "an index contains an augmentation that no object has";
 }
 
 }  // namespace soarbox::kernel

@@ -17,7 +17,7 @@ class SemanticMemory;
 /// number in parentheses after a link is its weight (link_weights.h).
 
 /// Adds the knowledge in the text, up to the first incorrect clause. Returns Soar's message about it, or an empty text.
-/// Appends harmless mistakes to `notes`, one per line.
+/// Appends mistakes that have no effect to `notes`, one per line.
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::string& notes);
 
 /// Parses a query: (<q> ^kind tank ^weight <any> ^has @13). Variables, and words that look like identifiers, match any

@@ -63,7 +63,7 @@ bool LinkWeights::Set(const Knowledge& knowledge, std::uint32_t object, Weights 
 void LinkWeights::Count(const Knowledge& knowledge, std::uint32_t object, const std::vector<Uses>& uses) {
   Weights links = Effective(knowledge, object);
   const double factor = settings_.spreading_edge_update_factor;
-  // (A link that is only in working memory gets its share, too, while these uses are applied.)
+  // (A link that exists only in working memory also gets a share while these uses are applied.)
   Weights weights = links;
   for (std::size_t n = 0; n < uses.size();) {
     const std::uint64_t cycle = uses[n].cycle;

@@ -50,7 +50,7 @@ void Origins::OperatorInstalled(GoalLevel level, Symbol) {
   });
 }
 
-/// Nothing has fired since the operators were installed, so their preferences are those of the decision.
+/// No rule has fired since the operators were installed. So the preferences in their slots are those of the decision.
 void Origins::RulesFire() {
   if (installed_.empty()) return;
   Guarded([&] {
@@ -134,7 +134,8 @@ bool Origins::GivesCommand(const Preference& preference) {
   return gives_command_;
 }
 
-/// The preference for the same result in the lowest substate: each higher level has it by a justification or a chunk.
+/// The preference for the same result in the lowest substate. Higher levels got the result from it by a justification
+/// or a chunk.
 const Preference& Origins::MadeBy(const Preference& preference) const {
   const Preference* made = &preference;
   const auto look = [&](PreferenceId p) {
@@ -262,7 +263,7 @@ void Origins::NoteSelected(GoalLevel level) {
     }
   }
   const std::uint32_t place = Take();
-  Hold(place);  // The reference of the level.
+  Hold(place);  // For selected_ at this level.
   {
     Origin& origin = origins_[place];
     origin.is_operator = true;
@@ -377,8 +378,8 @@ void Origins::Drop(std::uint32_t dropped) {
   work_ = std::move(work);
 }
 
-/// Limits the origins that can be reached from one: breadth first; origins beyond the limits whose elements were
-/// removed lose their references.
+/// Limits the origins that can be reached from `first`. Visits them breadth first. If an origin is beyond the limits
+/// and its elements were all removed, its own references to other origins are dropped.
 void Origins::CutBehind(std::uint32_t first) {
   ++seen_;
   queue_.assign(1, {first, 0});

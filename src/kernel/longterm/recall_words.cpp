@@ -122,7 +122,7 @@ std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory,
     return "nothing that is known has ^" + ToString(symbols, wme.attribute, true) + " " +
            ToString(symbols, wme.value, true);
   }
-  return "no one object has all of it";
+  return "no object has all of it";
 }
 
 }  // namespace soarbox::kernel

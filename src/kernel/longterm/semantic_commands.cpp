@@ -57,8 +57,9 @@ void SemanticMemory::Parse() {
   const Symbol link = command.wmes.empty() ? Symbol() : memory.wme(command.wmes.front()).id;
   int retrieves = 0, queries = 0, stores = 0, new_stores = 0, negatives = 0, maths = 0;
   bool bad = false, link_to_new = false;
-  // Elements are read in the order of the slots, the newest first. An attribute after one that it does not belong to
-  // makes the command invalid. An attribute before it is ignored if it has no meaning there, as is ^depth with a store.
+  // Elements are read in the order of the slots, the newest first. If ^link-to-ltm or ^link-to-new-ltm is read after a
+  // part of the command to which it does not belong, the command is invalid. If it is read before such a part, it has
+  // no effect. ^depth with a store never has an effect.
   enum class Path { kNone, kRecall, kStoreNew, kOther } path = Path::kNone;
   for (const WmeId id : command.wmes) {
     const Wme& wme = memory.wme(id);
@@ -327,7 +328,7 @@ Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
     }
     retrieval.wave.swap(retrieval.next);
   }
-  // What is listed last is created first.
+  // Contents that are listed last are created first.
   std::ranges::reverse(retrieval.contents);
   return id;
 }
@@ -424,7 +425,7 @@ void SemanticMemory::AnswerRetrieval(GoalLevel level, const SemanticCommand& com
     return;
   }
   const bool success = object != Knowledge::kNowhere;
-  // What is to be listed first is created last.
+  // The results that are listed first are created last.
   const Symbol verdict = success ? words::kSuccess : words::kFailure;
   if (success) {
     const Symbol retrieved = Retrieve(level, object);

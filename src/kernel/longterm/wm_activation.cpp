@@ -167,7 +167,7 @@ void WmActivation::ReleaseGrounds() {
   while (!grounds_.empty()) ReleaseGroundsOf(static_cast<WmeId>(grounds_.begin()->first));
 }
 
-/// Starts the history of an element. It counts as created now, even if it existed before without o-support.
+/// Starts the history of an element. The element counts as created now, even if it existed before without o-support.
 void WmActivation::Follow(WmeId wme, std::uint64_t uses) {
   History history;
   history.pending = uses + MeanStrength(wme);

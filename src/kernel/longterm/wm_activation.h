@@ -30,15 +30,18 @@ struct WmaSettings {
 
 /// The activation of working memory elements, and forgetting of elements with low activation.
 ///
-/// An o-supported element made since this was switched on has a history: how often it was used in which decision cycle,
-/// for the last ten of them. Its creation counts 1 for each preference for it, plus the mean strength of what the
-/// o-supported ones of these rested on. That strength is the sum of uses * age^decay_rate for o-supported elements, and
-/// e for elements that no rule made; i-supported ones are replaced by what they rest on. Each match that waits to fire
-/// when rules fire uses the elements that it tests, and each preference of a rule uses an existing element that it
-/// makes again. A use of an i-supported element is a use of the o-supported ones on which it rests; a use of an item of
-/// an impasse is a use of the operator's proposal. An i-supported element that becomes o-supported begins its history
-/// at its next use. Uses of a cycle are entered in its output phase. The activation is ln of the sum of uses *
-/// age^decay_rate. All other elements show 1.
+/// An o-supported element has a history if it was created while activation was on: how often it was used, for the last
+/// ten decision cycles with uses. Its strength is the sum of uses * age^decay_rate over its history. Its activation is
+/// ln of the strength. Elements without a history show activation 1.
+///
+/// Creation counts as 1 use for each preference for the element, plus a mean strength: that of the elements on which
+/// its o-supported preferences depend. In the mean, an i-supported element is replaced by those on which it depends,
+/// and an element without a history counts e.
+///
+/// When rules fire, each waiting match uses the elements that it tests. A preference of a rule for an existing element
+/// uses this element. A use of an i-supported element counts as a use of the o-supported elements on which it depends.
+/// A use of an item of an impasse counts as a use of the operator's proposal. If an i-supported element becomes
+/// o-supported, its history begins at its next use. The uses of a cycle are added to the histories in its output phase.
 ///
 /// At the end of the output phase, forgetting retracts the preferences of elements whose activation is below the
 /// threshold.
@@ -106,11 +109,11 @@ class WmActivation final : public Module {
   void UseWhatHolds(WmeId wme);
   template <class Held, class Other>
   void ForWhatHolds(const Held& held, const Other& other);
-  /// The mean strength that an element gets from the elements on which its preferences depend. Elements as new as
-  /// itself count 0.
+  /// The mean strength that an element gets from the elements on which its preferences depend. Elements with no added
+  /// uses yet are left out of the mean.
   std::uint64_t MeanStrength(WmeId wme);
-  /// Appends the elements on which a preference depends to open_. Returns the number of further ones that no rule
-  /// created.
+  /// Appends the elements on which a preference depends to open_. Returns the number of further such elements that no
+  /// rule created.
   std::uint64_t OpenGrounds(WmeId wme, PreferenceId preference);
   void ReleaseGrounds();
   void ReleaseGroundsOf(WmeId wme);
