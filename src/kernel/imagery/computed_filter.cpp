@@ -58,8 +58,8 @@ bool RankFilter::Compute() {
   return true;
 }
 
-/// Whether a different combination may be the best one now: the best one changed or was removed, or a new or changed
-/// one is as good.
+/// Whether a different combination may be the best one now. This is so if the best one changed or was removed, or if a
+/// new or changed one is at least as good.
 bool RankFilter::MayChange(TrackedList<Combination>& combinations) const {
   if (best_ == nullptr || best_->changed != 0) return true;
   const auto rivals = [this](const Combination& combination) {

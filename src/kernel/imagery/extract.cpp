@@ -276,8 +276,7 @@ class Extract final : public SceneCommand {
     }
   }
 
-  /// Whether a constant is the text for the content. Always false for vectors and boxes, so they are always written
-  /// again.
+  /// Whether a constant represents the content. Always false for vectors and boxes, so they are always written again.
   bool Says(Symbol symbol, const Content& content) const {
     if (const auto* number = std::get_if<double>(&content))
       return symbol.IsNumber() && parts_.writer.NumberOf(symbol) == *number;

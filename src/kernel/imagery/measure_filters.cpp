@@ -222,19 +222,19 @@ constexpr ParameterInfo kDistance[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"b", "nodes", true, ParameterForm::kNodes},
     {"distance_type", "centroid (of local positions) or hull", false, ParameterForm::kWord, "centroid hull"}};
-constexpr auto kDistanceRange = WithRange(kDistance, "the least number to select", "the greatest number to select");
+constexpr auto kDistanceRange = WithRange(kDistance, "the smallest number to select", "the largest number to select");
 constexpr ParameterInfo kAxis[] = {{"a", "nodes", true, ParameterForm::kNodes},
                                    {"b", "nodes", true, ParameterForm::kNodes},
                                    {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
                                    {"reference", "a node along whose axis to measure", false, ParameterForm::kNodes}};
-constexpr auto kAxisRange = WithRange(kAxis, "the least number to select", "the greatest number to select");
+constexpr auto kAxisRange = WithRange(kAxis, "the smallest number to select", "the largest number to select");
 constexpr ParameterInfo kTwo[] = {{"a", "nodes", true, ParameterForm::kNodes},
                                   {"b", "nodes", true, ParameterForm::kNodes}};
-constexpr auto kTwoRange = WithRange(kTwo, "the least share to select", "the greatest share to select");
+constexpr auto kTwoRange = WithRange(kTwo, "the smallest share to select", "the largest share to select");
 constexpr ParameterInfo kVolume[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"volume_type", "bbox, or scale: of the node's own scale", false, ParameterForm::kWord, "bbox scale"}};
-constexpr auto kVolumeRange = WithRange(kVolume, "the least volume to select", "the greatest volume to select");
+constexpr auto kVolumeRange = WithRange(kVolume, "the smallest volume to select", "the largest volume to select");
 constexpr ParameterInfo kSizes[] = {
     {"a", "nodes", true, ParameterForm::kNodes},
     {"b", "nodes", true, ParameterForm::kNodes},
@@ -252,9 +252,9 @@ void AppendMeasureFilters(std::vector<FilterKind>& kinds) {
       {{"distance", "the distance between a and b", kDistance, MakeMeasure<MeasureDistance, 0>},
        {"distance_select", "each b within a range of distances from a", kDistanceRange,
         MakeMeasure<MeasureDistance, 1>},
-       {"closest", "the least distance between an a and a b, and which they are", kDistance,
+       {"closest", "the smallest distance between an a and a b, and these two nodes", kDistance,
         MakeMeasure<MeasureDistance, 2>},
-       {"farthest", "the greatest distance between an a and a b, and which they are", kDistance,
+       {"farthest", "the largest distance between an a and a b, and these two nodes", kDistance,
         MakeMeasure<MeasureDistance, 3>},
        {"axis_distance", "how far b's box is beyond a's along an axis", kAxis, MakeMeasure<MeasureAxisDistance, 0>},
        {"axis_distance_select", "each b within a range of such distances", kAxisRange,
@@ -264,8 +264,8 @@ void AppendMeasureFilters(std::vector<FilterKind>& kinds) {
         Sharing::kNever},
        {"volume", "the volume of each node", kVolume, MakeMeasure<nullptr, 0>},
        {"volume_select", "the nodes within a range of volumes", kVolumeRange, MakeMeasure<nullptr, 1>},
-       {"largest", "the greatest volume, and of which node", kVolume, MakeMeasure<nullptr, 3>},
-       {"smallest", "the least volume, and of which node", kVolume, MakeMeasure<nullptr, 2>},
+       {"largest", "the largest volume, and the node that has it", kVolume, MakeMeasure<nullptr, 3>},
+       {"smallest", "the smallest volume, and the node that has it", kVolume, MakeMeasure<nullptr, 2>},
        {"larger", "whether a is larger than b", kSizes, MakeTest<IsLarger, false>},
        {"larger_select", "each b that a is larger than", kSizes, MakeTest<IsLarger, true>},
        {"smaller", "whether a is smaller than b", kSizes, MakeTest<IsSmaller, false>},

@@ -303,7 +303,8 @@ class Fitting {
     return std::any_of(others_.begin(), others_.end(),
                        [&](const Node* other) { return AnyHasPoint(ShapesOf(*other), centroid); });
   }
-  /// The axes that free the node if they shrink to zero, if exactly one choice does.
+  /// Shrinks the node along each choice of axes in turn. Returns the choice after which the node touches nothing, if
+  /// there is exactly one.
   template <typename Choice>
   std::optional<std::array<bool, 3>> OnlyThatFrees(Choice choice) {
     std::optional<std::array<bool, 3>> found;

@@ -194,9 +194,9 @@ constexpr ParameterInfo kTag[] = {{"a", "nodes", true, ParameterForm::kNodes},
 void AppendNodeFilters(std::vector<FilterKind>& kinds) {
   kinds.insert(
       kinds.end(),
-      {{"node", "the node of an id, if it is there when the filter is first computed", kId, Make<NodeFilter>},
-       {"all_nodes", "all nodes but world, now and later", {}, Make<AllNodesFilter>, Sharing::kAlways},
-       {"remove_node", "nodes without one of them", kRemove, Make<RemoveNodeFilter>},
+      {{"node", "the node with an id, if it exists when the filter is first computed", kId, Make<NodeFilter>},
+       {"all_nodes", "all nodes except world, including those added later", {}, Make<AllNodesFilter>, Sharing::kAlways},
+       {"remove_node", "nodes, except one of them", kRemove, Make<RemoveNodeFilter>},
        {"combine_nodes", "all nodes of several sets", kNodes, Make<CombineNodesFilter>},
        {"tag_select", "the nodes with a tag", kTag, Make<TagFilter>},
        {"node_position", "the position of each node in its parent's frame", kNodes,
@@ -213,13 +213,13 @@ void AppendNodeFilters(std::vector<FilterKind>& kinds) {
         }},
        {"node_bbox", "the box around each node, along the axes of the world", kNodes,
         [](FilterParts parts) { return MakeRead(std::move(parts), [](const Node& node) { return node.Bounds(); }); }},
-       {"monitor_position", "how far each node is from where the filter saw it first", kNodes,
+       {"monitor_position", "how far each node is from its position when the filter first read it", kNodes,
         [](FilterParts parts) {
           return MakeMonitor(
               std::move(parts), [](const Node& node) { return node.pose().position; },
               [](const Vec3& first, const Vec3& now) { return Distance(first, now); });
         }},
-       {"monitor_volume", "each node's own scale, as a volume, by what it was when the filter saw it first", kNodes,
+       {"monitor_volume", "the volume of each node's own scale, divided by that when the filter first read it", kNodes,
         [](FilterParts parts) {
           return MakeMonitor(std::move(parts), OwnVolume,
                              [](double first, double now) { return (now + 1e-9) / (first + 1e-9); });

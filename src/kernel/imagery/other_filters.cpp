@@ -142,14 +142,14 @@ constexpr ParameterInfo kRelation[] = {
     {"b", "nodes", true, ParameterForm::kNodes},
     {"axis", "x, y or z", true, ParameterForm::kWord, "x y z"},
     {"less", "true: it holds for negative distances", false, ParameterForm::kWord, "true false"},
-    {"aligned", "true: it holds where both share a part of the axis", false, ParameterForm::kWord, "true false"},
+    {"aligned", "true: it holds if both overlap on the axis", false, ParameterForm::kWord, "true false"},
     {"greater", "true: it holds for positive distances", false, ParameterForm::kWord, "true false"},
-    {"bottom", "the least distance, without its sign", false, ParameterForm::kNumber},
-    {"top", "the greatest distance, without its sign", false, ParameterForm::kNumber},
-    {"base", "a or b: from which to measure", false, ParameterForm::kWord, "a b"}};
+    {"bottom", "the smallest distance, without its sign", false, ParameterForm::kNumber},
+    {"top", "the largest distance, without its sign", false, ParameterForm::kNumber},
+    {"base", "a or b: the node from which to measure", false, ParameterForm::kWord, "a b"}};
 constexpr ParameterInfo kPlacement[] = {
     {"a", "the node to place", true, ParameterForm::kNodes},
-    {"b", "the node to place it beside", true, ParameterForm::kNodes},
+    {"b", "the node to place it next to", true, ParameterForm::kNodes},
     {"reference", "a node along whose axes to measure", false, ParameterForm::kNodes},
     {"x_axis_separation", "the gap along x", false, ParameterForm::kNumber},
     {"y_axis_separation", "the gap along y", false, ParameterForm::kNumber},
@@ -167,9 +167,9 @@ std::unique_ptr<Filter> MakeConstant(FilterParts parts, Content content) {
 
 void AppendOtherFilters(std::vector<FilterKind>& kinds) {
   kinds.insert(kinds.end(),
-               {{"axis_relation_select", "each b that stands in a relation to a along an axis", kRelation,
+               {{"axis_relation_select", "each b that is in a given relation to a along an axis", kRelation,
                  MakeOther<AxisRelationFilter>},
-                {"calculate_placement", "where the middle of a has to be, to stand beside b", kPlacement,
+                {"calculate_placement", "the position for a's centroid that places a next to b", kPlacement,
                  MakeOther<PlacementFilter>},
                 {"occlusion", "the share of a that b hides from an eye", kOcclusion, MakeOther<OcclusionFilter>}});
 }

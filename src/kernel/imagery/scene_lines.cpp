@@ -180,7 +180,7 @@ class LineReader {
     Node* const node = scene_.Find(words_[1]);
     if (node == nullptr) return NoSuchNode(1);
     if (node == &scene_.root()) {
-      return Refuse(1, "world stays: delete what is in it, or type svs STATE.scene.clear");
+      return Refuse(1, "world cannot be deleted: delete the nodes in it, or type svs STATE.scene.clear");
     }
     scene_.Remove(*node);
     return std::nullopt;

@@ -174,7 +174,8 @@ void ConditionQueue::ReevaluatePair(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Records the unbound variables of a negated condition when they are so few that one condition can bind them.
+/// Records the unbound variables of a negated condition if there are three or fewer, so that one condition can bind
+/// them.
 void ConditionQueue::CountMissing(std::uint32_t at) {
   std::uint32_t& count = missing_[at];
   if (started_ && count > kNothing.size() + 1) {

@@ -217,8 +217,8 @@ void WarnOfArchitectureLinks(const RuleDraft& rule, const SymbolTable& symbols, 
         action.attribute.kind == RhsValueKind::kConstant && IsArchitectureLink(action.attribute.symbol) &&
         IsTestedGoal(rule, action.id.symbol)) {
       AddTrap(out, place, Severity::kWarning,
-              std::string(rule.name) + " makes ^" + ToString(symbols, action.attribute.symbol) +
-                  " on a state, beside the one that the architecture makes",
+              std::string(rule.name) + " creates ^" + ToString(symbols, action.attribute.symbol) +
+                  " on a state, in addition to the one that the architecture creates",
               "use another attribute");
     }
   }

@@ -190,7 +190,7 @@ std::string RuleToken::Warning() const {
   }
 }
 
-// Common tokens are recognized here. Calls are only at the ends of paths, so that no registers need to be saved.
+// Recognizes the common tokens. Calls other functions only at the ends of paths, so that no registers need to be saved.
 void Lexer::Read(RuleToken& token) {
   const char* const text_end = end_;
   const char* first = at_;

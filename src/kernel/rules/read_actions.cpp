@@ -54,7 +54,7 @@ bool RuleReader::ReadMakeActions(Actions& out) {
   }
   const ValueDraft first_id = Plain(object);
   if (Is(TokenKind::kRightParen)) {
-    Report(Severity::kError, token_, "the action makes nothing", "write ^attribute value after the variable");
+    Report(Severity::kError, token_, "the action creates nothing", "write ^attribute value after the variable");
     return false;
   }
   while (!Is(TokenKind::kRightParen)) {
@@ -299,7 +299,7 @@ bool RuleReader::ReadOperatorPreferences(const ActionDraft& action, Actions& out
         const std::string referent = ToString(symbols_, one.referent.symbol);
         Report(Severity::kWarning, sign,
                "the preference " + std::string(sign.text) + " takes " + referent +
-                   " as its referent, so that what follows is again about " + DescribeAction(action),
+                   " as its referent, so the next sign is again for " + DescribeAction(action),
                "put a comma before " + referent + " or repeat ^operator if " + referent + " is another proposal");
       }
     }
@@ -324,8 +324,8 @@ bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
           action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol == words::kOperator;
       Report(Severity::kError, sign,
              is_operator
-                 ? "a path in an action makes a new object, so that the preference " + std::string(sign.text) +
-                       " would be about no operator of a state"
+                 ? "a path in an action makes a new object, so the preference " + std::string(sign.text) +
+                       " would not be for an operator of a state"
                  : "only the attribute operator takes the preference " + std::string(sign.text) + " with a referent",
              is_operator ? "bind the state in a condition, ^superstate <above>, and write (<above> ^operator ...)"
                          : "leave the preference out: values of other attributes need none");

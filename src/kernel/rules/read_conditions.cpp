@@ -360,9 +360,9 @@ bool RuleReader::ReadTest(TestDraft& test) {
   return true;
 }
 
-/// Reads a sign for literal values. `$ <x>` is a variable whose matched value learning keeps. `$$ <x>` states the same
-/// for a variable that is bound in the same test. `$` before anything else is an ordinary character: constants stay as
-/// they are in any case. Returns false if there is no such sign.
+/// Reads a sign for literal values. `$ <x>` is a variable for which learning keeps the matched value. `$$ <x>` has the
+/// same meaning for a variable that is bound in the same test. `$` before anything else is an ordinary character,
+/// because learning keeps constants anyway. Returns false if there is no such sign.
 bool RuleReader::ReadLiteral(DraftList<TestDraft>& parts) {
   const std::string_view sign = body_.substr(token_.offset, token_.length);
   if (language_.version == SoarVersion::k963 || !Is(TokenKind::kString) || (sign != "$" && sign != "$$")) {
@@ -461,7 +461,7 @@ bool RuleReader::ReadDisjunction(TestDraft& test) {
   while (!Is(TokenKind::kRightAngles)) {
     if (Is(TokenKind::kVariable)) {
       return Fail("Expected constant or >> while reading disjunction test",
-                  "a disjunction holds constants only; write one rule per alternative to test variables");
+                  "a disjunction can contain only constants; write one rule per alternative to test variables");
     }
     const Symbol constant = ConstantOrVariable().symbol;
     if (!constant) {

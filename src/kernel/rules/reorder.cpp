@@ -430,8 +430,8 @@ class ListReorderer {
     for_each([&](std::uint32_t variable, Waiting* waiting) { users_[users_end_[variable]++] = waiting; });
   }
 
-  /// The lowest cost among the other conditions after `taken` has been placed. `tied` conditions, including `taken`,
-  /// cost `cheapest`; none costs less.
+  /// The lowest cost among the other conditions after `taken` has been placed. `tied` is the number of conditions with
+  /// the lowest cost, `cheapest`; `taken` is one of them.
   std::int64_t LookAhead(std::size_t taken, std::int64_t cheapest, std::size_t tied) {
     if (users_end_ == nullptr) {
       if (count_ < kManyConditions) {
@@ -439,8 +439,8 @@ class ListReorderer {
       }
       FindUsers();
     }
-    // Only conditions that use its new variables get cheaper. Unless all conditions tied with it do, one of them still
-    // has the lowest cost.
+    // Only conditions that use the new variables of `taken` get cheaper. If a tied condition does not use them, it
+    // still has the lowest cost.
     const Waiting* const chosen = waiting_[taken];
     std::uint32_t added[3];
     std::size_t added_count = 0;

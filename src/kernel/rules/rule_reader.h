@@ -122,7 +122,7 @@ class RuleReader {
   std::vector<Symbol> disjuncts_;  ///< Scratch.
   std::string edited_;             ///< The text with `exec` inserted; empty until something is inserted.
   std::size_t inserted_ = 0;       ///< How many characters were inserted.
-  bool is_refused_ = false;        ///< An unknown function was named to the user.
+  bool is_refused_ = false;        ///< A message has already named an unknown function.
 };
 
 }  // namespace soarbox::kernel
