@@ -54,8 +54,8 @@ struct AgentData {
   void OnProduction(int event, std::string_view name);
   void OnPrint(int event, const std::string& text, bool self);
   void OnXml(int event, const std::shared_ptr<const soarbox::wire::Element>& element);
-  /// Called when all changes of a message have been applied. `complete` is false if some of them had no place in the
-  /// structure.
+  /// Called when all changes of a message have been applied. `complete` is false if the parents of some changes are
+  /// unknown.
   void OnOutputReceived(bool complete);
   void OnReinitialized();
 };

@@ -70,13 +70,15 @@ Kernel* Kernel::CreateRemoteConnection(bool, char const* pIPaddress, int port, b
   kernel->data_->next_name = -kernel->data_->next_tag;
   if (kernel->data_->link->closed()) {
     const std::string refusal = kernel->data_->link->Refusal();
-    kernel->SetDetailedError(kConnectionFailed,
-                             refusal.empty() ? "The kernel took the connection, but does not answer" : refusal.c_str());
+    kernel->SetDetailedError(kConnectionFailed, refusal.empty()
+                                                    ? "The kernel accepted the connection, but does not answer"
+                                                    : refusal.c_str());
     return kernel;
   }
   kernel->data_->link->SetAnswerLimit(0);
   if (kernel->data_->next_tag == 0) {
-    kernel->SetDetailedError(kConnectionFailed, "The kernel has no time tags left for another client: it serves eight");
+    kernel->SetDetailedError(kConnectionFailed,
+                             "The kernel has no time tags for another client: it serves at most eight");
     return kernel;
   }
   kernel->UpdateAgentList();
@@ -258,7 +260,8 @@ bool Kernel::DestroyAgent(Agent* pAgent) {
   KernelLink* link = data_->Usable();
   if (!link) return false;
   if (!IsAgentValid(pAgent)) {
-    SetDetailedError(kInvalidArgument, "The agent to destroy is none of this kernel, or it has been destroyed already");
+    SetDetailedError(kInvalidArgument,
+                     "The agent to destroy does not belong to this kernel, or it has already been destroyed");
     return false;
   }
   const std::string name = pAgent->GetAgentName();
@@ -301,7 +304,7 @@ char const* Kernel::ExecuteRecordedCommandLine(char const* pCommandLine, char co
   KernelLink* link = data_->Usable();
   data_->last_line_ok = false;
   if (!link) return data_->Answer(GetLastErrorDescription());
-  if (link->remote()) return data_->Answer("A kernel in another process takes no commands from recordings.");
+  if (link->remote()) return data_->Answer("A kernel in another process does not accept commands from recordings.");
   Agent* agent = GetAgent(pAgentName);
   LineRequest request{pCommandLine, false, true};
   request.recorded = true;

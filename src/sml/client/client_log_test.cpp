@@ -159,7 +159,7 @@ TEST_F(ClientLog, AnotherRuleIsNoticed) {
   std::vector<std::string> problems;
   Play(problems);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems.front().find("runs another way"), std::string::npos);
+  EXPECT_NE(problems.front().find("its run differs from the recording"), std::string::npos);
 }
 
 TEST_F(ClientLog, IsRefusedOnceThereAreAgents) {

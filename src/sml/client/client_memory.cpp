@@ -115,8 +115,8 @@ void WorkingMemory::RetireElement(WMElement* wme) {
   }
 }
 
-/// Removes an identifier from the users of its symbol. If it was the last one, the symbol is destroyed, and its
-/// children are appended to `below`.
+/// Removes an identifier from the users of its symbol. If it was the last user, destroys the symbol and appends its
+/// children to `below`.
 void WorkingMemory::DropSymbol(Identifier* identifier, std::vector<WMElement*>& below) {
   IdentifierSymbol* symbol = identifier->symbol_;
   if (!symbol) return;
@@ -315,7 +315,7 @@ void WorkingMemory::SendUpdated(WMElement* wme, long long old_tag) {
 
 bool WorkingMemory::CheckUpdate(WMElement* wme) {
   if (!Owns(wme)) {
-    data_.SetError(kInvalidArgument, "The element to update is none of this agent, or it has been removed");
+    data_.SetError(kInvalidArgument, "The element to update does not belong to this agent, or it has been removed");
     return false;
   }
   if (wme->output_ || !wme->parent_) {
@@ -361,7 +361,8 @@ void WorkingMemory::SendValue(WMElement* wme, Send send) {
 
 bool WorkingMemory::Destroy(WMElement* wme) {
   if (!Owns(wme)) {
-    data_.SetError(kInvalidArgument, "The element to destroy is none of this agent, or it has been removed already");
+    data_.SetError(kInvalidArgument,
+                   "The element to destroy does not belong to this agent, or it has already been removed");
     return false;
   }
   if (!wme->parent_) {

@@ -21,7 +21,7 @@ std::string EscapedForClientAct(std::string_view part) {
 std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem) {
   sml::KernelData& data = sml::KernelData::Of(kernel);
   if (!data.link) {
-    problem = "there is no kernel any more";
+    problem = "the kernel no longer exists";
     return std::nullopt;
   }
   const std::lock_guard lock(data.link->mutex());

@@ -11,7 +11,7 @@ mind::ElementFact InspectElement(const kernel::Agent& agent, kernel::WmeId wme);
 /// How far a rule matches, and what its first failing condition saw.
 mind::MatchFacts InspectMatch(const kernel::Agent& agent, kernel::ProductionId rule);
 
-/// How many whole matches a rule has.
+/// The number of complete matches of a rule.
 std::size_t CountMatches(const kernel::Agent& agent, kernel::ProductionId rule);
 
 /// The rules that test an element, in the order of loading.

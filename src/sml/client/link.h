@@ -149,16 +149,16 @@ class AgentLink {
   virtual void ListOutput(const std::function<void(const OutputWme&)>& visit) = 0;
 };
 
-/// A kernel elsewhere that may keep a log of what its clients do (sml/server/client_log.h).
+/// A kernel in another process that may keep a log of its clients' acts (sml/server/client_log.h).
 class LogLink {
  public:
   virtual ~LogLink() = default;
-  /// What they did, from this byte of the log on; empty: no more at present. Nothing, and the reason, if the kernel
-  /// keeps no log.
+  /// Returns the log from this byte on; an empty text if there is nothing new. Returns none, and sets `problem`, if the
+  /// kernel keeps no log.
   virtual std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) = 0;
 };
 
-/// The way to a kernel.
+/// The connection to a kernel.
 class KernelLink {
  public:
   virtual ~KernelLink() = default;

@@ -395,7 +395,7 @@ namespace soarbox {
 
 std::string RecordClients(sml::Kernel& kernel, const std::string& file) {
   sml::KernelLink* const link = sml::KernelData::Of(kernel).link.get();
-  if (link == nullptr) return "there is no kernel any more";
+  if (link == nullptr) return "the kernel no longer exists";
   auto* const local = dynamic_cast<sml::LocalLink*>(link);
   if (local != nullptr) return local->Record(file);
   return file + ": the kernel is in another process; record where it runs: soarbox kernel --record FILE";

@@ -16,15 +16,15 @@ class Kernel;
 
 namespace soarbox {
 
-/// Records what clients do to the agents of a kernel in this process from now on, before there is any agent: the file
-/// is a recording for `soarbox replay`, `why` and the like. Returns what is wrong, or an empty text. The environment
-/// variable SOARBOX_RECORD=FILE does the same for each kernel. Without a file, only ReadClientLog finds what is
-/// recorded.
+/// Records what clients do to the agents of a kernel in this process from now on. Call it before the first agent is
+/// created. The file is a recording for `soarbox replay`, `why` and so on. Without a file, the log can be read only by
+/// ReadClientLog. Returns a description of the error, or an empty text. The environment variable SOARBOX_RECORD=FILE
+/// has the same effect for each kernel.
 std::string EXPORT RecordClients(sml::Kernel& kernel, const std::string& file);
 
-/// What clients did to the agents of a kernel in another process, from this byte of its log on
-/// (sml/server/client_log.h); empty: no more at present. Nothing, and the reason, if the kernel keeps no log or does
-/// not answer. `soarbox kernel` keeps one, and so does every kernel that is recorded.
+/// Returns what clients did to the agents of a kernel in another process, from this byte of its log on
+/// (sml/server/client_log.h); an empty text if there is nothing new. Returns none, and sets `problem`, if the kernel
+/// keeps no log or does not answer. `soarbox kernel` keeps a log, and so does every kernel that is being recorded.
 std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem);
 
 /// The parts of a line of a client's log (sml/server/client_log.h).

@@ -20,8 +20,8 @@ namespace server {
 class CallMutex;
 }
 
-/// Receives what the mind of a client's agent does, in order. Provides the data that only Soarbox's kernel has, without
-/// formatting of text or parsing of documents. Events that no observer requested cost nothing.
+/// Receives the events in the mind of a client's agent, in order. Provides the data that only Soarbox's kernel has,
+/// without formatting of text or parsing of documents. Events that no observer requested cost nothing.
 ///
 /// The functions are called on the thread that runs the agent, during its decision cycle. They must only store the data
 /// and return; they must not call the client API. Texts are valid only during the call. Levels are counted from 1, the

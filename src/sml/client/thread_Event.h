@@ -7,8 +7,8 @@
 
 namespace soar_thread {
 
-/// An event on which threads wait. A trigger wakes one waiting thread; if there is none, it wakes the next that waits.
-/// For client programs. Callable from any thread.
+/// An event on which threads wait. A trigger wakes one waiting thread; if no thread waits, it wakes the next one that
+/// starts to wait. For client programs. Callable from any thread.
 class Event {
  public:
   void TriggerEvent() {

@@ -34,18 +34,18 @@ RunPosition PositionOf(const HostedAgent& hosted);
 /// clients. Each act is one line, whose parts are separated by tabs; `\t`, `\n`, `\r` and `\\` are escapes.
 ///
 ///     soarbox-client 1 BUILD      the first line
-///     agent NAME                  an agent was made;  gone NAME: it was destroyed
+///     agent NAME                  an agent was created;  gone NAME: it was destroyed
 ///     function NAME               clients implement this right-hand-side function from now on
 ///     file PATH CONTENT           a command read this file
 ///     line AGENT TEXT             a command line; `source` names its file by its absolute path
 ///     add AGENT HANDLE TAG ID ATTRIBUTE TYPE VALUE    an element of input
-///     set AGENT HANDLE TAG TYPE VALUE                 it has another value
-///     remove AGENT HANDLE;  drop AGENT TAG            it is gone
+///     set AGENT HANDLE TAG TYPE VALUE                 the element has another value
+///     remove AGENT HANDLE;  drop AGENT TAG            the element was removed
 ///     scene AGENT TEXT            lines for the scene of the top state
 ///     answer AGENT FUNCTION ARGUMENT VALUE            what a client returned for a function that a rule called
-///     go AGENT CYCLES PHASE ELABORATIONS FIRINGS MS   the agent ran to this position (RunPosition); how often rules
-///                                 have fired by then, and the time since the log began. FIRINGS is - if not known.
-///                                 MS is for people: ticks of recordings leave it out (record/client_ticks.h).
+///     go AGENT CYCLES PHASE ELABORATIONS FIRINGS MS   the agent ran to this position (RunPosition). FIRINGS is the
+///                                 number of rule firings so far, or - if unknown. MS is the time since the log began,
+///                                 for readers: ticks of recordings do not contain it (record/client_ticks.h).
 ///
 /// Each act follows the `go` of the position at which it happened. An act in the middle of a phase is moved to the end
 /// of the phase: input and commands reach the agent no earlier. Answers precede the `go` that needs them.
@@ -54,8 +54,8 @@ RunPosition PositionOf(const HostedAgent& hosted);
 /// reports this once on the standard error and ends.
 class ClientLog {
  public:
-  /// Creates the file, replacing an old one. `build` identifies the program. Without a name, the file is a temporary
-  /// one that nobody else can open, of at most kMostUnnamed bytes: for Text().
+  /// Creates the file, replacing an old one. `build` identifies the program. Without a name, creates a temporary file
+  /// of at most kMostUnnamed bytes that no other program can open; its contents can be read by Text().
   static Result<std::unique_ptr<ClientLog>> Create(const std::string& file, std::string_view build);
   static constexpr std::uint64_t kMostUnnamed = std::uint64_t{256} << 20;
   ~ClientLog();
@@ -78,8 +78,8 @@ class ClientLog {
   /// Flushes the written lines to the operating system, so that they survive if the program is killed.
   void Flush();
 
-  /// What was written from this byte on, at most `most` bytes of it. Nothing if there is no more and will be none: the
-  /// log could not be written, or became too long.
+  /// Returns at most `most` bytes of the log from this byte on. Returns none if no more bytes follow and the log has
+  /// ended, because it could not be written or became too long.
   std::optional<std::string> Text(std::uint64_t from, std::size_t most);
 
  private:

@@ -52,7 +52,7 @@ std::string ClientPlayer::Play(HostedAgent& hosted, const Parts& parts) {
   if (kind == "go" && parts.size() >= kPartsOfGo) return Go(hosted, parts);
   if (kind == "add" && parts.size() >= kPartsOfAdd) return Add(hosted, parts);
   if (kind == "set" && parts.size() >= kPartsOfSet) return Set(hosted, parts);
-  if (parts.size() < 3) return "the log has a line that is not complete: " + kind;
+  if (parts.size() < 3) return "the log has an incomplete line: " + kind;
   if (kind == "line") return Line(hosted, parts[2]);
   if (kind == "remove") return Remove(hosted, parts[2]);
   if (kind == "function") {
@@ -65,9 +65,9 @@ std::string ClientPlayer::Play(HostedAgent& hosted, const Parts& parts) {
   } else if (kind == "drop") {
     hosted.input().RemoveByTag(std::strtoll(parts[2].c_str(), nullptr, 10));
   } else if (kind == "scene") {
-    if (!SendScene(hosted, parts[2])) return "lines for the scene are lost: its spatial visual system is off";
+    if (!SendScene(hosted, parts[2])) return "lines for the scene were dropped: its spatial visual system is off";
   } else {
-    return "the log has a line that this program does not know: " + kind;
+    return "the log has an unknown line: " + kind;
   }
   return {};
 }
@@ -104,8 +104,8 @@ std::string ClientPlayer::Go(HostedAgent& hosted, const Parts& parts) {
   const std::uint64_t recorded = NumberIn(parts[5]), now = hosted.agent().counters().firings;
   if (recorded == now && PositionOf(hosted) == goal) return {};
   astray_.insert(hosted.number());
-  return "from here on it runs another way than it was recorded: " + std::to_string(recorded) +
-         " firings of rules were recorded so far, and there are " + std::to_string(now);
+  return "from here on, its run differs from the recording: rules fired " + std::to_string(now) +
+         " times so far, not " + std::to_string(recorded);
 }
 
 std::string ClientPlayer::Line(HostedAgent& hosted, const std::string& line) {
@@ -128,7 +128,7 @@ std::string ClientPlayer::Add(HostedAgent& hosted, const Parts& parts) {
   elements_[{hosted.number(), parts[2]}] = element;
   if (element != InputElement::kNone || IsNone(parts[2])) return {};
   return "the client gave ^" + parts[5] + " " + parts[7] + " to " + parts[4] +
-         ", which is not there: its output was another one then";
+         ", which does not exist: the output differs from the recording";
 }
 
 std::string ClientPlayer::Set(HostedAgent& hosted, const Parts& parts) {

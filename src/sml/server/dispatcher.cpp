@@ -331,7 +331,7 @@ void ReadLog(Request& request) {
   constexpr std::size_t kMostAtOnce = 512 * 1024;
   ClientLog* const log = request.host.log.get();
   if (log == nullptr) return request.Fail("this kernel keeps no log of what its clients do");
-  // A run notes each decision itself. What was noted does not depend on who watches.
+  // During a run, each decision is logged anyway. The contents of the log must not depend on whether it is read.
   if (!request.host.running())
     for (HostedAgent* const agent : request.host.agents()) log->Went(*agent);
   const std::string* const from = request.Arg(wire::kLogFrom);

@@ -130,7 +130,7 @@ bool RemoteConnection::BeginRound() {
 
 void RemoteConnection::SendNotice() {
   if (slow_ || !notice_id_.empty()) return;
-  // Events that recur must not delay other kinds. The kind that happened last is sent last.
+  // Frequent events must not delay events of other kinds. So the kind that happened last is sent last.
   if (round_.empty() && !BeginRound()) return;
   wire::Message call = NoticeCall(round_.front());
   round_.erase(round_.begin());
@@ -171,7 +171,8 @@ std::optional<wire::Message> RemoteConnection::Call(wire::Message& call, Wait wa
 std::string RemoteConnection::DroppedNote() const {
   const unsigned long long count = channel_->dropped() - told_dropped_;
   if (count == 0) return {};
-  return "\n--- " + std::to_string(count) + " messages of trace were left out here: they were not taken in time ---\n";
+  return "\n--- " + std::to_string(count) +
+         " messages of trace were dropped here: the client did not read them in time ---\n";
 }
 
 template <typename Note>

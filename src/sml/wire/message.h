@@ -13,14 +13,15 @@ namespace soarbox::wire {
 /// The version in every message and in the response to `version`.
 inline constexpr std::string_view kSmlVersion = "9.6.3";
 
-/// A call that Soar 9.6.3 does not have: what files that are loaded for an agent may read. Its folders, one a line, and
-/// the mark on command lines for which that holds.
+/// A call that Soar 9.6.3 does not have: it sets the folders that files loaded for an agent may read, one per line.
+/// kFenced marks command lines to which this restriction applies.
 inline constexpr const char* kFenceCall = "soarbox_fence";
 inline constexpr const char* kFenceFolders = "folders";
 inline constexpr const char* kFenced = "fenced";
 
-/// A call that Soar 9.6.3 does not have: what clients did to the agents (sml/server/client_log.h), from a byte on. The
-/// answer is a part of the log; an empty one: there is no more at present. An error: no log is kept, or it has ended.
+/// A call that Soar 9.6.3 does not have: it requests what clients did to the agents (sml/server/client_log.h), from a
+/// byte on. The response contains a part of the log; it is empty if there is nothing new. The response is an error if
+/// no log is kept or if the log has ended.
 inline constexpr const char* kLogCall = "soarbox_log";
 inline constexpr const char* kLogFrom = "from";
 

@@ -65,10 +65,10 @@ class Reader {
 
   Result<Element> Read() {
     if (!SkipMisc()) return Error();
-    if (AtEnd() || text_[at_] != '<') return Fail("a document begins with an element");
+    if (AtEnd() || text_[at_] != '<') return Fail("a document must begin with an element");
     if (!ReadElement()) return Error();
     if (!SkipMisc()) return Error();
-    if (!AtEnd()) return Fail("there is something after the end of the document's element");
+    if (!AtEnd()) return Fail("there is text after the end of the document's element");
     return std::move(root_);
   }
 
@@ -117,9 +117,9 @@ class Reader {
     while (true) {
       SkipSpace();
       if (StartsWith("<!--")) {
-        if (!SkipTo("-->", "a comment does not end")) return false;
+        if (!SkipTo("-->", "a comment is not closed")) return false;
       } else if (StartsWith("<?")) {
-        if (!SkipTo("?>", "a header does not end")) return false;
+        if (!SkipTo("?>", "a header is not closed")) return false;
       } else if (StartsWith("<!")) {
         return Bad("document types are not accepted");
       } else {
@@ -137,7 +137,7 @@ class Reader {
 
   bool AppendEntity(std::string& out) {
     const std::size_t end = text_.find(';', at_);
-    if (end == std::string_view::npos || end - at_ > 12) return Bad("an '&' begins no entity");
+    if (end == std::string_view::npos || end - at_ > 12) return Bad("an '&' is not followed by an entity");
     const std::string_view name = text_.substr(at_ + 1, end - at_ - 1);
     if (name == "lt") {
       out += '<';
@@ -157,10 +157,10 @@ class Reader {
           std::from_chars(digits.data(), digits.data() + digits.size(), code, hexadecimal ? 16 : 10);
       const bool legal = error == std::errc() && stop == digits.data() + digits.size() && code != 0 &&
                          code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
-      if (!legal) return Bad("a character reference names no character");
+      if (!legal) return Bad("a character reference is not a valid character");
       AppendUtf8(out, code);
     } else {
-      return Bad("an entity is not known");
+      return Bad("an entity is unknown");
     }
     at_ = end + 1;
     return true;
@@ -173,7 +173,7 @@ class Reader {
         if (!AppendEntity(out)) return false;
         continue;
       }
-      if (text_[at_] == '\0') return Bad("a document holds no zero bytes");
+      if (text_[at_] == '\0') return Bad("a document must not contain zero bytes");
       const std::size_t begin = at_;
       while (!AtEnd() && text_[at_] != stop && text_[at_] != '&' && text_[at_] != '\0') ++at_;
       out.append(text_, begin, at_ - begin);
@@ -184,7 +184,7 @@ class Reader {
   bool ReadAttributes(Element& element) {
     while (true) {
       SkipSpace();
-      if (AtEnd()) return Bad("a tag does not end");
+      if (AtEnd()) return Bad("a tag is not closed");
       if (text_[at_] == '>' || text_[at_] == '/') return true;
       const auto name = ReadName();
       if (!name) return Bad("an attribute's name is expected here");
@@ -196,7 +196,7 @@ class Reader {
       const char quote = text_[at_++];
       std::string value;
       if (!ReadText(quote, value)) return false;
-      if (AtEnd()) return Bad("an attribute's value does not end");
+      if (AtEnd()) return Bad("an attribute's value is not closed");
       ++at_;
       if (element.attributes.size() >= limits_.max_attributes) return Bad("an element has too many attributes");
       if (!element.Attribute(*name)) element.Set(std::string(*name), std::move(value));
@@ -213,7 +213,7 @@ class Reader {
     if (!ReadAttributes(element)) return false;
     closed = text_[at_] == '/';
     if (closed) ++at_;
-    if (AtEnd() || text_[at_] != '>') return Bad("a tag does not end");
+    if (AtEnd() || text_[at_] != '>') return Bad("a tag is not closed");
     ++at_;
     return true;
   }
@@ -221,9 +221,9 @@ class Reader {
   bool ReadEndTag(const Element& element) {
     at_ += 2;
     const auto name = ReadName();
-    if (!name || *name != element.tag) return Bad("an end tag does not fit its start tag");
+    if (!name || *name != element.tag) return Bad("an end tag does not match its start tag");
     SkipSpace();
-    if (AtEnd() || text_[at_] != '>') return Bad("an end tag does not end");
+    if (AtEnd() || text_[at_] != '>') return Bad("an end tag is not closed");
     ++at_;
     return true;
   }
@@ -236,20 +236,20 @@ class Reader {
     std::string block;
     while (!open.empty()) {
       Element& element = *open.back();
-      if (AtEnd()) return Bad("an element does not end");
+      if (AtEnd()) return Bad("an element is not closed");
       if (text_[at_] != '<') {
         block.clear();
         if (!ReadText('<', block)) return false;
         if (!IsOnlySpace(block) || (element.children.empty() && StartsWith("</"))) element.text = block;
       } else if (StartsWith("<!--")) {
-        if (!SkipTo("-->", "a comment does not end")) return false;
+        if (!SkipTo("-->", "a comment is not closed")) return false;
       } else if (StartsWith("<![CDATA[")) {
         const std::size_t begin = at_ + 9;
-        if (!SkipTo("]]>", "a character data section does not end")) return false;
+        if (!SkipTo("]]>", "a character data section is not closed")) return false;
         element.text = text_.substr(begin, at_ - 3 - begin);
-        if (element.text.find('\0') != std::string::npos) return Bad("a document holds no zero bytes");
+        if (element.text.find('\0') != std::string::npos) return Bad("a document must not contain zero bytes");
       } else if (StartsWith("<?")) {
-        if (!SkipTo("?>", "a processing instruction does not end")) return false;
+        if (!SkipTo("?>", "a processing instruction is not closed")) return false;
       } else if (StartsWith("</")) {
         if (!ReadEndTag(element)) return false;
         open.pop_back();
