@@ -73,8 +73,8 @@ struct LoadOutcome {
 /// agent is used by one thread at a time. Only RequestStop() may be called from any thread.
 ///
 /// While the agent runs, calls that change it (from an observer or a right-hand-side function) are refused. Exceptions:
-/// RequestStop(), the buffering calls of the input link, and loading and excising, which are deferred to the end of the
-/// phase.
+/// RequestStop() and the buffering calls of the input link. Loading and excising are also accepted, but deferred to the
+/// end of the phase.
 class Agent {
  public:
   explicit Agent(std::string name);
@@ -89,8 +89,9 @@ class Agent {
   /// Loads one rule. `body` is the text between the braces of sp {...}. Excises an existing rule of the same name
   /// first.
   LoadOutcome LoadProduction(std::string_view body, const SourcePlace& place = {});
-  /// Loads a rule that was built elsewhere with this agent's symbols. `ignore_number`: a rule of reinforcement learning
-  /// is a duplicate if it differs from a loaded one only in its number, regardless of the settings.
+  /// Loads a rule that was built with this agent's symbols, not read from text. With `ignore_number`, a rule of
+  /// reinforcement learning is a duplicate if it differs from a loaded one only in its number. The settings are ignored
+  /// then.
   LoadOutcome AddProduction(ProductionPtr production, bool ignore_number = false);
   /// Removes the rule, and everything that only its matches support.
   void Excise(ProductionId production);
@@ -254,8 +255,8 @@ class Agent {
   Result<WmeId> AddWme(Symbol id, Symbol attribute, Symbol value, bool acceptable = false);
   /// Creates an identifier for `wm add` with the value `*`.
   Symbol NewIdentifier(char letter);
-  /// Creates an identifier with a given name, which must be unused, on the level of `parent`, which must be in working
-  /// memory.
+  /// Creates an identifier with a given name on the level of `parent`. The name must be unused, and `parent` must be in
+  /// working memory.
   Symbol NewIdentifier(char letter, std::uint64_t number, Symbol parent);
   /// `wm remove`: removes any element immediately. Preferences stay. So an element that a rule created is added again
   /// when another preference enters or leaves its slot. If a proposed operator loses its element, it stays selected.

@@ -159,8 +159,8 @@ class SymbolTable {
 bool ReadsAsPlainString(std::string_view text);
 
 /// The letter of an identifier that is named after a variable or an attribute: the first letter of the name, as a
-/// capital. It is I if the name does not begin with an ASCII letter, and also if the letter is S, which is reserved for
-/// states.
+/// capital. Returns I if the name does not begin with an ASCII letter. Also returns I instead of S, which is reserved
+/// for states.
 inline char LetterOfIdentifier(std::string_view name) {
   if (!name.empty() && name.front() == '<') name.remove_prefix(1);
   if (name.empty()) return 'I';

@@ -36,8 +36,8 @@ struct DecisionTrace {
   /// Indices into the list of preferences. Each preference of a drop is sufficient for it: the candidate stays at that
   /// stage only if all of them are missing. Drops may share entries.
   std::vector<std::uint32_t> by;
-  /// Indices of further preferences: those that make several candidates indifferent and give them their numbers, those
-  /// that require the selected candidate, and those that cause a constraint failure.
+  /// Indices of further preferences. These make several candidates indifferent and give them their numbers, require the
+  /// selected candidate, or cause a constraint failure.
   std::vector<std::uint32_t> settling;
 
   std::span<const std::uint32_t> By(const Drop& drop) const { return std::span(by).subspan(drop.first, drop.count); }

@@ -13,7 +13,7 @@ namespace soarbox::kernel {
 struct AgentCore;
 
 /// The elaboration loop of the propose and apply phases. Determines the active level and which rules fire, and runs the
-/// working memory phase. Higher goals go first (the waterfall): rules of a lower goal fire in the same elaboration only
+/// working memory phase. Higher goals go first (the waterfall). Rules of a lower goal fire in the same elaboration only
 /// if their actions affect only levels below the one that is changing.
 class Elaboration {
  public:

@@ -66,7 +66,7 @@ TEST(FailingAllocation, LeavesAnAgentThatCanBeDestroyed) {
       ++failures;
     }
     allocations::Allow();
-    // The next agent works as usual, and frees what only the store of shared rules still held for the last one.
+    // The next agent works as usual. It also frees what only the store of shared rules still held for the failed agent.
     Live();
     ASSERT_EQ(allocations::Live(), live_before) << "after the failure of allocation " << n;
   }

@@ -37,8 +37,8 @@ class GoalDependencySets {
   };
   explicit GoalDependencySets(const Uses& uses) : uses_(uses) {}
 
-  /// An element was created for a preference. If an o-supported preference of a substate caused it, the elements on
-  /// which that preference depends are added to the substate's set.
+  /// An element was created for a preference. If the preference is o-supported and belongs to a substate, the elements
+  /// on which it depends are added to the substate's set.
   void NoteNewFact(WmeId wme);
   /// A member of a set is about to be removed: removes its goal and all goals below first.
   [[gnu::noinline]] void MemberLeaves(WmeId wme);

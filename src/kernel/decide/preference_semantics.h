@@ -37,9 +37,9 @@ struct Candidate {
 
 /// The procedure that decides an operator slot (Soar manual 2.4; docs/spec/kernel_features.md, section 11).
 ///
-/// A pure function of the preferences, except for scratch memory, which is kept so that decisions do not allocate in
-/// the steady state. It makes no random choice among indifferent candidates (see exploration.h), so that it serves both
-/// for decisions and for checks of earlier ones.
+/// A pure function of the preferences, except for scratch memory: it is kept so that decisions do not allocate in the
+/// steady state. Makes no random choice among indifferent candidates (see exploration.h). Therefore it can also be used
+/// to check earlier decisions.
 class PreferenceSemantics {
  public:
   struct Outcome {

@@ -60,8 +60,8 @@ class RunControl {
   /// Memory ran out in the middle of a change. The agent counts as running from now on, so that no call changes it.
   void BreakDown() { broken_ = running_ = halted_ = true; }
   bool broken() const { return broken_; }
-  /// Throws std::bad_alloc, which ends the current run, if the agent broke down because a rule's action or an observer
-  /// used up the memory: the matches are gone, so the run cannot continue.
+  /// Throws std::bad_alloc, which ends the current run, if the agent broke down. This happens if a rule's action or an
+  /// observer used up the memory. The matches no longer exist, so the run cannot continue.
   void StopIfBroken() const {
     if (broken_) throw std::bad_alloc();
   }

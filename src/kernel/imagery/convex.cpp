@@ -8,7 +8,8 @@
 namespace soarbox::kernel::imagery {
 namespace {
 
-/// Up to four points of the difference of two bodies, and the point of their convex hull that is nearest to the origin.
+/// Up to four points of the difference of two bodies. Finds the point of their convex hull that is nearest to the
+/// origin.
 class Simplex {
  public:
   bool Has(const Vec3& point) const {

@@ -15,8 +15,8 @@
 namespace soarbox::kernel::imagery {
 
 /// Reads commands from working memory and writes the results of imagery to it. Its elements are in slots, without a
-/// preference. It stores no references to them but finds elements by their contents, so removals by rules or the
-/// architecture leave nothing dangling. It writes nothing on identifiers that are not reachable from a state.
+/// preference. It finds them by their contents and stores no references to them. So rules and the architecture may
+/// remove them at any time. It writes nothing on identifiers that are not reachable from a state.
 class MemoryWriter {
  public:
   MemoryWriter(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes, PreferenceChanges& preferences)

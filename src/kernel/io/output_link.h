@@ -28,9 +28,9 @@ struct OutputCommand {
 };
 
 /// The agent's output to its clients. If the agent changed an element that is reachable from the output link, the
-/// output phase compares the reachable structure with that of the last output phase. Changes by clients alone do not
-/// count as output. The differences are available until the next output phase that finds a difference. Costs nothing
-/// while nothing below the output link changes.
+/// output phase compares the reachable structure with its previous state. Changes by clients alone do not count as
+/// output. The differences are available until the next output phase that finds a difference. Costs nothing while
+/// nothing below the output link changes.
 class OutputLink {
  public:
   OutputLink(const WorkingMemory& memory, OutputMarks& marks);

@@ -181,8 +181,8 @@ void Chunker::NoteSelection(InstantiationId id) {
     });
   }
   if (uses_.preferences.prohibits() != 0) {
-    // As in Soar 9.6.3, prohibit preferences in the slot where an element was created count, even if they are about
-    // another element or one of a higher state.
+    // As in Soar 9.6.3, all prohibit preferences in the slot of the created element count. They may even be about
+    // another element or an element of a higher state.
     std::vector<PreferenceId> prohibits;
     for (std::size_t n = traces.size(); n-- > 0;) uses_.selections.CollectProhibits(traces[n].wme, prohibits);
     if (!prohibits.empty()) {

@@ -41,8 +41,8 @@ struct JoinEvent {
   IdentityGraph::Node to = IdentityGraph::kNone;  ///< kNone: the identity was literalized.
 };
 
-/// The third stage of learning. Determines which variables of the rules that led to the results must be the same
-/// variable in the learned rule, and which must be constants.
+/// The third stage of learning. It examines the variables of the rules that led to the results. It determines which of
+/// them must be the same variable in the learned rule, and which must be constants.
 class IdentityAnalysis {
  public:
   /// The parts of the agent that it uses.

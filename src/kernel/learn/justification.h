@@ -41,8 +41,8 @@ class WorkingMemory;
 /// the result gets a justification: an instantiation at the level of the elements on which the result depends. It
 /// supports the result after the substate was removed, until one of these elements is removed.
 ///
-/// To find the elements, each condition of the fired rule is followed to the preference that created its element, and
-/// so on, until elements of higher states are reached. No rule is built: the matcher only has a fixed match of the
+/// To find the elements, each condition of the fired rule is followed to the preference that created its element. This
+/// is repeated until elements of higher states are reached. No rule is built: the matcher only has a fixed match of the
 /// elements (Rete::AddFixedMatch), or, if negated conditions matter, it matches literal conditions.
 class Justifier final : public JustificationNames {
  public:
@@ -81,8 +81,8 @@ class Justifier final : public JustificationNames {
                   bool o_support);
   /// Whether the actions of the rule that fired last propose an operator for a state.
   bool Proposes(InstantiationId base) const;
-  /// Returns true if `base`'s rule produced so many duplicates in this decision that nothing more is learned from it
-  /// until the next one.
+  /// Returns true if `base`'s rule produced too many duplicates in this decision. Nothing more is learned from it until
+  /// the next decision.
   bool HasTooManyDuplicates(InstantiationId base, std::uint32_t most) const;
   void CountDuplicate(InstantiationId base);
   void ForgetDuplicates(ProductionId rule) { duplicates_.erase(rule); }

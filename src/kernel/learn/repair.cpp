@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Repairs learned rules that test objects to which no state is connected, because the substate reached them by its own
-// links.
+// Repairs learned rules with objects that are not connected to a state. In the substate, these objects were reached by
+// the substate's own links.
 #include <algorithm>
 #include <utility>
 

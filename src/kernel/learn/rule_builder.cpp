@@ -189,8 +189,8 @@ void RuleBuilder::PlaceConstraints() {
   }
 }
 
-/// Adds the test to the first field of the tested identity or, if that is not possible, with swapped sides to that of
-/// the other one.
+/// Adds the test to the first field of the tested identity. If that is not possible, adds it with swapped sides to the
+/// first field of the other identity.
 bool RuleBuilder::PlaceConstraint(const CarriedTest& constraint) {
   TestDraft* const here = PlaceOf(constraint.tested);
   TestDraft* const there = PlaceOf(constraint.referent_node);

@@ -20,10 +20,10 @@ struct EpisodeCueElement {
   double weight = 1;
 };
 
-/// A cue as an acyclic graph: variables, and attributes that link them to each other and to constants. Elements that
-/// lead back to an object on the path from the cue are omitted, and so are elements that lead only to such elements.
-/// Variable 0 is the top state. An object without elements becomes a separate variable for each link to it: two links
-/// to such an object may match two nodes.
+/// A cue as an acyclic graph: variables, and attributes that link them to each other and to constants. An element is
+/// omitted if it leads back to an object on the path from the cue, or only to such elements. Variable 0 is the top
+/// state. An object without elements becomes a separate variable for each link to it: two links to such an object may
+/// match two nodes.
 class EpisodeCue {
  public:
   static constexpr std::uint32_t kNoVariable = 0xFFFFFFFF;

@@ -11,7 +11,7 @@
 
 namespace soarbox::kernel {
 
-/// Writes episodes for a journal, one after the other: the constants and facts that are new in each, the facts that
+/// Writes episodes for a journal, one after the other. Each record contains the new constants and facts, the facts that
 /// became true or false, and the links of nodes to objects of semantic memory.
 class EpisodeWriter {
  public:

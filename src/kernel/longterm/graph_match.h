@@ -11,8 +11,8 @@
 
 namespace soarbox::kernel {
 
-/// Finds the latest episode in which the entire cue matches as a graph: each variable is assigned a node, and variables
-/// of two objects of the cue are assigned different nodes. (Only the cue itself, the top state, may share its node with
+/// Finds the latest episode in which the entire cue matches as a graph. Each variable is assigned a node. Variables of
+/// two objects of the cue are assigned different nodes. (Only the cue itself, the top state, may share its node with
 /// another variable.)
 ///
 /// The search is over assignments of nodes. Their number depends on the number of simultaneous objects, not on that of

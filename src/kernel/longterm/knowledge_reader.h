@@ -12,9 +12,9 @@ class SemanticMemory;
 
 /// The texts of `smem --add`, `--query` and `--remove`, without the outer braces:
 ///   (@12 ^name tank ^has @13 <part> ^core.fuel diesel) (<part> ^name hatch) (@steel ^hardness 6)
-/// An object is a number (@12), an alias that is known in the entire memory (@steel), or a variable, which represents a
-/// new object within one text. Several values may follow an attribute. A path creates an object for each of its dots. A
-/// number in parentheses after a link is its weight (link_weights.h).
+/// An object is a number (@12), an alias (@steel), or a variable. An alias is valid in the entire memory; a variable
+/// represents a new object within one text. Several values may follow an attribute. A path creates an object for each
+/// of its dots. A number in parentheses after a link is its weight (link_weights.h).
 
 /// Adds the knowledge in the text, up to the first incorrect clause. Returns Soar's message about it, or an empty text.
 /// Appends mistakes that have no effect to `notes`, one per line.

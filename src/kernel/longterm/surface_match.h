@@ -33,8 +33,8 @@ struct SurfaceStep {
 /// true in earlier episodes cannot beat the best score.
 class SurfaceMatch {
  public:
-  /// Called for each episode in which all positive leaves match and no negative one does, unless a later one scored
-  /// more. Return true to end the search with this episode.
+  /// Called for each episode in which all positive leaves match and no negative one does, but not if a later episode
+  /// scored more. Return true to end the search with this episode.
   using OnPerfect = std::function<bool(EpisodeNumber)>;
 
   SurfaceMatch(const EpisodeStore& store, const EpisodeCue& positive, const EpisodeCue& negative)

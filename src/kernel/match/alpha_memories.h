@@ -120,8 +120,9 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
     items_[index].next = free_;
     free_ = index;
   }
-  /// Adds a use of the memory with these constant tests. If it does not exist, it is created and filled from the next
-  /// more general memory or from all elements, newest first; each item becomes the first one of its element's list.
+  /// Adds a use of the memory with these constant tests, and creates the memory if it does not exist. A new memory is
+  /// filled from the next more general memory, or from all elements, newest first. Each item becomes the first one of
+  /// its element's list.
   std::uint32_t Use(Network & network, ElementLinks & links, const WmeTable& wmes, const std::uint32_t(&constants)[3],
                     std::uint32_t mask, bool acceptable);
   /// A node no longer uses this memory.

@@ -55,8 +55,9 @@ class Rete {
 
   // Rules -----------------------------------------------------------------------------------------------------------
 
-  /// Builds or shares nodes for the rule's conditions, and matches it with working memory immediately. A rule is a
-  /// duplicate, and is not added, if its conditions end at the same node as another's and its actions are equal.
+  /// Builds or shares nodes for the rule's conditions, and matches it with working memory immediately. The rule is a
+  /// duplicate if its conditions end at the same node as those of another rule and the actions are equal. A duplicate
+  /// is not added.
   Added AddProduction(ProductionPtr production, const GoalView& goals, const AddOptions& options);
   Added AddProduction(ProductionPtr production, const GoalView& goals) {
     return AddProduction(std::move(production), goals, AddOptions());
@@ -96,11 +97,11 @@ class Rete {
   /// True if this limit was reached.
   bool at_limit() const;
 
-  /// A memory starts to park pairs when the number of its pairs that joined with nothing exceeds the number of others
-  /// by `matches` (256). Changes only the speed; for tests.
+  /// A memory starts to park pairs when its score reaches `matches` (256). Each pair that joins with nothing adds 1 to
+  /// the score; pairs that join lower it. Changes only the speed; for tests.
   void ParkAfter(std::uint32_t matches);
-  /// An alpha memory starts to store which of its nodes waits for which identifier when the number of nodes that wait
-  /// for its elements reaches `nodes` (32). Changes only the speed; for tests.
+  /// When the number of nodes that wait for the elements of an alpha memory reaches `nodes` (32), the memory starts to
+  /// store which node waits for which identifier. Changes only the speed; for tests.
   void BusyFrom(std::uint32_t nodes);
   /// Whether conjunctive negations of rules added from now on may be shared (rete_shared.cpp). On, except in tests that
   /// compare both ways.
@@ -114,8 +115,9 @@ class Rete {
 
   // Partial matches, for display ------------------------------------------------------------------------------------
   // A condition is addressed by its path: {2} is the third top-level condition, {1, 0} the first one inside the
-  // conjunctive negation at place 1. A partial match lists the elements of the positive conditions from the first
-  // top-level condition to the one addressed (inside a conjunctive negation: those before it, then its own).
+  // conjunctive negation at place 1. A partial match lists the elements of the positive conditions, from the first
+  // top-level condition to the addressed one. Inside a conjunctive negation, these are the conditions before the
+  // negation, then those in it.
 
   using PartialMatches = std::vector<std::vector<WmeId>>;
   /// Number of partial matches that pass this condition (for a negated one: that it does not block).
@@ -126,7 +128,7 @@ class Rete {
   PartialMatches MatchesBefore(ProductionId production, std::span<const std::uint16_t> path) const;
   /// Elements that pass the condition's constant tests, newest first. Empty for a conjunctive negation.
   std::vector<WmeId> RightMatches(ProductionId production, std::span<const std::uint16_t> path) const;
-  /// Tokens in the memories of a rule; shared ones count for each rule that uses them. `complete`: includes whole
+  /// Tokens in the memories of a rule; shared ones count for each rule that uses them. `complete`: includes complete
   /// matches.
   std::size_t CountTokens(ProductionId production, bool complete = true) const;
   static constexpr std::size_t kTokenBytes = 64;

@@ -188,8 +188,8 @@ void ReteBuilder::TakeApart(const Condition& condition, std::uint32_t depth) {
   }
 }
 
-// The key covers the first equality of the identifier with an earlier binding, and that of the value if the attribute
-// is a constant (then an alpha memory contains each pair at most once).
+// The key covers the first equality of the identifier with an earlier binding. If the attribute is a constant, the key
+// also covers the first such equality of the value: an alpha memory then contains each pair at most once.
 void ReteBuilder::ChooseKey() {
   const auto take = [this](Field field, std::uint16_t& levels, Field& referent_field) {
     for (auto test = tests_.tests.begin(); test != tests_.tests.end(); ++test) {

@@ -17,7 +17,7 @@ struct ReteState;
 /// Adds rules to the network of an agent and removes them: turns the conditions of one rule into nodes, and shares
 /// those that exist.
 ///
-/// Depth counts conditions from the top, with a negated condition or a conjunctive negation as one; inside a
+/// Depth counts conditions from the top; a negated condition or a conjunctive negation counts as one. Inside a
 /// conjunctive negation it continues from the conditions before it. From a condition at depth d, a binding at depth b
 /// is d - b levels up. A condition that tests a variable for equality binds it again, so that later conditions find it
 /// as few levels up as possible.

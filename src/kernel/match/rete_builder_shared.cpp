@@ -49,14 +49,14 @@ bool IsLasting(const Test& test) {
 
 }  // namespace
 
-/// A conjunction can be shared if it is a path: two or more positive conditions, where the identifier of the first is
-/// bound outside and that of each other condition inside. Sharing is worthwhile if several tokens may have that
+/// A conjunction can be shared if it is a path: two or more positive conditions. The identifier of the first condition
+/// must be bound outside, those of all others inside. Sharing is worthwhile if several tokens may have the same first
 /// identifier, and if a test compares bindings of these tokens with the path. Conditions after such a comparison must
 /// be about the same object: otherwise the comparison might have prevented many partial matches.
 ///
-/// Sharing is not possible if several tokens wait for the conjunction already, because the order in which they would
-/// have met its elements is unknown. It is also not possible if the first condition is joined with a memory that other
-/// rules use. The order of that memory's children determines the order of their matches.
+/// Sharing is not possible if several tokens already wait for the conjunction: the order in which they would have met
+/// its elements is unknown. It is also not possible if the first condition is joined with a memory that other rules
+/// use. The order of that memory's children determines the order of their matches.
 bool ReteBuilder::CanBeShared(const Condition& condition, std::uint32_t emitter, std::uint32_t depth) {
   const std::span<const Condition> conditions = condition.conditions();
   if (!state_.shared.allowed || path_.IsBuilt() || conditions.size() < 2) {

@@ -47,8 +47,8 @@ namespace soarbox::kernel {
   return true;
 }
 
-/// Calls visit(element) for the existing pairs of a run that is parked in a sparse memory, newest element first, until
-/// it returns true.
+/// Calls visit(element) for the existing pairs of a run that is parked in a sparse memory, newest element first. Stops
+/// when it returns true.
 template <typename Visit>
 void ForEachOfRun(const ReteState& state, std::uint32_t memory, const ParkedRun& run, Visit&& visit) {
   const AlphaState& alpha = state.alphas[state.network->node(state.network->node(memory).parent).alpha];

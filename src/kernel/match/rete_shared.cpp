@@ -5,20 +5,20 @@
 #include "kernel/match/rete_inline.h"
 
 /// Shared conjunctions. Most conjunctive negations start at one object and follow a path of elements. They search for
-/// something that beats or excludes the current match (no other task of the class has a higher rank, no slot of the
-/// zone is free). If they are matched below each token, they create as many partial matches as there are tokens times
-/// elements. If the conditions form a path from one identifier, they are instead matched once per identifier, the
-/// *anchor*. The tokens that wait for the conjunction, its *owners*, meet complete paths by the anchor and by other
-/// bindings that must be equal. The remaining comparisons are evaluated at the meeting, and a record is created only
-/// for a path that blocks an owner.
+/// something that beats or excludes the current match: another task of the class with a higher rank, a free slot of the
+/// zone. If they are matched below each token, they create as many partial matches as there are tokens times elements.
+/// If the conditions form a path from one identifier, they are instead matched once per identifier, the *anchor*. The
+/// tokens that wait for the conjunction are its *owners*. They meet complete paths by the anchor and by other bindings
+/// that must be equal. The remaining comparisons are evaluated at the meeting. A record is created only for a path that
+/// blocks an owner.
 ///
 /// An anchor lives while it has owners, and comparisons with owners come last (rete_builder_shared.cpp). So the number
 /// of paths per identifier is about the number of partial matches per token without sharing.
 ///
 /// Sharing has no observable effect: owners are blocked and opened in the order in which the partial matches (owner,
 /// path) would have been created and removed. This order follows from serial numbers. Such a match is created when the
-/// later of the two arrives. If that is the path, and an element completed it, the owners are processed in reverse
-/// order: the owner that first met the existing part of the path comes last.
+/// later of the two arrives. If an element completes a path, the owners are processed in reverse order: the owner that
+/// first met the existing part of the path comes last.
 namespace soarbox::kernel {
 
 // Meeting -------------------------------------------------------------------------------------------------------------

@@ -35,8 +35,8 @@ constexpr std::size_t kMostRuns = 2048;  ///< Maximum number of runs that are se
 
 // Parked pairs --------------------------------------------------------------------------------------------------------
 
-/// Creates tokens for the pairs in runs that an element joins with, and gathers them. These are pairs whose element has
-/// the new one's identifier as its value, and whose token is newer than that element.
+/// Creates tokens for the pairs in runs that an element joins with, and gathers them. The value of the pair's element
+/// is the identifier of the new element, and the pair's token is newer than the pair's element.
 void ReteState::GatherFromRuns(std::uint32_t join, std::uint32_t wme, std::uint32_t key) {
   const Network& net = *network;
   const Node& node = net.node(join);

@@ -19,8 +19,9 @@ namespace soarbox::kernel {
 /// * memory, negative, conjunctive: it is in a bucket of its node's memory (by `key`).
 /// * result of a negative node (kResultBit set): child of the negative token that it blocks; in no bucket. A blocked
 ///   token has results as children, an open one has tokens of later nodes: never both.
-/// * partner: a result inside a conjunction; child of the token above it, and in the list of results of the
-///   conjunctive token `key`, which is blocked (kBlockedBit) while it has any: then its `first_child` is that list.
+/// * partner: a result inside a conjunction; child of the token above it. It is also in the list of results of the
+///   conjunctive token `key`. This token is blocked (kBlockedBit) while it has results; then its `first_child` is that
+///   list.
 /// * shared conjunctive: it is in its node's memory; `pairs` is its anchor. Blocked likewise; a result is a child of
 ///   the path that blocks it and has no element.
 /// * anchor: has no parent and no element; `key` is the identifier, `previous_sibling` counts its owners.

@@ -27,7 +27,7 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
 
   const IdentifierRecord& source = At(from);
   if (target.parent_link == LinkId::kNone) {
-    // If an identifier has just lost its link from a higher level, Settle gives it a new parent and lowers its level.
+    // If an identifier has just lost its link from a higher level, Settle gives it a new parent and a lower level.
     const bool falls = target.rooted && source.level > target.level;
     // An identifier without children cannot be above `from`.
     if (!falls && (target.first_child == LinkId::kNone || Trace(from, to) != Ancestry::kBelow)) SetParent(to, id);
@@ -43,8 +43,8 @@ LinkId LinkGraph::Add(Symbol from, Symbol to) {
   return id;
 }
 
-/// The identifier is now reachable from a goal, and so is everything that it reaches and that was not reachable before,
-/// including cycles.
+/// The identifier is now reachable from a goal. So is everything below it that was not reachable before, including
+/// cycles.
 void LinkGraph::Root(Symbol id) {
   IdentifierRecord& first = At(id);
   first.rooted = true;

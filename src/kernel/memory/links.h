@@ -21,10 +21,9 @@ struct Link {
 
 /// The links between identifiers. Determines the level of each identifier, and which identifiers are garbage.
 ///
-/// A link is one of two things: a preference in a slot with an identifier as its value (or referent), or an element of
-/// the architecture or of input with an identifier as its value. Each identifier that is reachable from a goal has one
-/// parent link. The parent links form a tree below every goal; the level of an identifier is that of the goal at its
-/// root.
+/// A link is a preference in a slot with an identifier as its value (or referent). An element of the architecture or of
+/// input with an identifier as its value is also a link. Each identifier that is reachable from a goal has one parent
+/// link. The parent links form a tree below every goal; the level of an identifier is that of the goal at its root.
 ///
 /// Removing a link that is not a parent link changes no level. When a parent link is removed, another link to the
 /// identifier itself is searched first. Only if there is none, links into the rest of its subtree are searched. So the
@@ -43,9 +42,9 @@ class LinkGraph {
 
   /// True if links changed in a way that can change levels.
   bool HasWork() const { return restless_; }
-  /// Updates the levels of the identifiers that changed. First come promotions. Then come identifiers without links,
-  /// and removed goals, in the order in which they lost their first link or were removed; identifiers that only they
-  /// linked to follow immediately. Identifiers that may have other links come last.
+  /// Updates the levels of the identifiers that changed. First come promotions. Then come identifiers without links and
+  /// removed goals, in the order in which they lost their first link or were removed. Identifiers that only they linked
+  /// to follow immediately. Identifiers that may have other links come last.
   /// Appends the identifiers that are no longer reachable from a goal to `garbage`. The caller removes what they own,
   /// which may cause more work: call Settle again until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
@@ -107,7 +106,7 @@ class LinkGraph {
   std::vector<Symbol> roots_;      ///< During Reattach: identifiers without a parent, the newest loss first.
   std::vector<Symbol> subtree_;    ///< During Reattach: these with their subtrees.
   /// By identifier index: not 0 if it is in `subtree_` and not rescued. The value minus 1 is the number of elements
-  /// with it as their value, not counting those found to belong to the subtree.
+  /// with it as their value, without those found to belong to the subtree.
   std::vector<std::uint32_t> suspended_;
   std::vector<Symbol> stack_;
   struct Candidate {

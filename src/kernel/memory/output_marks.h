@@ -8,7 +8,7 @@
 
 namespace soarbox::kernel {
 
-/// Stores which identifiers were below the output link when it was last read, and whether one of their elements has
+/// Stores which identifiers were below the output link when it was last read. Detects whether one of their elements has
 /// been added or removed since. While nothing below the output link changes, it costs one test per element.
 class OutputMarks {
  public:

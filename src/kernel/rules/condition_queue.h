@@ -27,8 +27,8 @@ struct QueuedCondition {
   std::span<const std::uint32_t> needs;  ///< Its variables, each once; see ListReorderer.
 };
 
-/// Chooses the next condition of a long list: the cheapest, with one step of look-ahead. The result is that of a scan
-/// of all waiting conditions (ListReorderer::Choose), but only costs that a new binding changes are recomputed. n
+/// Chooses the next condition of a long list: the cheapest, with one step of look-ahead. The result equals that of a
+/// scan of all waiting conditions (ListReorderer::Choose). But only costs that a new binding changes are recomputed: n
 /// conditions that share few variables take O(n log n). Binding a variable never makes a condition more expensive.
 /// Therefore the look-ahead of a condition is a minimum: that of its own cost and of the costs of the conditions that
 /// use its variables, computed with these variables bound.

@@ -10,8 +10,8 @@
 
 namespace soarbox::kernel {
 
-/// Finds numbers that no proposal accepts: one rule tests that a value is below a number, a sibling tests that it is
-/// above the same number, and no third rule accepts the number itself. At exactly this number the agent has no
+/// Finds numbers that no proposal accepts. One rule tests that a value is below a number, and a sibling tests that it
+/// is above the same number. No third rule accepts the number itself. So at exactly this number the agent has no
 /// operator.
 ///
 /// Siblings are rules that propose operators and have equal conditions except for the comparisons of one value. Other

@@ -6,8 +6,8 @@
 
 namespace soarbox::kernel {
 
-/// The version of Soar that an agent imitates, where versions differ in a way that rules can observe (`soar like`).
-/// docs/spec/soar_9_6_5.md lists the differences.
+/// The version of Soar that an agent imitates (`soar like`). It matters only for differences between versions that
+/// rules can observe. docs/spec/soar_9_6_5.md lists them.
 enum class SoarVersion : std::uint8_t { k963, k965 };
 
 constexpr std::string_view TextOf(SoarVersion version) {

@@ -63,7 +63,7 @@ class WaitingTests {
   static constexpr std::size_t kFew = 32;
 
   /// Iterates over the saved tests that a field with this symbol may decide, in text order. If there are few tests,
-  /// over all of them. Else only over those that name the symbol, and only for the first field with it, because a test
+  /// iterates over all of them. Else only over those that name the symbol, and only for the first field with it: a test
   /// is decided as soon as both sides are bound.
   SavedTest* FirstThatMayBe(Symbol symbol) { return count_ < kFew ? saved_.first : FirstWith(symbol); }
   SavedTest* NextThatMayBe(const SavedTest& saved) {

@@ -125,7 +125,7 @@ class RemoteLink final : public KernelLink, public LogLink, public RemoteCaller 
   }
 
   /// Serves the kernel's calls until the response arrives, or until the kernel has sent nothing for too long. A handler
-  /// that calls the kernel may receive the response to an outer call first, which is stored for that call.
+  /// that calls the kernel may receive the response to an outer call first. That response is stored for the outer call.
   std::optional<Message> AwaitAnswer(const std::string& id, std::optional<Milliseconds> limit) {
     std::string document;
     while (true) {

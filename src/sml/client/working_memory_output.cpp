@@ -38,7 +38,7 @@ void WorkingMemory::ClearChanges() {
   if (removed_.empty()) return;
   releasing_.swap(removed_);
   for (WMElement* wme : releasing_) {
-    // (Removed output is neither a child nor in the table any more, so for most elements nothing else remains to be
+    // (Removed output is not a child and not in the table any more. So for most elements nothing else remains to be
     // done.)
     if (wme->kind_ == WMElement::Kind::kIdentifier) {
       Release(wme);

@@ -8,14 +8,15 @@
 
 namespace soarbox::server {
 
-/// The events sent to a client that it has not answered yet, and for each the call that may have crossed it.
+/// The events that a client has not answered yet. For each event, stores the response to the call that may have crossed
+/// it.
 ///
 /// While a client waits for the response to a call, it processes all messages. If an event arrives first, its handler
-/// may call the kernel. It may then receive the response to the outer call while it waits for its own. Clients built on
-/// Soar's own library put that response aside, and look for it only when no message has arrived for a second. In a
-/// running world they wait forever. Therefore the response is sent again after the event was answered; clients ignore
-/// responses that they do not wait for. Only the first call after an event can have crossed it, because a client has
-/// one outer call at a time.
+/// may call the kernel. The client may then receive the response to the outer call while it waits for the inner one.
+/// Clients built on Soar's own library store that response, but look for it only when no message has arrived for a
+/// second. In a running world they wait forever. Therefore the response is sent again after the event was answered;
+/// clients ignore responses that they do not wait for. Only the first call after an event can have crossed it, because
+/// a client has one outer call at a time.
 class OpenEvents {
  public:
   void Sent(std::string id) {

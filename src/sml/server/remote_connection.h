@@ -25,10 +25,10 @@ class KernelHost;
 /// as slow: the kernel does not wait for it until it has answered the last such event. Text and trace never wait; they
 /// are dropped if too much is unsent, and the next message that is sent reports how many were dropped.
 ///
-/// A client that only watches (it receives no output and creates no input, for example a debugger) does not delay a run
-/// that it did not start. Of the events that come with every decision, it receives the next one after it has answered
-/// the previous one; each kind waits at most once, however often it happened meanwhile. Between two rounds of such
-/// events it has time to redraw. The same applies to slow clients.
+/// A client that only watches does not delay a run that it did not start. Such a client, for example a debugger,
+/// receives no output and creates no input. Of the events that come with every decision, it receives the next one after
+/// it has answered the previous one. Each kind waits at most once, even if it has happened several times since. Between
+/// two rounds of such events the client has time to redraw. The same applies to slow clients.
 class RemoteConnection : public Connection {
  public:
   RemoteConnection(KernelHost& host, std::unique_ptr<wire::Channel> channel, std::chrono::milliseconds answer_timeout);

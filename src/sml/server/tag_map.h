@@ -83,7 +83,7 @@ class TagMap {
     return (static_cast<std::uint64_t>(tag) * 0x9E3779B97F4A7C15ull >> 32) & (slots_.size() - 1);
   }
   std::size_t Next(std::size_t i) const { return (i + 1) & (slots_.size() - 1); }
-  /// Removes an entry and moves later entries of the run back, so that no lookup finds a hole before its entry.
+  /// Removes an entry. Moves later entries of the run back, so that no search ends at a hole before its entry.
   void Close(std::size_t hole) {
     --size_;
     for (std::size_t i = Next(hole); slots_[i].first != 0; i = Next(i)) {

@@ -14,8 +14,8 @@ namespace soarbox::server {
 class HostedAgent;
 
 /// Builds the structured trace of an agent: the trace selected by the command line's settings, as elements. Enabled
-/// only while a client listens. The parts are sent at the start of every output phase and at the end of runs, in the
-/// form of the text for remote clients.
+/// only while a client listens. The parts are sent at the start of every output phase and at the end of runs. They have
+/// the form of the text for remote clients.
 class XmlTracer : public kernel::Observer {
  public:
   explicit XmlTracer(HostedAgent& hosted) : hosted_(hosted) {}

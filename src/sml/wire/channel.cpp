@@ -260,8 +260,7 @@ struct Channel::Socket : std::enable_shared_from_this<Channel::Socket> {
     open.clear();
   }
 
-  /// Makes sure that the messages in the outbox are sent, immediately or after a moment, and that open messages are
-  /// ended.
+  /// Makes sure that the messages in the outbox are sent, immediately or after a moment. Also ends the open messages.
   bool SendSoon(std::unique_lock<std::mutex>& lock, bool may_wait) {
     // (The current write operation also sends the rest.)
     if (writing) return true;

@@ -27,9 +27,9 @@ bool Holds(std::string_view predicate, double left, double right) {
 
 }  // namespace
 
-/// The probability that the number of dice that show one given side is eq, ne, lt, gt, le or ge a count; arguments are
-/// the number of dice, the number of sides, the count and the comparison. Computes with logarithms, so that many dice
-/// do not overflow.
+/// Computes a probability from the number of dice, the number of sides, a count and a comparison. It is the probability
+/// that the number of dice that show one given side is eq, ne, lt, gt, le or ge the count. Uses logarithms, so that
+/// many dice do not overflow.
 Symbol DiceProbability(FunctionContext& context, Arguments arguments) {
   if (arguments.size() != 4) {
     return {};

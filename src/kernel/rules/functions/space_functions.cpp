@@ -83,7 +83,7 @@ bool Numbers(FunctionContext& context, Arguments arguments, const char* function
   return true;
 }
 
-/// Of the points below an identifier, the one nearest to the ray from a point (x, y) in the direction of a heading.
+/// Returns the point below an identifier that is nearest to the ray from (x, y) in the direction of a heading.
 Symbol ClosestToRay(FunctionContext& context, Arguments arguments, const std::string& function, double pi) {
   const SymbolTable& symbols = context.symbols();
   if (!arguments[3].IsIdentifier()) {
