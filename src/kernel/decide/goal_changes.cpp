@@ -247,8 +247,8 @@ void GoalChanges::TakeBottomApart() {
   WorkingMemory& memory = core_.memory;
   Goal& goal = core_.goals.at(static_cast<GoalLevel>(core_.goals.depth()));
   core_.selections.GoalRemoved(goal.level);
-  core_.gds.GoalRemoved(goal.level);  // This must be first: the set contains elements of the goal itself, which are
-                                      // removed below.
+  // Before the removals below, because the set may contain elements of the goal itself.
+  core_.gds.GoalRemoved(goal.level);
   while (goal.oldest_preference != PreferenceId::kNone) core_.preferences.LeaveGoal(goal.oldest_preference);
   if (core_.modules.Wants(ModuleHook::kStates)) core_.modules.StateRemoved(goal.level);
   const SlotId slot = goal.operator_slot;

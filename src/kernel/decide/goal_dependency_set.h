@@ -19,7 +19,8 @@ class Observers;
 class WorkingMemory;
 
 /// Goal dependency sets (Soar manual 2.7.1). The set of a substate contains the elements of higher states on which the
-/// substate's o-supported elements depend. When one of them is removed, the substate is removed.
+/// substate's o-supported elements depend. It also contains elements of the substate itself on which they depend and
+/// that no rule created. When a member is removed, the substate is removed.
 ///
 /// An element belongs to at most one set: that of the highest goal that depends on it.
 class GoalDependencySets {

@@ -26,7 +26,7 @@ struct Goal {
   PreferenceId oldest_preference = PreferenceId::kNone;
   std::vector<WmeId> items;  ///< Its ^item, ^item-count, ^non-numeric and ^non-numeric-count elements.
   bool has_gds = false;
-  std::vector<WmeId> gds;                     ///< Its goal dependency set: elements of higher goals.
+  std::vector<WmeId> gds;                     ///< Its goal dependency set (goal_dependency_set.h).
   FiringType saved_firing = FiringType::kIe;  ///< Restored when elaboration reaches this goal again.
   bool has_saved_firing = false;
   bool has_identities = false;  ///< It was created while learning was on.

@@ -83,7 +83,7 @@ void PreferenceChanges::Retract(PreferenceId id) {
   Slot& record = memory.mutable_slot(slot);
   if (!record.is_operator) {
     MarkOrdinary(slot, record);
-    // The slot of a removed goal.
+    // This is the slot of a removed goal.
     if (record.acceptable_wmes != WmeId::kNone) NoteAcceptablesChanged(slot);
   } else {
     MarkChanged(slot);

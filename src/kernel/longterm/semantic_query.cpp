@@ -201,7 +201,7 @@ std::vector<std::uint32_t> SemanticSearch::Find(const Knowledge& knowledge, cons
     const bool is_cold = !spreading->Reaches(object) && activations_.Find(object) == nullptr;
     return is_cold ? cold_activation : ActivationOf(object, spreading);
   };
-  // Objects that were touched, or that activation spreads to.
+  // For objects that were touched, or that activation spreads to.
   const auto candidate = [&](std::uint32_t object) {
     Candidate made;
     made.object = object;
