@@ -60,7 +60,8 @@ class SymbolTable {
   double NumberValue(Symbol symbol) const {
     return symbol.IsFloat() ? FloatValue(symbol) : static_cast<double>(IntegerValue(symbol));
   }
-  /// The creation stamp of the constant; 0 for variables, identifiers, and integers that no rule mentions.
+  /// The creation stamp of the constant. 0 for variables, identifiers, and small integers that are not predefined and
+  /// that no rule mentions.
   std::uint32_t Stamp(Symbol constant) const;
 
   /// Creates an identifier with the next number of its letter (A to Z).

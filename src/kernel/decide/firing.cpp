@@ -135,8 +135,8 @@ ConditionTrace Firing::TraceOf(WmeId wme, GoalLevel level) {
 }
 
 ConditionTrace Firing::LookAt(WmeId wme, GoalLevel level) const {
-  // A justification may depend on an element that was removed since, and so may the preference that created the
-  // element.
+  // A justification may depend on an element that was removed since. The preference that created such an element may
+  // have been removed, too.
   const WmeRecord& record = core_.memory.record(wme);
   PreferenceId preference = record.removing ? PreferenceId::kNone : record.preference;
   bool inherits = false;

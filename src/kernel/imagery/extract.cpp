@@ -232,7 +232,7 @@ class Extract final : public SceneCommand {
     for (const Value& value : output.fresh()) ShowValue(value);
     for (const Value& gone : output.removed()) {
       Record& record = records_[gone.slot];
-      if (!record.id) continue;  // It was added and removed between two looks.
+      if (!record.id) continue;  // It was added and removed between two updates.
       parts_.writer.Remove(result_, "record", record.id);
       record = {};
     }

@@ -29,9 +29,9 @@ using InputValue = std::variant<std::string_view, std::int64_t, double, InputObj
 class InputTap;
 
 /// The elements that clients add to the input link. Calls are only buffered; the next input phase applies them in call
-/// order, which determines the time tags. If several updates of an element are buffered, only the last one takes
-/// effect. If an element is added and removed between two input phases, no rule matches it, but it uses up a time tag
-/// (as in Soar 9.6.3). The link is not a set: equal triples from two calls are two elements.
+/// order, which determines the time tags. If several updates of an element are buffered, rules see only the last value.
+/// If an element is added and removed between two input phases, no rule matches it, but it uses up a time tag (as in
+/// Soar 9.6.3). The link is not a set: equal triples from two calls are two elements.
 ///
 /// The kernel's identifier of a new object is created when its first element enters working memory. Its letter is the
 /// first letter of that element's attribute (I if that is not a letter). Working memory collects structure that loses
@@ -82,10 +82,10 @@ class InputLink {
   /// Discards the buffered changes. Handles of elements that they would have added become invalid.
   void DropPending();
 
-  /// For the core. Apply: applies the buffered changes (input phase). `unheard`: no observer needs single elements,
-  /// and no match waits for its retraction. Reset: forgets everything and uses the identifier of a new input link
-  /// (init-soar). Forget, IdentifierGone: working memory removed an element or an identifier. Mark: calls `mark` for
-  /// each symbol in use.
+  /// For the core. Apply: applies the buffered changes (input phase). `unheard`: no observer or module needs single
+  /// elements, and no match waits for its retraction. Reset: forgets everything and uses the identifier of a new input
+  /// link (init-soar). Forget, IdentifierGone: working memory removed an element or an identifier. Mark: calls `mark`
+  /// for each symbol in use.
   void Apply(bool unheard);
   void Reset(Symbol input_link);
   [[gnu::noinline]] void Forget(std::uint32_t element);

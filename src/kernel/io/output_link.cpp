@@ -42,7 +42,8 @@ void OutputLink::Visit(Symbol id) {
   take(record.input_wmes);
   for (SlotId slot = record.slots; slot != SlotId::kNone; slot = memory_.slot(slot).next) take(memory_.slot(slot).wmes);
   take(record.architecture_wmes);
-  // The lists are sorted newest first. The newest object is visited first and reported last.
+  // The lists are sorted newest first. Here the elements are listed oldest first, but the newest object is visited
+  // first.
   std::reverse(next_.begin() + static_cast<std::ptrdiff_t>(first), next_.end());
   for (std::size_t n = first; n < next_.size(); ++n) {
     if (next_[n].value.IsIdentifier() && !marks_.IsMarked(next_[n].value)) pending_.push_back(next_[n].value);

@@ -90,7 +90,7 @@ class Backtracer {
   struct Open {
     InstantiationId firing = InstantiationId::kNone;
     WmeId item = WmeId::kNone;
-    Explanation::Link link;      ///< That leads to the firing, if links are wanted.
+    Explanation::Link link;      ///< The link that leads to the firing, if links are wanted.
     WmeId local = WmeId::kNone;  ///< The element that leads here, for observers.
   };
   std::vector<Open> queue_;

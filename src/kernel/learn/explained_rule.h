@@ -28,7 +28,7 @@ struct ExplainedRule {
     bool negated = false;       ///< Only `id.text` is set: the complete condition. `parts` contains its parts.
     bool conjunction = false;   ///< A negated conjunction of all `parts`.
     bool operational = false;   ///< It tested an element of a higher state.
-    bool above_own = false;     ///< Learned rule: it tests a state above that of the own instance.
+    bool above_own = false;     ///< Learned rule: it tests a state above that of the rule's first instance.
     std::uint32_t creator = 0;  ///< The firing in the same state that created the element; 0: the architecture.
     std::string creator_rule;
     std::vector<std::uint32_t> path;  ///< For the learned rule: the firings from the one that tested it to a result.

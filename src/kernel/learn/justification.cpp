@@ -190,7 +190,8 @@ InstantiationId Justifier::Build(const Explanation& explanation, GoalLevel goal_
   return id;
 }
 
-/// Creates clones of the results one level higher. The list is newest first, so the last result is cloned first.
+/// Creates clones of the results at the goal level of `holder`. The list is newest first, so the last result is cloned
+/// first.
 void Justifier::MakeClones(const Explanation& explanation, InstantiationId holder,
                            std::span<const std::uint16_t> actions, bool o_support) {
   WorkingMemory& memory = uses_.memory;

@@ -333,8 +333,8 @@ void Reinforcement::AdvanceTraces(GoalRecord& record, double discount, bool has_
   if (HasCorrection(settings_.policy)) {
     for (Trace& trace : record.traces) trace.weight *= record.ratio;
   }
-  // While an operator is being implemented in a substate, its decision has not ended. The rules count as updated, but
-  // their numbers do not change.
+  // While an operator is being implemented in a substate, its decision has not ended. The rules then count as updated,
+  // but nothing is added to their traces.
   const double share = has_substate ? 0 : 1.0 / static_cast<double>(record.previous.size());
   for (const ProductionId rule : record.previous) {
     const auto at = std::ranges::lower_bound(record.traces, rule, {}, &Trace::rule);

@@ -144,7 +144,8 @@ void RuleBuilder::MakeConditions(const Explanation& explanation) {
   }
 }
 
-/// Adds the other tests of the fired rule for this field, unless the field has become a constant.
+/// Adds the other tests of the fired rule for this field, except comparisons with objects that the learned rule cannot
+/// access.
 void RuleBuilder::AddOwnTests(const Explanation::Ground& ground, Field field, TestDraft& out) {
   if (ground.firing == InstantiationId::kNone) return;
   carried_.ForEach(ground.firing, ground.condition, field, [&](const CarriedTest& carried) {

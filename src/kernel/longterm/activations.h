@@ -43,7 +43,8 @@ class Activations {
     const std::uint32_t at = by_object_.Find(object + 1ull);
     return at == FlatMap::kNone ? nullptr : &records_[at];
   }
-  /// The strength s of an object that was never used: as if it had been used once, when the clock started.
+  /// The strength s of an object that was never used: as if it had been used once, base-unused-age-offset ticks before
+  /// the clock started.
   double UnusedStrength() const;
   /// Touches an object. The clock advances by one, unless `advance` is false: storing does not advance it, so the next
   /// touch has the same time. Returns true if it is the object's first touch.

@@ -158,7 +158,8 @@ std::span<const WmeId> Origins::MatchedBy(InstantiationId id) {
   return traced_;
 }
 
-/// The origin of the elements that a firing created: one for all of them in this elaboration. It has no references yet.
+/// The origin of the elements that a firing created: one for all of them in this elaboration. A new one has no
+/// references yet.
 std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_t depth) {
   if (preference.instantiation == InstantiationId::kNone) return kNone;
   const Instantiation& firing = uses_.instantiations[preference.instantiation];

@@ -61,7 +61,7 @@ class [[gnu::visibility("hidden")]] JoinLinks {
       LinkJoin(join);
     }
   }
-  /// The last token of a memory or a negative node is leaving: nothing can join with it from the right.
+  /// The last token of a memory or a negative node is leaving: elements need not be joined with the node any more.
   [[gnu::always_inline]] void MemoryEmptied(std::uint32_t node) {
     if (nodes_.marks(node).Is(NodeMarks::kNegative)) {
       if (nodes_.marks(node).Is(NodeMarks::kRightLinked)) {

@@ -321,7 +321,7 @@ std::uint32_t ReteBuilder::BuildPositive(const Condition& condition, std::uint32
 }
 
 /// In Soar, a memory with only one join forms one node with it. The two are separated when a second join is added, and
-/// merged when only one join is left. The merged node then becomes the newest child of its parent.
+/// merged when only one join is left. Both times the node becomes the newest child of its parent.
 void ReteBuilder::MoveIfJoinsAre(std::uint32_t count, std::uint32_t memory) {
   Network& network = *state_.network;
   const std::uint32_t twin = TwinOf(memory);

@@ -37,7 +37,7 @@ namespace {
   return item;
 }
 
-/// Same as a separate function, for loops that seldom call it.
+/// FirstPassing as a separate function, for loops that seldom call it.
 [[gnu::noinline]] std::uint32_t FirstPassingOf(const ReteState& state, const RightSide& right, const Node& join,
                                                const KeyParts& key, std::uint32_t parent, std::uint32_t wme,
                                                std::uint32_t item) {
@@ -405,7 +405,7 @@ void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t tok
 }
 
 /// Passes a token and the elements of a bucket with an identifier, from `item` on, to a memory that is not sparse. If
-/// the memory has only one linked join, everything that is the same for all pairs is computed once.
+/// the memory has tokens and only one linked join, everything that is the same for all pairs is computed once.
 void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint32_t id, std::uint32_t item) {
   const Node& node = network->node(index);
   NodeState& memory = nodes[index];

@@ -29,9 +29,10 @@ struct Link {
 /// identifier itself is searched first. Only if there is none, links into the rest of its subtree are searched. So the
 /// cost depends on the size of the structure cut off, not on that of working memory.
 ///
-/// Invariants after Settle(): an identifier with a parent link has the level of the link's source. Following parent
-/// links ends at a goal (or at an identifier that was never linked). No link leads from a smaller level to a larger
-/// one.
+/// Invariants after Settle(): an identifier with a parent link has the level of the link's source. (But an identifier
+/// that was not reachable keeps its initial level when a state of a larger level links to it.) Following parent links
+/// ends at a goal (or at an identifier that is not reachable from one). No link of an identifier that is reachable from
+/// a goal leads from a smaller level to a larger one.
 class LinkGraph {
  public:
   explicit LinkGraph(WorkingMemory& memory) : memory_(memory) {}
@@ -106,7 +107,7 @@ class LinkGraph {
   std::vector<Symbol> roots_;      ///< During Reattach: identifiers without a parent, the newest loss first.
   std::vector<Symbol> subtree_;    ///< During Reattach: these with their subtrees.
   /// By identifier index: not 0 if it is in `subtree_` and not rescued. The value minus 1 is the number of elements
-  /// with it as their value, without those found to belong to the subtree.
+  /// with it as their value, without items and without those found to belong to the subtree or to a removed goal.
   std::vector<std::uint32_t> suspended_;
   std::vector<Symbol> stack_;
   struct Candidate {

@@ -265,7 +265,7 @@ class ListReorderer {
     }
   }
 
-  /// The expected number of values, limited so that it is less than the cost that means "unbound".
+  /// The expected number of values, limited so that no cost computed from it reaches kInfinite.
   std::int64_t ExpectedUnder(const TestDraft& attribute) const {
     if (expected_.all().empty()) {
       return 1;
@@ -331,7 +331,8 @@ class ListReorderer {
     return false;
   }
 
-  /// Finds the roots: identifiers that are the value of no condition. If there are none, the first state is the root.
+  /// Finds the roots: identifiers of positive conditions that are unbound and the value of no positive condition. If
+  /// there are none, the first state is the root.
   bool FindRoots() {
     bool any = false;
     for (std::size_t n = 0; n < count_; ++n) {

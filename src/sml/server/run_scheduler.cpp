@@ -41,7 +41,8 @@ bool EndsAtStopPhase(const cli::RunRequest& request) {
   return request.unit == RunUnit::kDecision || request.unit == RunUnit::kForever;
 }
 
-/// Whether the steps of the run are decisions or, for runs without end, phases.
+/// Whether StepAlone can execute the run. It cannot execute runs until a goal is removed. The interleave step of a run
+/// until output must be an output. The interleave step of any other run must be a decision or a phase.
 bool CanStepAlone(const cli::RunRequest& request, RunUnit interleave) {
   if (request.until_goal_removed) return false;
   if (request.unit == RunUnit::kOutput) return interleave == RunUnit::kOutput;
