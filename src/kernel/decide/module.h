@@ -44,7 +44,8 @@ constexpr ModuleHooks operator|(ModuleHooks a, ModuleHook b) {
 /// need and request their hooks with Modules::SetHooks (modules.h); no hook is requested initially.
 ///
 /// A module may change working memory only in Input, AfterElaboration, AfterDecision, Output and OutputEnd, through
-/// PreferenceChanges or, in long-term memory, Installer. It may excise rules only in OutputEnd. No function may throw.
+/// PreferenceChanges, WmeChanges or, in long-term memory, Installer. In StateComplete it may add elements. It may
+/// excise rules only in OutputEnd. No function may throw.
 class Module {
  public:
   virtual ~Module() = default;

@@ -13,8 +13,8 @@ class SymbolTable;
 /// Lets agents that loaded equal rules share them: the constants in the rules, the rules, their directory and the
 /// network topology. Called before a run if the rules have changed. A thousand equal agents then have one copy.
 ///
-/// The store is process-wide and guarded by a mutex. Its entries are immutable; an entry is removed when the last agent
-/// that uses it changes its rules or is destroyed. An agent that adds or excises a rule forks the shared topology first
+/// The store is process-wide and guarded by a mutex. Its entries are immutable. An entry that no agent uses any more is
+/// removed at a later call. An agent that adds or excises a rule forks the shared topology first
 /// (Rete).
 void ShareRules(SymbolTable& symbols, Rete& rete, RuleDirectory& rules, std::vector<ProductionRecord>& productions);
 

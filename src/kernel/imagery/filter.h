@@ -180,7 +180,7 @@ class Filter : private SceneWatcher {
                             bool tell = true);
   std::optional<double> NumberOf(const Combination& combination, const Slots& slots, std::string_view name);
 
-  /// Sets the value of a combination; with null, the value for all combinations.
+  /// Sets the value of a combination. With null, adds a value that belongs to no combination.
   Value& Give(Combination* combination, Content content);
   void Change(Value& value, Content content);
   void Drop(Combination& combination);

@@ -70,8 +70,8 @@ Result<void> Imagery::DisableInSubstates() {
 
 // States --------------------------------------------------------------------------------------------------------------
 
-/// Creates scenes for all states without one. The match receives them in the next input phase, so that rules loaded
-/// before it match them as existing elements.
+/// Creates scenes for all states without one. The match receives their elements only in the next input phase. Rules
+/// that are loaded before that phase are in the network by then.
 void Imagery::MakeStates() {
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) {
     const bool there =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Filters with more than two nodes: relations along an axis, placement, and occlusion.
+// Filters for relations along an axis, placement, and occlusion.
 #include <algorithm>
 #include <cctype>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A justification with the same contents as a live one is not created. A rule that causes many duplicates in a decision
-// creates no more of them.
+// A justification with the same contents as a live one is not created. If a rule causes too many duplicates in a
+// decision, nothing more is learned from it in that decision.
 #include <algorithm>
 #include <utility>
 

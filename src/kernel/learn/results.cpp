@@ -58,7 +58,7 @@ void ResultCollector::Add(PreferenceId preference, const Explanation::Child& fro
 }
 
 /// If an object of the substate becomes part of a result, it is added with all its contents. The object may even be a
-/// state. Then only the preferences for its elements keep it alive.
+/// state. Then the elements that the architecture created for it do not become part of the result.
 void ResultCollector::AddPartsOf(Symbol id, InstantiationId base, const Explanation::Child& from, Explanation& out) {
   const WorkingMemory& memory = uses_.memory;
   if (!id.IsIdentifier() || memory.level(id) < out.level) return;

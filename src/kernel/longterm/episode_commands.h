@@ -69,7 +69,7 @@ class EpisodeCommands {
     std::optional<std::int64_t> before, after;
     std::vector<EpisodeNumber> prohibited;
     bool refined = false;     ///< It has one of the last three arguments.
-    bool is_counted = false;  ///< A query, although its window is empty.
+    bool is_counted = false;  ///< It counts as a query although its window is empty.
   };
   /// The elements to add to working memory.
   struct Output {

@@ -40,7 +40,7 @@ class GraphMatch {
     std::uint32_t frontier_place = 0;  ///< The variable's place in the frontier.
     std::uint32_t frontier_size = 0;   ///< The size of the frontier before its successors were added.
     std::size_t next = 0;              ///< The index of the next candidate, counted down: those before it are untried.
-    std::size_t facts = 0;             ///< The number of facts before the candidate's were added.
+    std::size_t facts = 0;             ///< The number of facts before those of the candidate were added.
     EpisodeNumber latest = 0;          ///< The value of latest_ before the candidate was assigned.
     bool bound = false;
   };

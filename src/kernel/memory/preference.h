@@ -27,7 +27,7 @@ struct Preference {
   GoalLevel level = 0;           ///< Of the goal that its instantiation matched.
   std::uint16_t action = 0;      ///< Index of the action that created it; kNoAction: a function created it.
   std::uint32_t stamp = 0;       ///< Running number of its entry into the slot.
-  std::uint32_t references = 0;  ///< One for the slot, and one per condition that refers to it.
+  std::uint32_t references = 0;  ///< One for the slot, and one per condition, selection or module that refers to it.
   InstantiationId instantiation = InstantiationId::kNone;
   SlotId slot = SlotId::kNone;
   std::uint32_t seen = 0;            ///< The last backtrace that treated it as a result.

@@ -46,7 +46,7 @@ class WmeRecord {
 
  public:
   GoalLevel gds = 0;             ///< Level of the goal whose dependency set contains it, kGoalOfGdsGone, or 0.
-  std::uint32_t references = 0;  ///< Number of instantiations of substates that matched it.
+  std::uint32_t references = 0;  ///< From instantiations of substates, justifications and modules.
   WmeId next = WmeId::kNone, previous = WmeId::kNone;  ///< In the list of the slot or the identifier.
   PreferenceId preference = PreferenceId::kNone;       ///< The preference that caused it, if any.
   LinkId link = LinkId::kNone;  ///< The link to its value, if that is an identifier and no preference holds the link.
@@ -98,12 +98,12 @@ struct alignas(64) IdentifierRecord {
   bool is_goal = false;
   GoalLevel level = 0;           ///< The highest goal (smallest number) from which it is reachable.
   bool rooted = false;           ///< Following its parent links ends at a goal (links.h).
-  bool queued = false;           ///< Its level is to be updated.
+  bool queued = false;           ///< It is in a queue of LinkGraph (links.h).
   bool gone = false;             ///< It is a removed goal: remaining references to it do not keep it alive.
   bool names_itself = false;     ///< It is or was the value of one of its own elements.
   bool slots_indexed = false;    ///< It has had too many slots for a linear search: slot_index_ is used.
   std::uint16_t slot_count = 0;  ///< Number of slots, while not slots_indexed.
-  std::uint32_t value_of = 0;    ///< Number of elements with it as their value.
+  std::uint32_t value_of = 0;    ///< Number of elements of other identifiers with it as their value.
   std::uint32_t item_of = 0;     ///< Those of them that the architecture created; they do not keep it alive.
   SlotId slots = SlotId::kNone;
   WmeId architecture_wmes = WmeId::kNone;  ///< Newest first.

@@ -33,7 +33,8 @@ namespace {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// Maximum time until a kernel responds to a call, unless the program sets a limit. Command lines then have no limit.
+/// Maximum time until a kernel responds to a call if the program sets no limit. In that case, command lines have no
+/// limit.
 constexpr Milliseconds kPatience{60'000};
 /// Command lines that are not runs may load files; their limit is multiplied by this factor.
 constexpr int kLineFactor = 5;

@@ -155,7 +155,7 @@ class EXPORT Kernel : public ClientErrors {
   bool StartEventThread();
   bool StopEventThread();
 
-  /// Number of elaborations between two smlEVENT_INTERRUPT_CHECK events; the default is 10.
+  /// Number of steps of a run (of the interleave size) between two smlEVENT_INTERRUPT_CHECK events; the default is 10.
   bool SetInterruptCheckRate(int newRate);
 
   int RegisterForSystemEvent(smlSystemEventId id, SystemEventHandler handler, void* pUserData, bool addToBack = true);

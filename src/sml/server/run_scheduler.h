@@ -34,7 +34,7 @@ class RunControl {
   /// The number of the current or the last run, from 1.
   std::uint64_t number() const { return number_; }
 
-  /// Number of elaborations between interrupt checks. Values below 1 count as 1.
+  /// Number of rounds between interrupt checks. Values below 1 count as 1.
   void SetInterruptCheckRate(int rate) { check_rate_ = rate < 1 ? 1 : rate; }
 
  private:
@@ -55,7 +55,7 @@ class RunControl {
   void Begin(HostedAgent& addressed, const cli::RunRequest& request);
   void Rounds(const cli::RunRequest& request, kernel::RunUnit interleave);
   void Round(const cli::RunRequest& request, kernel::RunUnit interleave);
-  /// Runs an agent alone while no client listens to rounds: only its steps remain.
+  /// Executes the steps of a single agent without rounds, as long as no client listens to rounds or steps.
   void StepAlone(Runner& runner, const cli::RunRequest& request, kernel::RunUnit interleave);
   static std::uint64_t OutputsLeft(const Runner& runner);
   void EndIfStopRequested(Runner& runner);
