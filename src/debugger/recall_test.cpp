@@ -42,7 +42,7 @@ TEST_F(Recalling, TellsWhatWasAskedWhatCameAndWhy) {
   EXPECT_THAT(recalls[0].answer, HasSubstr("^at mill"));
   EXPECT_THAT(recalls[0].reason, HasSubstr("@1"));
   EXPECT_EQ(recalls[1].number, 0u);
-  EXPECT_THAT(recalls[1].reason, HasSubstr("nothing that is known has ^kind mortar"));
+  EXPECT_THAT(recalls[1].reason, HasSubstr("no known object has ^kind mortar"));
   EXPECT_TRUE(recalls[2].is_episode);
   EXPECT_GT(recalls[2].number, 0u);
   EXPECT_THAT(recalls[2].reason, HasSubstr("the latest episode that matches the entire cue"));

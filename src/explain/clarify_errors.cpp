@@ -529,11 +529,11 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
         kept.back().line == problem.line && kept.back().file == problem.file)
       continue;
     // Skips the parser's error about an unclosed text that was already reported.
-    constexpr std::string_view kNoPartner = "this bar or quote has no partner";
-    if (!kept.empty() && kept.back().message == kNoPartner && kept.back().file == problem.file &&
+    constexpr std::string_view kNotClosed = "this bar or quote is not closed";
+    if (!kept.empty() && kept.back().message == kNotClosed && kept.back().file == problem.file &&
         kept.back().line == problem.line && kept.back().column == problem.column)
       continue;
-    if (text == kNoPartner && problem.column > 0 && static_cast<std::size_t>(problem.column) <= line.size() &&
+    if (text == kNotClosed && problem.column > 0 && static_cast<std::size_t>(problem.column) <= line.size() &&
         line[static_cast<std::size_t>(problem.column) - 1] == '"') {
       problem.hint = "write text between bars: |I am going|";
       kept.push_back(std::move(problem));

@@ -201,7 +201,7 @@ SLIPS = {
     "a backslash in a path": (None, "source rules\\helper.soar", 1, "Failed to open file", "write / between folders"),
     "an equals sign to remove an element": ('(<out> ^wander <c>)\n}', '(<out> ^wander <c>)\n}\nsp {hero*forget\n   (state <s> ^operator <o> ^io.output-link <out>)\n'
                                             '   (<out> ^wander <c>)\n   (<c> ^status)\n-->\n   (<out> ^wander <c> =)\n}', 19,
-                                            "the preference = means nothing here", "write - after its value"),
+                                            "the preference = has no meaning here", "write - after its value"),
     "a word compared with a number": ("^health > 10", "^weapon > 2", 3, "compares ^weapon, a word, with the number 2", "not equal: ^weapon <>"),
     "an operator compared with a name": ("^operator <o> +)", "^operator <o> + > rest)", 5, "compares its operator with the word rest",
                                          "(<p> ^name rest)"),
@@ -216,7 +216,7 @@ SLIPS = {
                               '   (<s> ^seen <t>)\n}', 17, "adds another ^seen at each change of ^time", "(<s> ^seen <old> -)"),
     "an action without brackets around it": ("   (<o> ^name go)\n}", "   ^name go\n}", 6, "found '^'", "after the object that has them"),
     "a condition without brackets around it": ("   (<me> ^health > 10)", "   ^health > 10", 3, "found '^'", "after the object that has them"),
-    "a double quote without its partner": ("(<out> ^wander <c>)", '(<out> ^wander <c>)\n   (write "go)', 13, "has no partner", "between bars"),
+    "a double quote without its partner": ("(<out> ^wander <c>)", '(<out> ^wander <c>)\n   (write "go)', 13, "is not closed", "between bars"),
     "a command in a proposal": (GOOD[GOOD.index("^io.input"):], "^io <io>)\n   (<io> ^input-link.self <me> ^output-link <out>)\n-->\n   (<s> ^operator <o> +)\n"
                                 "   (<o> ^name go)\n   (<out> ^wander <c>)\n}\n", 6, "operator go, which no rule applies", "it gives its command itself"),
     "a relation without a blank": ("> 10", "<10", 3, "<10 in rule hero*propose*go is read as a word", "a blank between them: < 10"),

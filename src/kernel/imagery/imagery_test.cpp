@@ -239,7 +239,7 @@ TEST_F(ImageryTest, WhatRulesAskInVainIsReportedOnce) {
   Cycle(3);
   std::sort(problems.told.begin(), problems.told.end());
   const std::vector<std::string> expected = {
-      "extract: filter node finds nothing, now or later: there is no node bal: did you mean ball?; to find a "
+      "extract: filter node can never find anything: there is no node bal: did you mean ball?; to find a "
       "node that appears later, use tag_select over all_nodes, or give the command once the node exists",
       "extract_once: incorrect filter syntax: there is no filter closets; did you mean closest?",
       "set_transform: Couldn't find node boll; there is no node boll: did you mean ball?"};

@@ -26,7 +26,7 @@ class NodeFilter final : public ComputedFilter {
   Trouble Missing() const override {
     if (missing_.empty() || scene().Find(missing_) != nullptr) return {};
     return {
-        "filter node finds nothing, now or later: " + HintForNode(scene(), missing_),
+        "filter node can never find anything: " + HintForNode(scene(), missing_),
         "to find a node that appears later, use tag_select over all_nodes, or give the command once the node exists"};
   }
 

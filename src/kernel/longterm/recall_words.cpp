@@ -119,8 +119,7 @@ std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory,
     const StoreTerm attribute = term(wme.attribute), value = term(wme.value);
     const std::uint32_t list = attribute && value ? knowledge.FindList(attribute, value) : Knowledge::kNowhere;
     if (list != Knowledge::kNowhere && !knowledge.ListAt(list).empty()) continue;
-    return "nothing that is known has ^" + ToString(symbols, wme.attribute, true) + " " +
-           ToString(symbols, wme.value, true);
+    return "no known object has ^" + ToString(symbols, wme.attribute, true) + " " + ToString(symbols, wme.value, true);
   }
   return "no object has all of it";
 }

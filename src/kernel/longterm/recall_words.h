@@ -29,7 +29,7 @@ std::string ObjectWords(const Knowledge& knowledge, std::uint32_t object);
 std::string WhyFound(const Knowledge& knowledge, const Activations& activations, const Cue& cue,
                      std::span<const std::uint32_t> others);
 
-/// Why a query returned nothing: "nothing that is known has ^kind mortar". `prohibited_fits`: a prohibited object fits.
+/// Why a query returned nothing: "no known object has ^kind mortar". `prohibited_fits`: a prohibited object fits.
 std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue,
                         bool prohibited_fits);
 

@@ -46,7 +46,7 @@ void RuleReader::Complain() {
   const std::string text(token_.text);
   switch (token_.kind) {
     case TokenKind::kUnclosed:
-      Report(Severity::kError, token_, "this bar or quote has no partner", "close it, or write \\ in front of it");
+      Report(Severity::kError, token_, "this bar or quote is not closed", "close it, or write \\ in front of it");
       break;
     case TokenKind::kString:
       Report(Severity::kWarning, token_, text + " is read as a string, not as a variable",

@@ -337,7 +337,7 @@ bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
       Say("\nWARNING: The only allowable non-operator preference \nis REJECT - .\nIgnoring specified preferences.\n" +
           DescribeAction(action) + "\n");
       Report(Severity::kWarning, sign,
-             "the preference " + std::string(sign.text) + " means nothing here: only operator takes it",
+             "the preference " + std::string(sign.text) + " has no meaning here: it is only for operators",
              "to make an element, leave it out; to remove one, write - after its value");
     }
     Accept(TokenKind::kComma);
