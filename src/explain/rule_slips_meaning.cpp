@@ -449,7 +449,11 @@ std::string HowToApply(const std::vector<RuleText>& rules, const std::string& na
         std::any_of(rule.conditions.begin(), rule.conditions.end(), [&](const RuleAttribute& condition) {
           return proposals.contains(condition.id) && condition.attribute == "name" && condition.value == name;
         });
-    if (names_it && !rule.says.empty())
+    const bool acts = !rule.says.empty() || rule.calls.contains("write") || rule.calls.contains("halt") ||
+                      std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) {
+                        return action.attribute != "operator" && !proposals.contains(action.id);
+                      });
+    if (names_it && acts)
       return "rule " + rule.name + " tests ^operator " + *proposals.begin() +
              " +, a proposal: without the + it tests the operator that is selected";
   }

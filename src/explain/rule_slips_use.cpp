@@ -366,12 +366,40 @@ bool TestsStateAbove(const RuleText& rule) {
   });
 }
 
+/// "^superstate.operator.thing <t> ^io.input-link <in>": a state below another one has no ^io.
+void FindLinksBelow(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  for (const RuleAttribute& link : rule.conditions) {
+    if (link.attribute != "io" || link.negated || !link.on_state) continue;
+    const bool is_below = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
+      return condition.attribute == "superstate" && condition.id == link.id && !condition.negated &&
+             IsVariable(condition.value) && std::ranges::any_of(rule.conditions, [&](const RuleAttribute& above) {
+               return above.id == condition.value && !above.negated;
+             });
+    });
+    if (!is_below) continue;
+    // Programs often keep the top state as an attribute of each state: ^top.io.
+    std::string way = "superstate";
+    for (const RuleText& other : rules)
+      for (const auto& [variable, path] : other.paths)
+        if (path.size() == 2 && path[1] == "io" && path[0] != "superstate") way = path[0];
+    slips.push_back(
+        {rule.name, "io", true,
+         "rule " + rule.name +
+             " never matches: it tests ^superstate and ^io of the same state, and only the top state has ^io",
+         "reach it through the top state: ^" + way + ".io"});
+    return;
+  }
+}
+
 /// "(state <s> ^operator.name walk ^io.output-link <out>)" when walk is proposed only in substates, which have no ^io.
 void FindLinksOfSubstates(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleText& rule : rules)
     for (const RuleAttribute& action : rule.actions)
       if (action.attribute == "io" || IsVariable(action.attribute)) return;  // They may get one.
   for (const RuleText& rule : rules) {
+    const std::size_t before = slips.size();
+    FindLinksBelow(rule, rules, slips);
+    if (slips.size() > before) continue;
     if (rule.applies.empty() || rule.applies.contains("") || IsForTheTop(rule)) continue;
     const std::set<std::string> states = StatesOf(rule);
     const bool tests_io = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
