@@ -9,7 +9,7 @@
 namespace soarbox::explain {
 namespace {
 
-/// What Soar 9.6.3 printed: the answer to a command in one of the golden cases, the n-th time that it came.
+/// The output of Soar 9.6.3 for the `time`-th occurrence of a command in a golden case.
 std::string Answer(const std::string& file, const std::string& command, int time = 1) {
   std::ifstream in(std::string(SOARBOX_SOURCE_DIR) + "/tests/golden/" + file);
   std::ostringstream text;

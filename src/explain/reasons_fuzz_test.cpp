@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The reasons that are named, against the truth: small agents with random preferences decide; then the rules that are
-// named as the reason for a drop are taken out of a copy, and the copy decides. "Because" is said only where that
-// changes the outcome, and only where it does not, "without that it would still lose".
+// Checks that named reasons are true. Small agents with random preferences decide. For each dropped operator, a copy
+// without the rules that were named as the reason decides again. The text must be "because" if and only if the outcome
+// changes, and otherwise "without that it would still lose".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct NamedRule {
   std::string name, text;
 };
 
-/// Up to five operators, and rules that prefer some of them; each preference is a rule's own.
+/// Proposals of up to five operators, and rules with one random preference each.
 std::vector<NamedRule> RandomRules(std::mt19937& random) {
   const auto below = [&](unsigned most) { return static_cast<unsigned>(random() % most); };
   std::vector<NamedRule> rules;
@@ -50,13 +50,13 @@ std::vector<NamedRule> RandomRules(std::mt19937& random) {
     const std::string body = " (state <s> ^superstate nil ^operator <a> +" +
                              (is_binary ? " ^operator <b> +) (<b> ^name " + two + ")" : ")") + " (<a> ^name " + one +
                              ") --> (<s> ^operator <a> " + kind + (is_binary ? " <b>" : "") + ")}";
-    // Of two rules that say the same only the first is loaded.
+    // A kernel loads only the first of two rules with equal bodies.
     if (bodies.insert(body).second) rules.push_back({name, "sp {" + name + body});
   }
   return rules;
 }
 
-/// What was decided, by names: the impasse and those that are left.
+/// The outcome of a decision: the impasse and the names of the remaining operators.
 struct TrialResult {
   mind::Impasse impasse = mind::Impasse::kNone;
   std::set<std::string> left;
@@ -67,7 +67,7 @@ class ReasonsFuzz : public ::testing::Test {
  protected:
   ~ReasonsFuzz() override { kernel_->Shutdown(); }
 
-  /// One decision of an agent with these rules, but for some. The agent lives until the next call.
+  /// One decision of an agent with these rules except those in `without`. The agent exists until the next call.
   mind::Decision Decide(const std::vector<NamedRule>& rules, const std::set<std::string>& without = {}) {
     if (agent_ != nullptr) kernel_->DestroyAgent(agent_);
     agent_ = kernel_->CreateAgent("fuzz");
@@ -105,7 +105,7 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
     if (decision.impasse != mind::Impasse::kNone) {
       ++impasses;
       EXPECT_FALSE(wording::WhyNothing(decision).empty());
-      // What a report says of it is what the procedure says.
+      // The report must name the same remaining operators as the decision procedure.
       const std::vector<std::string> reasons = MindReasons(*agent_).WhyIdle({});
       ASSERT_FALSE(reasons.empty());
       for (const mind::Decision::Chance& chance : decision.left)
@@ -127,7 +127,7 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
       ++(says_because ? decisive : idle);
     }
   }
-  // Each branch was there.
+  // The generator must produce enough cases of each kind.
   EXPECT_GT(decisive, agents / 4);
   EXPECT_GT(idle, agents / 20);
   EXPECT_GT(impasses, agents / 20);
@@ -143,7 +143,7 @@ TEST_F(ReasonsFuzz, ThePreferencesNamedSufficeForTheOutcome) {
     for (const std::uint32_t place : decision.by) named.insert(decision.preferences[place].rule);
     std::set<std::string> others;
     for (const NamedRule& rule : rules) {
-      // A requirement settles it before anything is dropped.
+      // Require preferences are kept: they decide before anything is dropped.
       if (!rule.name.starts_with("propose*") && !named.contains(rule.name) &&
           rule.text.find(" !)") == std::string::npos)
         others.insert(rule.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Each answer of MindReasons, in the situation that it is about, and what an answer must not say in the others. The
-// minds are asked as any kernel is; what the decision procedure says comes from our own.
+// Tests each answer of MindReasons in its situation, and statements that it must not make in other situations. The
+// tests use the client interface, like with any kernel; only the traces of decisions need our own kernel.
 #include "explain/reasons.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ class Reasons : public ::testing::Test {
     }
   }
 
-  /// What rules of this agent make, as a simulation knows it.
+  /// The attributes that this agent's rules create, as a simulation collects them.
   std::set<std::string> Known() {
     std::set<std::string> known;
     MindReasons reasons(*agent_);
@@ -96,7 +96,7 @@ TEST_F(Reasons, WhatWaitsForItselfIsCalledACircle) {
   EXPECT_THAT(Idle("sp {go (state <s> ^superstate nil ^plan yes) --> (<s> ^operator <o> +) (<o> ^name go)}\n"
                    "sp {keep (state <s> ^superstate nil ^plan <p>) --> (<s> ^plan <p>)}\n"),
               Contains(HasSubstr("^plan waits for itself: only rule keep creates ^plan, and it tests ^plan")));
-  // With a way in from elsewhere it is none.
+  // It is no circle if another rule creates one of the elements without testing the other.
   EXPECT_THAT(Idle("sp {go (state <s> ^superstate nil ^plan yes) --> (<s> ^operator <o> +) (<o> ^name go)}\n"
                    "sp {make*plan (state <s> ^superstate nil ^ready yes) --> (<s> ^plan yes)}\n"
                    "sp {make*ready (state <s> ^superstate nil ^plan yes) --> (<s> ^ready yes)}\n"
@@ -108,21 +108,21 @@ TEST_F(Reasons, AnOperatorHasBeenAppliedOnlyIfARuleFiredForIt) {
   const std::string applied = "operator go has been applied (rule apply*go), which gave no command, and stays";
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {apply*go (state <s> ^operator.name go) --> (<s> ^gone yes)}"),
               Contains(HasSubstr(applied)));
-  // What describes an operator does not apply it, nor does a rule that watches all of them.
+  // A rule that only adds to the operator does not apply it, nor does a rule that only prints for every operator.
   for (const char* rule : {"sp {note (state <s> ^operator <o>) (<o> ^name go) --> (<o> ^speed 3)}",
                            "sp {note (state <s> ^operator <o>) --> (write |an operator|)}"}) {
     const std::vector<std::string> reasons = Idle(std::string(kProposeGo) + rule);
     EXPECT_THAT(reasons, Contains(HasSubstr("operator go is selected in S1 and no rule applies it"))) << rule;
     EXPECT_THAT(reasons, Not(Contains(HasSubstr("has been applied")))) << rule;
   }
-  // A rule that only writes is its author's application all the same.
+  // A rule that names the operator counts as fired for it even if it only prints.
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {note (state <s> ^operator.name go) --> (write |going|)}"),
               Contains("operator go stays selected in S1: rule note has fired for it, but neither changes what its "
                        "proposal tests nor gives a command"));
   // A rule that names no operator applies this one, too.
   EXPECT_THAT(Idle(std::string(kProposeGo) + "sp {any (state <s> ^operator <o>) --> (<s> ^gone yes)}"),
               Contains(HasSubstr("operator go has been applied (rule any)")));
-  // It fires for the second go only once the loop ends, which the limit does first.
+  // The rules loop, and the elaboration limit ends the phase before the pending instantiation fires.
   const std::vector<std::string> loop =
       Idle(std::string(kProposeGo) +
                "sp {count (state <s> ^operator.name go ^n <n>) --> (<s> ^n <n> - ^n (+ <n> 1))}\n"
@@ -139,12 +139,12 @@ TEST_F(Reasons, ARuleThatFailedToParseIsNamedInsteadOfAdvice) {
       ElementsAre("no rule proposes an operator: rule propose*go in hero.soar:7 failed to parse: expected -->"));
   EXPECT_THAT(Why("propose*go"), HasSubstr("rule propose*go in hero.soar:7 failed to parse: expected -->"));
   EXPECT_THAT(Why("dance"), HasSubstr("no rule that loaded gives or proposes 'dance'"));
-  // What it would make is not known: no answer says that nothing makes it.
+  // The elements that the failed rule would create are unknown, so no answer says that no rule makes ^danger.
   const std::vector<std::string> waits =
       Idle("sp {go (state <s> ^superstate nil ^danger yes) --> (<s> ^operator <o> +) (<o> ^name go)}");
   EXPECT_THAT(waits, Contains("rule go requires ^danger yes, but there is none now; rule propose*go in hero.soar:7 "
                               "failed to parse: expected -->"));
-  // An edit has brought it.
+  // The rule has been loaded by an edit.
   Load(kProposeGo);
   agent_->RunSelf(1);
   for (const std::string& reason : MindReasons(*agent_, failed_).WhyIdle(Known()))

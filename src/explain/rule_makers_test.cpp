@@ -12,7 +12,8 @@ RuleText OneRule(const std::string& conditions, const std::string& actions) {
   return rules.empty() ? RuleText() : rules.front();
 }
 
-/// What a rule that ends with this condition waits for, and whether one with these sides makes it.
+/// Returns whether a rule with these conditions and actions creates what the condition `asked` requires. `waits` are
+/// the other conditions of the waiting rule.
 Makes Unify(const std::string& waits, const std::string& asked, const std::string& conditions,
             const std::string& actions) {
   const RuleText rule = OneRule(waits + " " + asked, "(<s> ^done yes)");
@@ -51,7 +52,7 @@ TEST(RuleMakers, UnifyTheAttributeAndThePlace) {
   const std::string plan = "(state <s> ^superstate nil ^plan <p>)";
   EXPECT_EQ(Unify(plan, "(<p> ^step go)", plan, "(<p> ^step go +)"), Makes::kYes);
   EXPECT_EQ(Unify(plan, "(<p> ^step go)", top, "(<s> ^plan <q> +) (<q> ^step go +)"), Makes::kYes);
-  // At another path it is of the same object only if two paths lead to it.
+  // An element at another path satisfies the condition only if both paths lead to the same object.
   EXPECT_EQ(Unify(plan, "(<p> ^step go)", top, "(<s> ^note <q> +) (<q> ^step go +)"), Makes::kElsewhere);
   EXPECT_EQ(Unify(plan, "(<p> ^step go)", top, "(<s> ^step go +)"), Makes::kNo);
 }
@@ -76,7 +77,7 @@ TEST(RuleMakers, AProposalIsOfAName) {
   const std::string prefers = "(state <s> ^superstate nil) (<o> ^name seek)", top = "(state <s> ^superstate nil)";
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o> +)", top, "(<s> ^operator <q> +) (<q> ^name seek +)"), Makes::kYes);
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o> +)", top, "(<s> ^operator <q> +) (<q> ^name rest +)"), Makes::kNo);
-  // To select it is not the job of a rule.
+  // Rules propose operators; only the decision procedure selects them.
   EXPECT_EQ(Unify(prefers, "(<s> ^operator <o>)", top, "(<s> ^operator <q> +) (<q> ^name seek +)"), Makes::kNo);
 }
 
@@ -86,7 +87,7 @@ TEST(RuleMakers, WhatARuleDoesToAnOperatorAloneDoesNotApplyIt) {
   EXPECT_FALSE(Changes(OneRule(selected, "(write |going|)")));
   EXPECT_TRUE(Changes(OneRule(selected, "(<s> ^gone yes +)")));
   EXPECT_TRUE(Changes(OneRule(selected, "(halt)")));
-  // Nor does what it adds to the substate in which others work on the operator.
+  // Nor do elements that it adds to the substate of the operator's impasse.
   const std::string below = "(state <s> ^superstate <ss>) (<ss> ^operator <o>) (<o> ^name go)";
   EXPECT_FALSE(Changes(OneRule(below, "(<s> ^name go +)")));
   EXPECT_FALSE(Changes(OneRule(below, "(<s> ^plan <p> +) (<p> ^step 1 +)")));

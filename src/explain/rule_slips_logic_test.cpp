@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Each slip with a rule that has it, and with one much like it that is right.
+// Tests each slip with a rule that has it, and with a similar correct rule.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// What is found in rules as a kernel prints them.
+/// The messages about these rules, which have the form that a kernel prints.
 std::vector<std::string> Found(const std::string& rules, const KnownWords& known = {}) {
   std::vector<std::string> messages;
   for (const Slip& slip : FindSlipsOfLogic(ReadRules(rules), known)) messages.push_back(slip.message);
   return messages;
 }
 
-/// One rule, as a kernel prints it.
+/// One rule in the form that a kernel prints.
 std::string Rule(const std::string& name, const std::string& conditions, const std::string& actions) {
   return "sp {" + name + "\n    " + conditions + "\n    -->\n    " + actions + "\n}\n";
 }
@@ -29,7 +29,7 @@ TEST(SlipsOfLogic, ARuleThatMakesWhatItTestsAsAbsent) {
               ElementsAre(HasSubstr("makes the ^danger that it tests as absent")));
   EXPECT_THAT(Found(Rule("r", "(state <s> ^superstate nil -^danger no)", "(<s> ^danger no)")),
               ElementsAre(HasSubstr("makes the ^danger that it tests as absent")));
-  // An operator's work stays; another value, another object and a group of conditions are not contradictions.
+  // Not a contradiction: an element with o-support, another value, another object, a group of conditions.
   EXPECT_THAT(Found(Rule("r", "(state <s> ^operator <o> -^danger)\n    (<o> ^name look)", "(<s> ^danger no)")),
               IsEmpty());
   EXPECT_THAT(Found(Rule("r", "(state <s> ^superstate nil -^danger yes)", "(<s> ^danger no)")), IsEmpty());
@@ -48,7 +48,7 @@ TEST(SlipsOfLogic, ARuleThatCountsWithoutAnOperator) {
   EXPECT_THAT(
       Found("sp {r\n    :o-support\n    (state <s> ^superstate nil ^next <n>)\n    -->\n    " + actions + "\n}\n"),
       IsEmpty());
-  // A proposal may be rejected.
+  // A rule may reject a proposal that it tests.
   EXPECT_THAT(Found(Rule("r", "(state <s> ^operator <o> +)", "(<s> ^operator <o> -)")), IsEmpty());
 }
 
@@ -103,7 +103,7 @@ TEST(SlipsOfLogic, AParameterThatNothingBinds) {
   const std::string propose =
       Rule("p", "(state <s> ^superstate nil)", "(<s> ^operator <o> +)\n    (<o> ^name go ^where <place>)");
   EXPECT_THAT(Found(propose), ElementsAre(HasSubstr("binds <place>: ^where of its operator")));
-  // Another rule fills it in.
+  // Another rule adds elements to the value.
   EXPECT_THAT(Found(propose + Rule("q", "(state <s> ^operator <o>)\n    (<o> ^where <w>)", "(<w> ^name gate)")),
               IsEmpty());
 }

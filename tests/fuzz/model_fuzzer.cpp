@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Files of worlds: models (glTF), images (PNG, JPEG) and sounds (WAV). What is read stays within its limits.
+// Passes arbitrary bytes to the readers of a world's files: models (glTF), images (PNG, JPEG) and sounds (WAV). Results
+// must be within their limits.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

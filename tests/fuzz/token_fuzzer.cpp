@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Feeds arbitrary bytes to what the server reads of learning platforms and of browsers that come from one: tokens,
-// claims, sets of keys, forms and addresses. A token that is read is what was signed; what is written is read again.
+// Passes arbitrary bytes to the readers of data from learning platforms and from browsers that a platform sends:
+// tokens, claims, key sets, forms and addresses. An accepted token must begin with its signed part. Written data must
+// be read again with the same contents.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

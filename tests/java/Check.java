@@ -7,7 +7,7 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** What the tests of this folder need of a test framework. */
+/** A minimal test framework for the tests of this folder. */
 final class Check {
   interface Action {
     void run() throws Exception;
@@ -27,7 +27,7 @@ final class Check {
     that(text.contains(part), "\n  expected: ... " + part + " ...\n  is:       " + text);
   }
 
-  /** The message of the exception of that class, or one below it, with which the action must end. */
+  /** Expects the action to throw an exception of this class or a subclass. Returns its message. */
   static String fails(Class<? extends Throwable> type, Action action) {
     try {
       action.run();
@@ -38,7 +38,7 @@ final class Check {
     throw new AssertionError("expected " + type.getName() + ", but nothing failed");
   }
 
-  /** Runs all methods whose names begin with "test", each with an object of its own; returns how many failed. */
+  /** Runs all methods with names that begin with "test", each with a new object. Returns the number of failed ones. */
   static <T> int runAll(Class<T> type, Supplier<T> make, Consumer<T> end) throws Exception {
     Method[] methods = type.getMethods();
     Arrays.sort(methods, Comparator.comparing(Method::getName));

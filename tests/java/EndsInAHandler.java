@@ -3,7 +3,7 @@ import sml.Agent;
 import sml.Kernel;
 import sml.smlRunEventId;
 
-/** Ends the program where it is hardest: in a handler, during a run, with a kernel that nobody shuts down. */
+/** Ends the program in the most difficult situation: in a handler, during a run, without shutting the kernel down. */
 public class EndsInAHandler {
   public static void main(String[] arguments) {
     Kernel kernel = Kernel.CreateKernelInNewThread(Kernel.kUseAnyPort);

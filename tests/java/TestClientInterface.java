@@ -301,7 +301,7 @@ public class TestClientInterface {
     Check.that(kernel.GetAgent("scout").GetDecisionCycleCounter() >= 2, "the kernel goes on");
   }
 
-  /** A kernel's own thread calls handlers of Java when a remote client runs an agent. */
+  /** If a remote client runs an agent, a thread of the kernel calls the Java handlers. */
   public void testHandlersAreCalledOnThreadsOfTheLibrary() throws Exception {
     List<String> threads = new ArrayList<>();
     String here = Thread.currentThread().getName();

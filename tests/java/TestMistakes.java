@@ -25,7 +25,7 @@ import sml.smlPrintEventId;
 import sml.smlRunEventId;
 import sml.smlSystemEventId;
 
-/** Whatever a program does wrong, it gets an exception or an error of the library; the virtual machine goes on. */
+/** Each mistake of a program results in an exception or an error of the library. The virtual machine continues. */
 public class TestMistakes {
   Kernel kernel = Kernel.CreateKernelInNewThread(Kernel.kSuppressListener);
   Agent agent = kernel.CreateAgent("scout");
@@ -35,12 +35,12 @@ public class TestMistakes {
       try {
         test.kernel.Shutdown();
       } catch (IllegalStateException deleted) {
-        // By the test.
+        // The test has deleted its kernel.
       }
     }));
   }
 
-  /** What is printed on standard error meanwhile. */
+  /** The text that the action prints on standard error. */
   static String errorsOf(Check.Action action) throws Exception {
     PrintStream before = System.err;
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -118,7 +118,7 @@ public class TestMistakes {
         () -> agent.RegisterForRunEvent(smlRunEventId.smlEVENT_BEFORE_INPUT_PHASE, null, this)), "the handler of a run event is null");
     Check.contains(Check.fails(NullPointerException.class,
         () -> kernel.RegisterForSystemEvent(null, (event, data, which) -> {}, this)), "the event is null");
-    // Where nothing is meant by it, null is not a mistake.
+    // If a parameter is optional, null is valid.
     Check.contains(kernel.ExecuteCommandLine("version", null), "9.6.5");
   }
 
@@ -191,7 +191,7 @@ public class TestMistakes {
       Check.fails(IllegalStateException.class, () -> forged.GetAgentName());
       Check.fails(IllegalStateException.class, () -> forged.RunSelf(1));
     }
-    // The number of another class.
+    // The number of an object of another class.
     ElementXML xml = new ElementXML();
     java.lang.reflect.Field field = ElementXML.class.getDeclaredField("swigCPtr");
     field.setAccessible(true);
@@ -199,7 +199,7 @@ public class TestMistakes {
     Check.contains(Check.fails(IllegalArgumentException.class, () -> forged.GetAgentName()), "of another class");
   }
 
-  /** Every public method of every class, with nothing, with the smallest and largest numbers, and with dead objects. */
+  /** Calls each public method with null, with the smallest and largest numbers, and with removed and deleted objects. */
   public void testEveryMethodTakesAnything() throws Exception {
     Identifier dead = agent.GetInputLink().CreateIdWME("dead");
     dead.DestroyWME();
@@ -222,7 +222,7 @@ public class TestMistakes {
             Throwable cause = problem.getCause();
             Check.that(cause instanceof RuntimeException || cause instanceof Exception, method + ": " + cause);
           } catch (IllegalArgumentException wrongType) {
-            // Java's own answer to an argument of another type.
+            // Java itself rejects an argument of another type.
           }
           ++called;
         }
@@ -234,7 +234,7 @@ public class TestMistakes {
     Check.equal(alive.GetDecisionCycleCounter(), 1);
   }
 
-  /** What would end the kernel, take time, start programs or wait. */
+  /** Whether a method ends the kernel, takes long, starts programs or waits. */
   private static boolean takesLong(Method method) {
     String name = method.getName();
     return name.startsWith("Shutdown") || name.startsWith("Run") || name.contains("Forever") || name.startsWith("Create")
@@ -288,14 +288,14 @@ public class TestMistakes {
     }
     for (Thread thread : threads) thread.join();
     if (bad.get() != null) throw new AssertionError(bad.get());
-    // And one that lets the kernel go while others use it.
+    // This thread deletes the kernel while others use it.
     threads.clear();
     for (int i = 0; i < 4; ++i) {
       Thread thread = new Thread(() -> {
         try {
           while (true) agent.RunSelf(1);
         } catch (IllegalStateException gone) {
-          // So it has to end.
+          // The kernel was deleted, so this thread ends.
         } catch (Throwable other) {
           bad.compareAndSet(null, other);
         }
@@ -308,7 +308,7 @@ public class TestMistakes {
     if (bad.get() != null) throw new AssertionError(bad.get());
   }
 
-  /** Agents come and go while handlers of theirs are called and the garbage collector runs. */
+  /** Agents are created and destroyed while their handlers are called and the garbage collector runs. */
   public void testAgentsComeAndGo() {
     AtomicInteger seen = new AtomicInteger();
     kernel.RegisterForAgentEvent(smlAgentEventId.smlEVENT_BEFORE_AGENT_DESTROYED,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // A learning platform for tests: the platform's side of LTI 1.3 (1EdTech Security Framework 1.0, LTI Core 1.3, Assignment and
-// Grade Services 2.0, Deep Linking 2.0), with the cryptography of Node.js. It is strict: what a tool sends and a real platform
-// could refuse, it refuses and notes.
+// Grade Services 2.0, Deep Linking 2.0), with the cryptography of Node.js. It is strict: it refuses and records everything
+// that a real platform could refuse.
 //
 // usage: node lti_platform.mjs [CERTIFICATE KEY]
-// Its first line of output is its address. GET /control returns what it has noted; POST /control {"tool": URL, ...} changes it.
+// The first line of output is its address. GET /control returns its records; POST /control {"tool": URL, ...}
+// changes its state.
 import crypto from "node:crypto";
 import fs from "node:fs";
 import http from "node:http";
@@ -38,14 +39,14 @@ const demand = (condition, message, status = 400) => {
   if (!condition) throw new Refusal(status, message);
 };
 
-/** A token with these claims; `forge` says in which wrong way it is signed. */
+/** A token with these claims. `forge` is the mistake in its signature; empty: none. */
 function sign(claims, forge = "") {
   const key = forge === "unknown-key" ? stranger : state.keys.at(-1);
   const header = { typ: "JWT", alg: forge === "none" ? "none" : forge === "hs256" ? "HS256" : forge === "rs512" ? "RS512" : "RS256", kid: key.id };
   if (forge === "no-kid") delete header.kid;
   const text = `${pack(header)}.${pack(claims)}`;
   if (forge === "none") return `${text}.`;
-  // The public key as the secret of an HMAC: a tool that believes the header's algorithm takes it.
+  // Uses the public key as the secret of an HMAC. A tool that trusts the header's algorithm would accept it.
   if (forge.startsWith("hs256") || forge === "hmac-as-rs256") {
     const pem = key.publicKey.export({ type: "spki", format: "pem" });
     return `${text}.${crypto.createHmac("sha256", pem).update(text).digest("base64url")}`;
@@ -57,7 +58,7 @@ function sign(claims, forge = "") {
   return `${text}.${signature}`;
 }
 
-/** The claims of a token of the tool, after all checks that a platform has to make. */
+/** Returns the claims of a token from the tool, after all checks that a platform must make. */
 async function verified(token) {
   const parts = token.split(".");
   demand(parts.length === 3, "no token");

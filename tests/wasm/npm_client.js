@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A client of a Soar kernel, as a user of the npm package writes it. run_npm.py runs it: node npm_client.js PORT
+// A client of a Soar kernel, as users of the npm package write it. run_npm.py runs it: node npm_client.js PORT
 'use strict';
 
 const assert = require('node:assert/strict');
@@ -16,12 +16,12 @@ const RULES = `sp {add
    (write |adding <&> for | <name>)}
 `;
 
-/** Two numbers go in, a command with their sum comes out. */
+/** Puts two numbers on the input link and expects a command with their sum. */
 async function addsNumbers(kernel, agent) {
   const printed = [], handled = [], fired = [], cycles = [];
   await agent.RegisterForPrintEvent((_, text) => void printed.push(text));
   await agent.RegisterForProductionEvent('after-production-fired', (_, rule) => void fired.push(rule));
-  // A handler may ask the kernel, which waits for it.
+  // A handler may call the kernel, which waits for the handler.
   const number = await agent.RegisterForRunEvent('after-decision-cycle', async () => void cycles.push(await agent.ExecuteCommandLine('print i2')));
   agent.AddOutputHandler('sum', (given, attribute, wme) => void handled.push([given, attribute, wme.GetParameterValue('value')]));
   await kernel.AddRhsFunction('double', (given, name, argument) => {
@@ -60,7 +60,7 @@ async function addsNumbers(kernel, agent) {
   assert.equal(agent.GetOutputLink().GetNumberChildren(), 1);
   assert.equal(cycles.length, seen);
 
-  // The input is there again after init-soar.
+  // init-soar adds the input again.
   await agent.InitSoar();
   await agent.RunSelfTilOutput();
   assert.equal(agent.GetCommand(0).GetParameterValue('value'), '10.5');
@@ -70,7 +70,7 @@ async function addsNumbers(kernel, agent) {
   assert.throws(() => pair.DestroyWME(), /removed already/);
 }
 
-/** Whatever is wrong has a message. */
+/** Each error has a message. */
 async function refuses(kernel, agent) {
   assert.match(await agent.ExecuteCommandLine('nonsense'), /No such command: nonsense/);
   assert.equal(kernel.GetLastCommandLineResult(), false);

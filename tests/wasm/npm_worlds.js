@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Worlds and commands from JavaScript, as a user of the npm package writes it; run_npm.py runs it.
+// Runs worlds and commands from JavaScript, as users of the npm package do. run_npm.py runs it.
 'use strict';
 
 const assert = require('node:assert/strict');
@@ -21,7 +21,7 @@ async function main() {
   assert.notEqual(await stateAfter({seconds: 4}), first);
   await assert.rejects(stateAfter({seconds: -1}), /seconds/);
   await assert.rejects(async () => { for await (const event of runWorld('no_such_world')) assert.fail(event.event); }, /no_such_world/);
-  // Leaving the loop ends a run that has no end of its own.
+  // Leaving the loop ends the run, which would otherwise last for a million seconds.
   for await (const event of runWorld('soar_flee', {seconds: 1e6})) {
     assert.ok(event.event);
     break;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The engine of a page without a server, in Node.js: it answers what a page asks, in every world and lesson.
+// Tests the engine of a page without a server in Node.js: its answers to a page's requests, in every world and lesson.
 //
 // usage: node run_engine.mjs ENGINE [NAME...]     ENGINE: the folder of soarbox-engine.mjs; NAME: only these worlds and lessons
 //
-// Each world runs for some seconds at full speed; each lesson's solution is applied and graded; the experiment of a link shows
-// the same moment as the run that it was taken from (its name here: "experiment"). Prints one line each; the exit status is 1 if
-// anything is not as it should be. Needs the page's packages (npm ci in web/).
+// Each world runs for some seconds at full speed. Each lesson's solution is applied and graded. The test "experiment" checks
+// that an experiment from a link shows the same moment as the original run. Prints one line for each test; the exit status is
+// 1 if a test fails. Needs the page's packages (npm ci in web/).
 import assert from "node:assert/strict";
 import { existsSync, mkdtempSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -26,7 +26,7 @@ await build({ stdin: { contents: 'export * from "./src/local/engine"; export * f
 const { EngineWorker, LocalPlace, LocalApi } = await import(pathToFileURL(bundled).href);
 const { default: makeEngine } = await import(pathToFileURL(resolve(folder, "soarbox-engine.mjs")).href);
 
-/** A page with its place, as far as these tests look: what it was told last, and what it is told from now on. */
+/** A page with its place: stores the latest messages from the engine, and waits for new ones. */
 class Page {
   hello = null;
   contents = {};
@@ -39,7 +39,7 @@ class Page {
     this.place = new LocalPlace(() => {
       const port = { onmessage: null, onerror: null, postMessage: (message) => void worker.take(message), terminate: () => undefined };
       const worker = new EngineWorker({
-        // Nobody else grades: this engine does it itself.
+        // There is no other worker, so this engine also grades.
         load: async () => ({ make: (settings) => makeEngine({ ...settings, locateFile: (name) => resolve(folder, name) }), loaded: null }),
         say: (message) => port.onmessage?.({ data: message }),
         later: (call, ms) => {
@@ -96,7 +96,7 @@ async function runWorld(page, name) {
   return `${page.hello.agents.length} agents, ${page.flow.time_s.toFixed(1)} s, ${page.blocks} blocks`;
 }
 
-/** The rules of a lesson's solution: each file's name and text. */
+/** The files of a lesson's solution: [name, text] of each. */
 function solutionOf(lesson) {
   const below = join(REPOSITORY, "lessons"), home = [below, ...readdirSync(below).map((course) => join(below, course))].find((one) => existsSync(join(one, lesson, "lesson.toml")));
   const solution = join(home, lesson, "solution");
@@ -104,7 +104,7 @@ function solutionOf(lesson) {
 }
 
 async function solveLesson(page, name) {
-  // What the learner's editor would save.
+  // Saves the files as the learner's editor would.
   for (const [file, text] of solutionOf(name)) await page.api.fetch(`/api/p/local/files/soarbox-lessons/${name}/${file}`, { method: "PUT", body: text });
   await page.open(`lesson:${name}`);
   page.ask("look", { panels: ["mission"] });
@@ -115,7 +115,7 @@ async function solveLesson(page, name) {
   return page.contents.mission.lesson.grade[0];
 }
 
-/** Runs a world to a moment, and returns all that is told of its agents there. */
+/** Runs a world to a tick and returns the contents of its panel Agents at this tick, as JSON. */
 async function agentsAt(page, what, tick) {
   await page.open(what);
   page.ask("look", { panels: ["mission"] });
@@ -124,13 +124,13 @@ async function agentsAt(page, what, tick) {
   page.ask("flow", { what: "pause" });
   page.ask("seek", { tick });
   await page.until(() => page.contents.moment?.time.shown_tick === tick && page.contents.moment.time.is_live === false, `tick ${tick} is shown`);
-  // Only now, so that what is told is about this moment.
+  // Requested only now, so that the contents are about this moment.
   page.ask("look", { panels: ["agents", "mission"] });
   await page.until(() => page.contents.agents !== undefined, "the agents are told");
   return JSON.stringify(page.contents.agents);
 }
 
-/** What a link carries of a world with changed rules leads to the same moment, and to another one than the rules as they were. */
+/** The data of a link to a world with changed rules must lead to the same moment; the original rules must lead to a different one. */
 async function tryExperiment(_page, _name) {
   const what = "scenario:soar_flee", file = "rabbit.soar", TICK = 90;
   const shipped = readFileSync(join(REPOSITORY, "scenarios/soar_flee", file), "utf8"), changed = shipped.replaceAll(/\bflee\b/g, "pursue");
@@ -153,7 +153,7 @@ let failed = 0, done = 0;
 for (const { name, run } of all.filter((one) => names.length === 0 || names.includes(one.name))) {
   const start = Date.now();
   try {
-    // A place has room for the files of some lessons only.
+    // Each test has its own place, because a place is too small for the files of all lessons.
     const told = await run(new Page(), name);
     console.log(`good     ${name}: ${told}; ${((Date.now() - start) / 1000).toFixed(1)} s`);
   } catch (error) {

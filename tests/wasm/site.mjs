@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The site without a server, in a browser: a world runs, its rules are changed and the change is applied, a link leads
-// somebody else to the same moment of the same experiment, and it works without a network. run_site.py starts it: SOARBOX_PAGE is the address of the site.
+// Tests the site without a server in a browser: worlds run, changed rules are applied, a link shows another user the same
+// moment of the same experiment, and the site works without a network. run_site.py starts these tests. SOARBOX_PAGE is the
+// address of the site.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
@@ -27,7 +28,7 @@ test("a world runs, its minds say why, its past is shown, and new rules take eff
   await page.waitForSelector("button:has-text('Resume here'):enabled");
   await page.locator("button", { hasText: "To the newest" }).click();
 
-  // Another rule for the rabbit.
+  // Adds a rule for the rabbit.
   await page.locator("#tab-edit").click();
   await page.locator(".panel.edit select").selectOption({ label: "rabbit.soar" });
   await until(async () => (await inEditor(page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
@@ -53,19 +54,19 @@ test("a lesson is solved and graded, and its progress is there the next time", a
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
   await page.waitForSelector(".panel.mission .passed");
   await picture(page, "site_lesson");
-  await page.waitForTimeout(2500);  // Files are kept a second after each change.
+  await page.waitForTimeout(2500);  // Changed files are stored after a second.
   await page.reload();
   await until(async () => /porter\*greet/.test(await page.locator(".cm-content").innerText()), "the rules are there again");
   assert.deepEqual(troubles, []);
   await close();
 });
 
-/** What the panel of agents says of them: their states, operators and commands. */
+/** The rows of the panel Agents: states, operators and commands. */
 const agentsOf = async (page) => (await page.locator(".panel.agents tbody tr").allInnerTexts()).map((row) => row.replaceAll(/\s+/g, " ").trim());
 const isPaused = async (page) => (await page.locator("button[aria-label='Run']").count()) === 1;
 const momentOf = (page) => page.locator(".scrubber .moment").evaluate((moment) => moment.firstChild.textContent);
 
-/** The link to the experiment, from the dialog. */
+/** The link to the experiment, from the dialog for links. */
 async function experimentLink(page) {
   await page.locator("button[aria-label='Links to share']").click();
   const link = await page.locator(".dialog input.address[aria-label='This experiment']").inputValue();
@@ -87,7 +88,7 @@ test("a link is an experiment: it shows the same moment of the same rules, pause
   await typeRules(page, rules);
   await apply(page);
   await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "the rules are reloaded");
-  // From the next seed, so that the link has to say which.
+  // Begins with the next seed, so that the link must contain the seed.
   await page.locator("button[aria-label='Begin again with the next seed']").click();
   await page.waitForSelector(".seed:has-text('seed 2')");
   await until(async () => (await momentOf(page)) >= "0:03", "the world runs");
@@ -97,7 +98,7 @@ test("a link is an experiment: it shows the same moment of the same rules, pause
   assert.match(link, /#world=soar_flee&t=[\d.]+&seed=2&agent=rabbit&rules=[\w-]+$/);
   assert.ok(link.length < 4000, `the link has ${link.length} letters`);
 
-  // Somebody else, whose browser knows nothing of it.
+  // Another user, in a browser without any data of this site.
   const other = await openPage(link, { draws: false });
   await other.page.waitForSelector(".pill:has-text('An experiment from a link')");
   await until(async () => (await momentOf(other.page)) === moment && (await isPaused(other.page)), "the moment is shown, paused");
@@ -107,7 +108,7 @@ test("a link is an experiment: it shows the same moment of the same rules, pause
   await picture(other.page, "site_experiment");
   await other.page.locator("#tab-edit").click();
   await until(async () => (await inEditor(other.page)).includes("rabbit*note*here"), "the rules of the link are in the editor");
-  // A reload shows it again, and a world that is opened from where one begins is one's own.
+  // A reload shows the experiment again. A world that is opened from the start page has the user's own files.
   await other.page.reload();
   await until(async () => (await momentOf(other.page)) === moment, "the moment is shown again");
   await other.page.locator("button.home").click();
@@ -117,7 +118,7 @@ test("a link is an experiment: it shows the same moment of the same rules, pause
   await until(async () => (await inEditor(other.page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
   assert.equal((await inEditor(other.page)).includes("rabbit*note*here"), false, "the link has changed nothing of one's own");
   assert.equal(await other.page.locator(".pill:has-text('An experiment from a link')").count(), 0);
-  // A link that was cut off.
+  // A truncated link.
   await other.page.goto(link.slice(0, -40));
   await other.page.waitForSelector("[role=alert]:has-text('damaged')");
   await other.page.locator("button", { hasText: "Lessons and worlds" }).click();
