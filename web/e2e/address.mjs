@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Everything has an address: lessons, worlds, files, moments. Back, Forward, reload and bookmarks lead there, and links give them away.
+// Lessons, worlds, files and moments have addresses. Tests Back, Forward, reload, bookmarks and links to share.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { ADDRESS, closeBrowser, openLesson, openPage, openWorld, typeRules, until } from "./browser.mjs";
@@ -30,7 +30,7 @@ test("Back, Forward and reload lead to the lesson, the world, and the start page
   await until(async () => (await title(page)) === "eaters", "Forward leads to the world");
   await page.reload();
   await until(async () => (await title(page)) === "eaters", "a reload stays there");
-  // A bookmark, opened while the page shows something else.
+  // Opens a bookmark while the page shows something else.
   await page.goto(`${ADDRESS}/#lesson=03-choices`);
   await until(async () => (await title(page)).startsWith("Preferences") && (await page.locator(".panel.mission .task").count()) === 1, "a bookmark leads to its lesson");
   await page.goto(`${ADDRESS}/#lesson=99-nothing`);
@@ -42,7 +42,7 @@ test("Back, Forward and reload lead to the lesson, the world, and the start page
 test("a moment and a file have addresses", async () => {
   const { page, troubles, close } = await openPage("/#world=soar_evade&t=2&file=bear.soar", { draws: false });
   await until(async () => (await page.locator(".scrubber .moment").innerText()).startsWith("0:02.00"), "the moment of the address is shown");
-  // The protagonist is selected: the agent whom the checks are about.
+  // The protagonist is selected: the agent that the checks are about.
   await page.waitForSelector(".agents tr.chosen:has-text('hare')");
   await page.locator("#tab-edit").click();
   await until(async () => (await page.locator(".panel.edit select").inputValue()).endsWith("bear.soar"), "the file of the address is in the editor");

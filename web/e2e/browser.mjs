@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Shared by the end-to-end tests: a browser, the page of a running server, and the actions of a learner.
-//   SOARBOX_PAGE      the server's address, http://127.0.0.1:8080 if it is not said
-//   SOARBOX_BROWSER   the browser, /usr/bin/chromium if it is not said
+//   SOARBOX_PAGE      the server's address, by default http://127.0.0.1:8080
+//   SOARBOX_BROWSER   the browser, by default /usr/bin/chromium
 //   SOARBOX_PATIENCE_S  how long a condition may take (default: 150 s)
-//   SOARBOX_PICTURES  a folder for pictures of what the tests saw
+//   SOARBOX_PICTURES  a folder for screenshots of the tests
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { chromium } from "playwright-core";
@@ -13,7 +13,7 @@ const PICTURES = process.env.SOARBOX_PICTURES ?? "";
 export const PATIENCE_MS = 1000 * Number(process.env.SOARBOX_PATIENCE_S ?? 150);
 
 const browsers = new Map();
-/** Without `draws` it has no WebGL, so that tests of text need not wait for a processor that draws. */
+/** `draws`: with WebGL. Tests of text are faster without it, because the processor draws. */
 export async function openBrowser({ draws = true } = {}) {
   if (!browsers.has(draws)) {
     browsers.set(draws, chromium.launch({
@@ -29,7 +29,7 @@ export async function closeBrowser() {
   browsers.clear();
 }
 
-/** A new page, with the errors in it. `size`: width and height in pixels; `passed`: expected errors. */
+/** A new page and its errors. `size`: width and height in pixels; `passed`: a pattern of expected errors. */
 export async function openPage(path = "/", { size = [1280, 800], zoom = 1, scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
   const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, deviceScaleFactor: zoom, colorScheme: scheme, hasTouch: touch });
   const page = await context.newPage();
@@ -54,7 +54,7 @@ export async function openLesson(page, number) {
   await page.waitForSelector(".cm-content .tok-keyword");
 }
 
-/** Puts a text into the editor as a learner does: everything is selected and typed over. */
+/** Replaces the text in the editor as a learner does: selects everything and types. */
 export async function typeRules(page, text) {
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+a");
@@ -67,12 +67,12 @@ export async function apply(page) {
   await page.waitForSelector(".panel.edit .under p");
 }
 
-/** Shows a panel by its tab. */
+/** Brings a panel to the front by a click on its tab. */
 export async function show(page, title) {
   await page.locator("[role=tab]", { hasText: new RegExp(`^${title}(\\d.*)?$`) }).click();
 }
 
-/** Waits until a fact is there; says which one if it never is. */
+/** Waits until `fact` returns true; fails with `what` after PATIENCE_MS. */
 export async function until(fact, what) {
   for (const end = Date.now() + PATIENCE_MS; Date.now() < end;) {
     if (await fact()) return;

@@ -42,11 +42,11 @@ test("the table fits 1280 px, a course unfolds into lessons with names, and a le
   await picture(teacher.page, "class_unfolded");
   await until(async () => (await teacher.page.locator("th.lesson").count()) > 30, "both are unfolded");
   await picture(teacher.page, "class_both");
-  // A mistake is named with its line.
+  // The teacher's table shows a mistake with its line.
   await typeRules(learner.page, "sp {greet\n   (state <s> ^io.input-link <in>\n-->\n   (write |hello|)}\n");
   await learner.page.keyboard.press("Control+s");
   await until(async () => /porter\.soar, line \d/.test(await teacher.page.locator("tr", { hasText: "Ada" }).locator("td.now").innerText()), "the mistake is in the table");
-  // A hand goes up and comes down.
+  // The learner raises a hand, and the teacher lowers it.
   await learner.page.locator("button", { hasText: "Raise hand" }).click();
   await learner.page.locator("button", { hasText: "Your hand is up" }).waitFor();
   await teacher.page.locator("tr.hand", { hasText: "Ada" }).waitFor();
@@ -98,7 +98,7 @@ test("learners hand in, the teacher plays, a ladder appears, and a match is watc
   assert.match(await teacher.page.locator(".arena").innerText(), /seeds 1 to 3/);
   await picture(teacher.page, "class_arena");
   const learner = await visit(links[1], { draws: true });
-  // The world in which the rules were changed is open still.
+  // The world with the changed rules is still open.
   await learner.page.waitForSelector(".run-page:not([hidden])");
   await learner.page.locator("button.home").click();
   await learner.page.locator(".arena summary").first().click();
@@ -136,7 +136,7 @@ test("a link to watch shows the live run and changes nothing; it can be withdraw
   assert.equal(await guest.page.locator(".panel.edit .bar button.primary").count(), 0);
   assert.equal(await guest.page.locator("button[aria-label='Links to share']").count(), 0);
   assert.ok(!(await guest.page.content()).includes(place), "the place's link stays a secret");
-  // What the owner opens next is seen.
+  // The guest sees the next world that the owner opens.
   await owner.page.keyboard.press("Escape");
   await owner.page.locator("button.home").click();
   await openWorld(owner.page, "soar_hallway");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The cost of a picture that the processor draws, in draw calls, triangles and pixels, because times depend on the machine.
+// The cost of a picture if the processor draws. It is measured in draw calls, triangles and pixels, because times
+// depend on the machine.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -20,7 +21,7 @@ test("two hundred soldiers are drawn with few calls, triangles and pixels", { sk
   const server = await startServer([folder, "--memory", "2000"]);
   const page = await (await (await openBrowser()).newContext({ viewport: { width: 1280, height: 720 } })).newPage();
   page.setDefaultTimeout(PATIENCE_MS);
-  // Of each picture: how often it drew, and how much.
+  // Counts draw calls and triangles of each picture.
   await page.addInitScript(() => {
     const told = (window.drawn = { calls: 0, triangles: 0, of: [] }), prototype = WebGL2RenderingContext.prototype;
     const count = (name, triangles) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Names in a crowd at 1280 px: many are there, whole, readable, and none covers another.
+// Names in a crowd at 1280 px: many are shown, complete and readable, and none covers another.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { closeBrowser, openPage, openWorld, picture, until } from "./browser.mjs";
@@ -10,7 +10,7 @@ test("in a crowd only names are shown, readable and without overlaps", async () 
   const { page, troubles, close } = await openPage("/");
   await openWorld(page, "crowd");
   await until(async () => (await page.locator(".labels .name.compact").count()) >= 12, "a dozen names are shown");
-  // One look at all of them: the picture moves on.
+  // Reads all names at once, because the picture changes.
   const names = await page.locator(".labels").evaluate((labels) => [...labels.querySelectorAll(".name")].map((one) => {
     const { left, top, right, bottom } = one.getBoundingClientRect(), name = one.querySelector("b");
     return { text: name.textContent, left, top, right, bottom, size: parseFloat(getComputedStyle(name).fontSize), isCut: name.scrollWidth > name.clientWidth + 1 };

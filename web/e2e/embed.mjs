@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A course page of another site shows live worlds; a site that is not named shows none.
+// A page of another site shows live worlds if the server allows this site, and otherwise none.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { after, test } from "node:test";

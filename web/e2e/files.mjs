@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The editor works as an editor for rules does: it lays out, renames, goes to definitions, and makes files.
+// Actions of the editor: formatting, renaming, going to a definition, and creating files.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { apply, closeBrowser, openLesson, openPage, openWorld, picture, typeRules, until } from "./browser.mjs";
@@ -7,7 +7,7 @@ import { apply, closeBrowser, openLesson, openPage, openWorld, picture, typeRule
 after(closeBrowser);
 
 const text = async (page) => (await page.locator(".cm-line").allInnerTexts()).map((line) => line.replace(/\n$/, "")).join("\n");
-/** The caret goes into the first place of a word. */
+/** Moves the caret into the first occurrence of a word. */
 async function caretAt(page, word) {
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+Home");
@@ -34,7 +34,7 @@ test("rules are formatted, a name is renamed, and F12 goes to the rule that make
   await picture(page, "renamed");
   await page.keyboard.press("Control+z");
   await until(async () => (await text(page)).match(/\^mood good/g)?.length === 2, "one step back");
-  // From the condition to the action that makes it.
+  // From a condition to the action that creates its element.
   const all = await text(page), lines = all.split("\n"), use = lines.findIndex((line) => line.includes("porter*use")), made = lines.findIndex((line) => line.includes("(<s> ^mood good)"));
   assert.ok(made >= 0 && made < use, all);
   await page.locator(".cm-content").click();

@@ -32,7 +32,7 @@ test("checks are neutral before there is anything to judge, restart with Apply, 
   await until(async () => (await page.locator(".check.is-passed").count()) === (await page.locator(".check").count()), "all checks come true");
   assert.match(await page.locator("#tab-mission .badge").innerText(), /^(\d+)\/\1$/);
 
-  // At the beginning nothing had come true yet; going on from there, the old ticks are gone.
+  // At the beginning no check had passed yet. After the run resumes there, the later ticks are removed.
   await page.locator(".past").focus();
   await page.keyboard.press("Home");
   await until(async () => (await page.locator(".check.is-passed").count()) === 0, "the past shows what was known then");
@@ -63,9 +63,10 @@ test("lesson 1, from the first click to the next lesson", async () => {
   await apply(page);
   await until(async () => /previous version keeps running/.test(await page.locator(".panel.edit .under").innerText()), "an error keeps the previous version");
 
-  // A slip, mended by one click.
+  // A slip is corrected by one click.
   await typeRules(page, file("porter.soar").replace("^io.input-link.agent", "^io.input-link.agnet"));
-  // What the list and the marks say must be about this text: those of the text before stay until the answer is there.
+  // Waits until the list and the marks are about this text: until the answer arrives, those of the previous text are
+  // shown.
   await page.locator(".panel.edit .problem", { hasText: "agnet" }).first().waitFor();
   await page.locator(".cm-lintRange", { hasText: "agnet" }).first().waitFor();
   await page.keyboard.press("Escape");
@@ -76,7 +77,7 @@ test("lesson 1, from the first click to the next lesson", async () => {
   }, "F8 shows the slip, and a click mends it");
   await until(async () => /input-link\.agent/.test((await page.locator(".cm-content").innerText()).replace(/\s/g, "")), "the remedy is in the text");
 
-  // A wrong answer: hints, and a grade that says why.
+  // A wrong answer gets hints, and a grade with the reason.
   await typeRules(page, file("wrong/03-constant/porter.soar"));
   await apply(page);
   await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "it was reloaded");

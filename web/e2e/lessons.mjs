@@ -7,9 +7,9 @@ import { closeBrowser, openLesson, openPage, picture, typeRules, until } from ".
 
 const FOLDER = new URL("../../lessons/", import.meta.url);
 const ALL = readdirSync(FOLDER).filter((name) => /^\d\d-/.test(name)).sort();
-/** Lessons about other files than rules are not solved in a page: a world of the learner's own, a script. */
+/** Only lessons about rules: the others are about a world or a script, which a page cannot edit. */
 const LESSONS = ALL.filter((name) => /^rules = ".*\.soar"/m.test(readFileSync(new URL(`${name}/lesson.toml`, FOLDER), "utf8")));
-/** What the headline of some wrong answers says. */
+/** Some wrong answers, with a pattern of their headline. */
 const WRONG = new Map([
   ["03-choices", ["01-better-only", /silver and bronze tie/]],
   ["06-danger", ["01-no-negation", /graze and flee tie, because graze is still proposed/]],
@@ -17,12 +17,12 @@ const WRONG = new Map([
 ]);
 
 const titleOf = (lesson) => /^title = "(.*)"$/m.exec(readFileSync(new URL(`${lesson}/lesson.toml`, FOLDER), "utf8"))[1];
-/** A wrong answer of a lesson, and what its grade says: at least a headline, before the checks. */
+/** A wrong answer to a lesson, and a pattern of its grade: at least a headline before the checks. */
 function wrongAnswerOf(lesson) {
   const [wrong, told] = WRONG.get(lesson) ?? [readdirSync(new URL(`${lesson}/wrong/`, FOLDER)).sort()[0], /^grade\s+(?!(yes|no)\s)\S[^\n]{20,}/i];
   return { told, rules: rulesBelow(lesson, `wrong/${wrong}`) };
 }
-/** The rules below a folder of a lesson. */
+/** The file of rules in a folder of a lesson. */
 function rulesBelow(lesson, part) {
   const folder = new URL(`${lesson}/${part}/`, FOLDER), name = readdirSync(folder).find((one) => one.endsWith(".soar"));
   return { name, text: readFileSync(new URL(name, folder), "utf8") };

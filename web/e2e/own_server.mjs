@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A server of a test's own. SOARBOX_COMMAND names the program; without it these tests are passed over.
+// Starts a separate server for a test. SOARBOX_COMMAND names the program; without it, such tests are skipped.
 import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
 import { createServer } from "node:net";
@@ -20,7 +20,7 @@ export function freePort() {
   });
 }
 
-/** `told`: the output of its start. `kill()` ends it at once. */
+/** `told` is its output until it is ready. `kill()` ends it immediately. */
 export async function startServer(args, { port, state = mkdtempSync(join(tmpdir(), "soarbox-")) } = {}) {
   const at = port ?? (await freePort());
   const process_ = spawn(COMMAND, ["serve", "--listen", `127.0.0.1:${at}`, "--state", state, "--page", PAGE, ...args], { stdio: ["ignore", "pipe", "pipe"] });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What the picture shows over the world, keys that reach the world's scripts, and what is told about a word of a rule.
+// Texts over the picture, keys for the world's scripts, and explanations of words in rules.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { closeBrowser, openLesson, openPage, openWorld, picture, show, until } from "./browser.mjs";
@@ -59,11 +59,11 @@ test("the camera keeps everybody in the picture until it is moved, and again on 
   }
   await openWorld(page, "soar_flee");
   await page.waitForSelector(".stage button[aria-label='Show everybody'][aria-pressed=true]");
-  // An agent that runs could come back into the picture before the button is clicked.
+  // Pauses, because a running agent could come back into the picture before the button is clicked.
   await page.locator("button[aria-label=Pause]").first().click();
   await page.waitForSelector("button[aria-label=Run]");
   await page.locator(".stage canvas").focus();
-  // Whoever moved the camera away from everybody is told how to come back. (Keys that come before the picture move nothing.)
+  // If no agent is in the picture, a button brings the camera back. (Keys have no effect before the first picture.)
   const back = page.locator("button", { hasText: "Nobody is in the picture" });
   await until(async () => {
     for (let i = 0; i < 20; ++i) await page.keyboard.press("Shift+ArrowRight");
@@ -98,7 +98,7 @@ test("keys reach a world's scripts as in the window", async () => {
   await until(async () => (await boxes()) !== before, "F2 shows or hides the help of this world");
   await page.keyboard.press("F2");
   await until(async () => (await boxes()) === before, "and F2 again");
-  // Text that is typed into a panel does not reach the world.
+  // Keys that are pressed in a panel do not reach the world.
   await page.locator("[role=tab]", { hasText: /^Agents/ }).focus();
   await page.keyboard.press("F2");
   await page.waitForTimeout(500);
@@ -113,13 +113,13 @@ test("what an agent prints is over its head, and in the panel Output from the fi
   await openLesson(page, 1);
   await show(page, "Output");
   await page.locator(".lines.output li", { hasText: "Somebody is there" }).last().waitFor();
-  // New lines come at the top: the first one keeps its place once the world stands still.
+  // Pauses, because each new line at the top moves the first one.
   await page.locator("button[aria-label=Pause]").first().click();
   await page.waitForSelector("button[aria-label=Run]");
   const first = page.locator(".lines.output li").last().locator(".time");
   const [minutes, seconds] = (await first.innerText()).split(":");
   assert.ok(60 * Number(minutes) + Number(seconds) < 2, "the first one is there, though the panel was opened later");
-  // Speech fades after some seconds. Its moment shows it as long as one likes.
+  // Speech disappears after some seconds. At its moment it is always shown.
   await first.click();
   await page.waitForSelector(".labels .speech:has-text('Somebody is there')");
   await picture(page, "output");
@@ -140,7 +140,7 @@ test("an empty world and agents without a mind are explained, with what to do", 
   await page.locator("button.home").click();
   await openWorld(page, "decisions");
   await page.waitForSelector(".panel.mind:has-text('No agent of this world has a Soar mind')");
-  // The rules of the world before are not there any more.
+  // The rules of the previous world are no longer in the editor.
   await show(page, "Edit");
   assert.doesNotMatch(await page.locator(".cm-content").innerText(), /sp \{/);
   assert.deepEqual(troubles, []);
@@ -160,13 +160,13 @@ test("a word of a rule under the mouse is explained", async () => {
     return (await tooltip.count()) > 0;
   }, "the name of a rule is explained");
   assert.match(await tooltip.innerText(), /rule porter\*/);
-  // A beginner's words, in plain words.
+  // Words that a beginner meets first are explained in plain words.
   for (const [text, told] of [["state", /first condition looks at a state/], ["-->", /between conditions and actions/], ["^superstate", /top state/]]) {
-    // One explanation may lie over the next word.
+    // Moves the mouse away first, because an explanation may cover the next word.
     await page.mouse.move(640, 770);
     await until(async () => (await tooltip.count()) === 0, "the explanation goes with the mouse");
     await until(async () => {
-      // The text may have moved meanwhile.
+      // Looks up the position again, because the text may have moved.
       const at = await page.locator(".cm-line span", { hasText: text }).first().boundingBox();
       await page.mouse.move(at.x + at.width / 2 - 3, at.y + at.height / 2);
       await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What a learner's place holds: its folder goes out and comes in. And fingers on a screen.
+// Downloading and uploading the folder of a learner's place, and touch gestures.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -21,7 +21,7 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
   assert.equal(zip.subarray(0, 2).toString(), "PK");
   assert.ok(zip.includes("porter.soar"));
 
-  // Another person opens it in another place.
+  // Another user uploads it into another place.
   const other = await openPage("/", { draws: false, passed: /400/ });
   await other.page.waitForSelector(".start h1");
   const folder = mkdtempSync(join(tmpdir(), "soarbox-"));
@@ -31,7 +31,7 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
   await other.page.locator("ol.cards button.card").first().click();
   await until(async () => /Kept in a zip/.test(await other.page.locator(".cm-content").innerText()), "the uploaded rules are in the editor");
 
-  // What is not an archive is refused in words.
+  // A file that is not an archive is refused with a message.
   await other.page.locator("button.home").click();
   writeFileSync(join(folder, "odd.zip"), "no archive at all");
   await other.page.locator("input[type=file]").setInputFiles(join(folder, "odd.zip"));
@@ -43,8 +43,9 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
 });
 
 /**
- * Fingers, as the page hears of them. They are made in the page itself: a browser passes on the protocol's touches only where the last
- * picture that it drew has somebody who listens, and drops them while it is behind with drawing. `way`: of each finger, where it begins and ends.
+ * Simulates fingers by events that are created in the page. Touches through the browser's protocol are not reliable: the
+ * browser drops them if it is late with drawing, or if its last picture has no listener at their position. `way`: start and
+ * end of each finger.
  */
 const fingers = (page, selector, way) => page.locator(selector).evaluate((element, ends) => {
   const STEPS = 4;
@@ -67,7 +68,7 @@ test("with touch: a body is selected, the camera turns, zooms and moves, panels 
   await page.locator("button[aria-label=Pause], .flow-bar button").first().click();
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
   const drawn = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  // Where the names of bodies are says where the camera is.
+  // The positions of the names show whether the camera has moved.
   const names = () => page.locator(".labels").evaluate((labels) => [...labels.querySelectorAll(".name")].map((one) => one.style.transform).join());
   const still = async () => {
     let last = "";
@@ -79,7 +80,7 @@ test("with touch: a body is selected, the camera turns, zooms and moves, panels 
     }, "the picture stands still");
     return last;
   };
-  // The browser itself leaves fingers on the picture to the page.
+  // The browser must not handle touches of the picture itself.
   assert.equal(await page.locator(".stage canvas").evaluate((canvas) => getComputedStyle(canvas).touchAction), "none");
   const box = await page.locator(".stage canvas").boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
   for (const [what, ...way] of [
@@ -87,7 +88,7 @@ test("with touch: a body is selected, the camera turns, zooms and moves, panels 
     ["two fingers go nearer", [[x - 30, y], [x - 90, y]], [[x + 30, y], [x + 90, y]]],
     ["two fingers move what is looked at", [[x - 30, y], [x - 30, y + 60]], [[x + 30, y], [x + 30, y + 60]]],
   ]) {
-    // Bodies that stroll, and the gesture before, may have left no name in the picture.
+    // After the previous gesture, the picture may contain no names.
     await page.locator("button[aria-label='Show everybody']").click();
     await page.waitForSelector(".labels .name");
     const before = await still();
@@ -99,7 +100,7 @@ test("with touch: a body is selected, the camera turns, zooms and moves, panels 
   }
   await page.locator("button[aria-label='Show everybody']").click();
   await page.waitForSelector(".labels .name");
-  // One agent is brought into the middle of the picture, another one is selected, and a finger returns to the first.
+  // Moves one agent into the middle of the picture, selects another one, and then selects the first one with a finger.
   const chosen = async () => (await page.locator(".labels .name.selected b").allInnerTexts()).join();
   await page.locator(".labels .name").first().evaluate((label) => label.click());
   await page.waitForSelector(".labels .name.selected");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Reports opened by double click: no server, no network.
-//   SOARBOX_REPORTS  a folder with what tests/serve/report_samples.py makes
+// Reports that are opened as files: without a server and a network.
+//   SOARBOX_REPORTS  the folder with the output of tests/serve/report_samples.py
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
@@ -12,7 +12,10 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 const test = (name, run) => tested(name, { skip: FOLDER === undefined && "SOARBOX_REPORTS names no folder" }, run);
 after(closeBrowser);
 
-/** Opens a report, passes it to the test, and then checks that there was no error, no request, and no text that became a script. */
+/**
+ * Opens a report and runs the test. Then checks that there were no errors and requests, and that no text was run as a
+ * script.
+ */
 async function look(name, run, { size = [1280, 900], scheme = "light", draws = false, ...more } = {}) {
   const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, colorScheme: scheme, ...more }), page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
@@ -35,7 +38,7 @@ const shown = async (page) => Number.parseFloat(await page.locator(".bar output"
 /** Waits until a part has this text. The browser reports an opened fold in a separate task, and its content is created only then. */
 const says = (page, part, text, what) => until(async () => (await page.locator(part).innerText()).includes(text), what);
 
-/** Bars that axe finds, as "rule: element". */
+/** The barriers for users that axe finds, as "rule: element". */
 async function bars(page) {
   await page.evaluate(axe);
   const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"], runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] }));
@@ -53,7 +56,7 @@ test("a report shows its run in 3D at every moment, and all parts below follow",
   await page.getByRole("tab", { name: "Messages" }).click();
   await page.locator(".scene").getByText("advance").first().waitFor();
   await picture(page, "report_run");
-  // docs/images/report.png, with 256 colours: the run, and the part directly below it.
+  // Takes the picture for docs/images/report.png: the run, and the part directly below it.
   await page.setViewportSize({ width: 1280, height: 700 });
   for (const name of ["Timeline", "Why"]) await page.getByRole("tab", { name }).click();
   await until(async () => (await page.locator(".scene").boundingBox()).height < 640, "it is as high as the window");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What scripts show and play, and what users press: buttons, bars, images, models from files, gamepads, sounds.
+// Output and input of scripts: buttons, bars, images, models from files, gamepads, sounds.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { closeBrowser, openPage, openWorld, picture, until } from "./browser.mjs";
@@ -29,7 +29,7 @@ test("a world with models, an image, a bar and buttons is played with mouse and 
   await until(async () => page.evaluate(() => globalThis.soundsBegun > 0), "a sound is heard");
   await picture(page, "rover_1280");
 
-  // By hand: a gamepad, which browsers report once a button was pressed.
+  // Simulates a gamepad. Browsers report one only after a button was pressed.
   await page.evaluate(() => {
     const pad = { index: 0, connected: true, buttons: Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })), axes: [0, 0, 0, 0] };
     globalThis.testPad = pad;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What needs a server of its own: one that is killed and comes back, a token, a class and its teacher, and names with markup in every place.
+// Tests that need separate servers: a killed and restarted server, a token, a class with a teacher, and names that
+// contain markup.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -69,7 +70,7 @@ test("a teacher sees the class, and watches without changing anything; names wit
   assert.match(await teacher.page.locator(".head").innerText(), /You watch/);
   assert.equal(await teacher.page.locator(".panel.edit .bar button.primary").count(), 0);
   assert.equal(await teacher.page.locator(".flow-bar button:enabled").count(), 0);
-  // Each looks at what he chooses.
+  // Learner and teacher choose their panels independently.
   await show(learner.page, "Why");
   await show(teacher.page, "Rules");
   await teacher.page.waitForSelector(".panel.rules td button.row-press");

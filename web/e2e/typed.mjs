@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// What was typed stays: over a reload, without a server, and with a second tab on the same place.
+// Typed text is not lost: after a reload, without a server, and with a second tab on the same place.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { closeBrowser, openBrowser, openLesson, openPage, until } from "./browser.mjs";
@@ -9,7 +9,7 @@ const skip = COMMAND === "" ? "SOARBOX_COMMAND names no program" : false;
 after(closeBrowser);
 
 const text = (page) => page.locator(".cm-content").innerText();
-/** Adds a line at the end of the text, and says when the last letter is in the editor. */
+/** Adds a line at the end of the text, and waits until it is in the editor. */
 async function addLine(page, line) {
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+End");
@@ -29,7 +29,7 @@ test("a reload right after the last letter, and typing without a server, lose no
   await addLine(page, "# typed without a server");
   const second = await startServer([], { port: first.port, state: first.state });
   await page.reload();
-  // Either of the two texts that the page shows if the run of a place has ended.
+  // If the run of a place has ended, the page shows the start page or a button. Otherwise it shows the run.
   await page.locator(".start h1:visible, .over-run button.primary:visible, .panel.mission h2:visible").first().waitFor();
   if ((await page.locator(".over-run button.primary:visible").count()) > 0) await page.locator(".over-run button.primary").click();
   else if ((await page.locator(".start h1:visible").count()) > 0) await openLesson(page, 1);

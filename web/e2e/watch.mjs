@@ -13,7 +13,7 @@ import { COMMAND, freePort } from "./own_server.mjs";
 const skip = COMMAND === "" ? "SOARBOX_COMMAND names no program" : false;
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const processes = [];
-// Also after a test that failed: the processes would keep this one from ending.
+// Kills the processes even after a failed test, because this process could not end otherwise.
 after(async () => {
   await closeBrowser();
   for (const one of processes) one.kill("SIGKILL");
@@ -33,7 +33,10 @@ sp {apply*count
    (<c> ^number <n>)}
 `;
 
-/** A program with all that it has printed. Without a PATH, watch finds no browser of its own to open. */
+/**
+ * Starts a program and collects its output. An environment without PATH prevents `soarbox watch` from opening a
+ * browser.
+ */
 function start(program, words, environment = process.env) {
   const process_ = spawn(program, words, { stdio: ["pipe", "pipe", "pipe"], env: environment });
   processes.push(process_);
@@ -42,7 +45,7 @@ function start(program, words, environment = process.env) {
   return started;
 }
 
-/** The client of a kernel: creates agents and sends them command lines, one at a time. */
+/** A client of a kernel, which creates agents and sends them command lines. */
 function startClient(port) {
   const client = start("python3", [here("../../tests/serve/kernel_client.py"), String(port)]);
   let answered = 0;
@@ -55,7 +58,7 @@ function startClient(port) {
   return { ask, end: () => client.process.kill("SIGKILL") };
 }
 
-/** A kernel with an agent that counts, three decisions old, its client, and the page that watches it. */
+/** Starts a kernel with an agent that has counted for three decisions, its client, and the page that watches it. */
 async function watchCounter(...options) {
   const folder = mkdtempSync(join(tmpdir(), "soarbox-")), file = join(folder, "count.soar"), port = await freePort();
   writeFileSync(file, COUNT);
@@ -88,7 +91,7 @@ test("panels show what the agents of a kernel did and do, and what is typed goes
   await shows(page, "trace", /counted \^number 1/);
   await show(page, "Memory");
   await shows(page, "memory", /\^count\s*2/);
-  // The client goes on, and the page with it.
+  // The client continues, and the page follows.
   await client.ask("count", "run 4");
   await shows(page, "memory", /\^count\s*6/);
   await show(page, "Senses");
@@ -111,7 +114,7 @@ test("panels show what the agents of a kernel did and do, and what is typed goes
   await shows(page, "mind", /decision 8/);
   await page.locator(".flow-bar button[aria-label=Run]").click();
 
-  // Rules of a file that the program loaded.
+  // The kernel gets the changed rules of a file that it has loaded.
   writeFileSync(file, COUNT.replace("(+ <n> 1)", "(+ <n> 10)"));
   await until(async () => /\+ <n> 10/.test(await client.ask("count", "print apply*count")), "the kernel has the new rule");
   await client.ask("count", "run 1");

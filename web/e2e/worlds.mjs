@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A world and its minds: the picture, why, memory, rules, going back, going on from there, the keyboard, small screens, light and dark, and what bars people.
+// A world and its minds: the picture, why, memory, rules, going back, continuing from there, the keyboard, small
+// screens, light and dark, and accessibility.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
@@ -9,14 +10,17 @@ import { closeBrowser, openLesson, openPage, openWorld, picture, show, until } f
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 after(closeBrowser);
 
-/** Bars that axe finds, as "rule: element". The page lets no foreign script run, so axe is given to the page's own world by the browser. */
+/**
+ * The barriers for users that axe finds, as "rule: element". The page blocks foreign scripts, so the browser injects
+ * axe.
+ */
 async function bars(page) {
   await page.evaluate(axe);
   const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
   return found.violations.flatMap((one) => one.nodes.map((node) => `${one.id}: ${node.target.join(" ")}`));
 }
 
-/** The page itself never scrolls: only parts of it do. (The browser of the tests hides the bar that would show it.) */
+/** The page itself must not scroll, only parts of it. (The browser of the tests hides scroll bars.) */
 const assertPageStands = async (page) =>
   assert.ok(await page.evaluate(() => document.scrollingElement.scrollHeight <= innerHeight && document.scrollingElement.scrollWidth <= innerWidth), "nothing reaches beyond the screen");
 
@@ -26,7 +30,7 @@ const clockOf = (text) => {
 };
 const shownTime = async (page) => clockOf((await page.locator(".scrubber .moment").innerText()).split("/")[0].trim());
 
-/** How many colours a part of the picture has: an empty one has one. */
+/** The number of colours in a part of the picture; 1: it is empty. */
 async function colors(page, selector) {
   const shot = await page.locator(selector).screenshot({ timeout: 150_000 });
   return page.evaluate(async (bytes) => {
@@ -131,7 +135,7 @@ test("with the keyboard alone: run, step, select, cameras, panels, keys", async 
   await page.waitForSelector("[role=dialog]");
   await page.keyboard.press("Escape");
   await until(async () => (await page.locator("[role=dialog]").count()) === 0, "the list of keys is closed");
-  // Into the editor, and out of it again.
+  // Escape and Tab leave the editor.
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Escape");
   await page.keyboard.press("Tab");
