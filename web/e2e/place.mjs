@@ -43,9 +43,9 @@ test("a folder is downloaded, lost, and comes back by an upload", async () => {
 });
 
 /**
- * Simulates fingers by events that are created in the page. Touches through the browser's protocol are not reliable: the
- * browser drops them if it is late with drawing, or if its last picture has no listener at their position. `way`: start and
- * end of each finger.
+ * Simulates fingers by events that are created in the page. Touches through the browser's protocol are not reliable:
+ * the browser drops them if it is late with drawing, or if its last picture has no listener at their position.
+ * `way`: start and end of each finger.
  */
 const fingers = (page, selector, way) => page.locator(selector).evaluate((element, ends) => {
   const STEPS = 4;
