@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // For pages of other sites (docs/serve.md#in-a-page-of-your-own): <soarbox-world src="https://server/#world=soar_evade">
-// becomes a live world when it is clicked. It uses nothing but the document.
+// becomes a live world when it is clicked. This script does not import other modules.
 
 const PANELS = ["agents", "mind", "why", "memory", "rules", "links", "timeline", "trace", "messages", "output", "edit", "mission", "console", "watch", "plots"];
 

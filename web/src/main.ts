@@ -40,7 +40,10 @@ async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
   return api.json<PlaceInfo>(`/api/p/${encodeURIComponent(place)}`);
 }
 
-/** `canMove`: there is another page that may work, such as another place at the root of the server. */
+/**
+ * Shows an error instead of the page. `canMove`: another page may work, such as another place at the root of the
+ * server.
+ */
 function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/", elsewhere = "/", itsName = "A new place"): void {
   const told = error as { message?: string; hint?: string };
   patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
@@ -53,7 +56,10 @@ async function partOf(id: string): Promise<ArrayBuffer> {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
-/** A page without a server: its engine is a worker, and its place is in this browser. `engine`: the folder of the engine; empty: it is in the page. */
+/**
+ * Starts a page without a server: its engine is a worker, and its place is in this browser. `engine`: the folder of
+ * the engine; empty: the page contains it.
+ */
 async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
   patch(root, [h("main.start", { attributes: { role: "status" } }, h("section.welcome", null, h("div", null, h("h1", null, "Soarbox"), h("p", null, "The engine is loaded …"))))]);
   try {

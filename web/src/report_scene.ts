@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The run in 3D on the page of `soarbox report`: the same picture and panels as in a browser, of a recorded run that lies in the page.
+// The run in 3D on the page of `soarbox report`: the same picture and panels as in a browser, for a recorded run that
+// the page contains.
 import { keepInPage } from "./report/storage";
 import { RunPage } from "./app/run_page";
 import { applyTheme, themeNow } from "./app/theme";
@@ -21,6 +22,6 @@ if (recorded !== null) {
     const target = event.target as Element | null, isFree = target === document.body && element.getBoundingClientRect().bottom > innerHeight / 2;
     if (!event.defaultPrevented && (isFree || element.contains(target)) && page.key(event)) event.preventDefault();
   });
-  // By then the page has put it in its place.
+  // At this event the page has already inserted the element.
   document.addEventListener("DOMContentLoaded", () => run.start());
 }

@@ -113,7 +113,7 @@ export class Api {
     try {
       told = (await response.json()) as typeof told;
     } catch {
-      // A proxy may answer with something else than JSON.
+      // The answer of a proxy may not be JSON.
     }
     throw new Refused(told.error ?? `The server answered with ${response.status}.`, told.hint ?? "", response.status);
   }

@@ -21,7 +21,7 @@ import { isDark, switchTheme } from "./theme";
 const FETCHED_AFTER_MS = 800;
 /** The folder in which a run finds the files of its place. */
 const HOME = "/place/home/";
-/** What was opened last in a place. */
+/** Key prefix in the browser's storage: the lesson or world that was last opened in a place. */
 const LAST = "soarbox.last.";
 const REMARK_MS = 7000, MOST_REMARKS = 4;
 
@@ -33,7 +33,7 @@ export interface Guest {
   link?: string;
   /** The page is a frame in a page of another site, with these panels. */
   panels?: readonly string[];
-  /** It shows the experiment of a link, in a temporary place: the packed files of the link, and their names. */
+  /** The page shows the experiment of a link in a temporary place. `packed`: the files of the link. */
   experiment?: { readonly packed: string; readonly names: readonly string[] };
 }
 
@@ -53,7 +53,7 @@ export class App {
   private shown: { remark: Remark; id: number }[] = [];
   private nextRemark = 1;
   private openedGiven = false;
-  /** An experiment begins again with the seed of its link, once; and was asked why. */
+  /** The state of an experiment: the run has the seed of the link, is restarted with it, and *Why* was requested. */
   private isSeeded = false;
   private isSeeding = false;
   private isAsked = false;

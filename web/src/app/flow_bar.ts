@@ -23,7 +23,10 @@ export function flowControls(run: Run): Child {
 /** How long the slider keeps its new position without an answer, in milliseconds. */
 const PATIENCE_MS = 5_000;
 
-/** Position of the slider until the run shows that tick. Each further key continues from there, however late the answers are. */
+/**
+ * The position of the slider until the run shows that tick. Further key presses continue from this position, even if
+ * answers are late.
+ */
 export class WantedTick {
   private asked: number | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;

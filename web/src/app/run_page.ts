@@ -61,7 +61,10 @@ export class RunPage {
   private isFronted = false;
   private readonly attempt = new Attempt(localStorage);
 
-  /** `isReport`: the page contains a recorded run and can show less. `only`: the panels below the picture of a small page; null: all. */
+  /**
+   * `isReport`: the page contains a recorded run and shows fewer panels. `only`: the panels of an embedded page; null:
+   * all.
+   */
   constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}, private readonly only: readonly string[] | null = null, files: PlaceFiles | null = null) {
     this.element.className = "run-page";
     this.work.className = "work";
@@ -174,7 +177,10 @@ export class RunPage {
     for (const dock of this.docks) if (dock.has(word)) dock.show(word);
   }
 
-  /** Requests only visible contents, plus checks and problems (counted on tabs) and what agents print (shown over their heads). */
+  /**
+   * Requests visible contents only, plus the editor's text, checks and problems (counted on tabs), and printed texts
+   * (shown over heads).
+   */
   private look(): void {
     const shown = this.docks.map((dock) => dock.shownWord).filter((word) => word !== "" && word !== "output");
     this.run.look([...shown, "mission", "problems", "edit", "timeline"]);

@@ -200,7 +200,7 @@ export class EditPanel implements Panel {
   private signs(): View {
     return h("div.row.signs", { key: "signs", attributes: { role: "group", "aria-label": "Signs of rules" } }, SIGNS.map((sign) => button(sign, () => this.editor?.type(sign), {
       key: sign, attributes: { "aria-label": `Type ${sign}` },
-      // The keyboard stays where it is.
+      // Keeps the focus in the editor, so that the phone's keyboard stays open.
       on: { pointerdown: (event) => event.preventDefault() },
     }, "button.small")));
   }
@@ -259,7 +259,7 @@ export class EditPanel implements Panel {
     this.take(this.context.run.contents);
   }
 
-  /** Whether the run has other rules than the text says. */
+  /** Whether the editor's text differs from the text that the run uses. */
   get isUnsaved(): boolean {
     const edit = this.context.run.contents.edit?.edit;
     return this.editor !== null && edit !== undefined && edit.file !== "" && edit.file === this.file && (edit.is_unsaved || edit.text !== this.editor.text);

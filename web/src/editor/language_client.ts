@@ -63,7 +63,7 @@ export class LanguageClient {
     return true;
   }
 
-  /** Null: no answer came, or none is known. */
+  /** The completions at a position; null: no answer came, or there are none. */
   async complete(text: string, line: number, character: number): Promise<LspItem[] | null> {
     if (!(await this.tell(text))) return null;
     const answer = await this.ask("textDocument/completion", { textDocument: { uri: this.uri }, position: { line, character } });

@@ -5,7 +5,7 @@ export interface Place { from: number; to: number }
 /** A problem with its exact range in the text. */
 export type PlacedProblem = Problem & { place?: Place };
 
-/** As the language server's protocol has it: lines from 0, UTF-16 units. */
+/** A diagnostic of the Language Server Protocol: lines from 0, characters in UTF-16 units. */
 export interface LspDiagnostic {
   range: { start: { line: number; character: number }; end: { line: number; character: number } };
   severity?: number;
@@ -43,7 +43,7 @@ export function meantBy(hint: string): string {
   return /[\s,]/.test(meant) ? "" : meant;
 }
 
-/** How many characters an excerpt underlines; 0: it has no such line. */
+/** The number of characters that an excerpt underlines; 0: it has no underline. */
 function underlined(excerpt: string | undefined): number {
   return /\^~*\s*$/.exec(excerpt ?? "")?.[0].trim().length ?? 0;
 }
@@ -86,7 +86,7 @@ export function remedyOf(problem: PlacedProblem, text: string): Remedy | null {
   else if (there.startsWith("^")) from += 1;
   else if (there.startsWith("<") && !meant.startsWith("<")) return null;
   const rest = text.slice(from, to);
-  // Only the wrong part of a path; if it is not marked, the last part.
+  // Replaces only the wrong part of a path. If it is not marked, this is the last part.
   const dot = rest.lastIndexOf(".");
   if (dot >= 0 && !meant.includes(".")) from += dot + 1;
   return text.slice(from, to) === meant || from === to ? null : { from, to, insert: meant };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
 interface Position { line: number; character: number }
-/** A change of a text, as the Language Server Protocol has it; places count from 0. */
+/** A change of a text as in the Language Server Protocol. Lines and characters count from 0. */
 export interface TextEdit { range: { start: Position; end: Position }; newText: string }
 
 /** The changes with offsets in the text. Positions beyond the end of a line or of the text are clamped. */
@@ -21,7 +21,7 @@ export function edited(text: string, edits: readonly TextEdit[]): string {
   return changesOf(text, edits).reduceRight((result, { from, to, insert }) => result.slice(0, from) + insert + result.slice(to), text);
 }
 
-/** "/work/a b.soar" of "file:///work/a%20b.soar". */
+/** "/work/a b.soar" for "file:///work/a%20b.soar". */
 export function pathOf(uri: string): string {
   return decodeURIComponent(uri.replace(/^file:\/\//, ""));
 }

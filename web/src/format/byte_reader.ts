@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-/** What a reader throws when bytes do not make sense. */
+/** Thrown by readers if bytes are invalid. */
 export class BadBytes extends Error {}
 
 const decoder = new TextDecoder("utf-8");
@@ -25,7 +25,7 @@ export class ByteReader {
     return value;
   }
 
-  /** Whole and not negative; more than 53 bits are refused. */
+  /** A non-negative integer. Throws if it has more than 53 bits. */
   number(): number {
     let value = 0;
     for (let factor = 1; factor < 2 ** 56; factor *= 128) {
@@ -57,7 +57,7 @@ export class ByteReader {
     return this.fixed(8, () => this.view.getFloat64(this.at, true));
   }
 
-  /** The next bytes, with their number before them. */
+  /** Reads a number, and then this many bytes. */
   piece(): Uint8Array {
     const size = this.count();
     this.at += size;

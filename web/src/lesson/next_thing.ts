@@ -6,7 +6,10 @@ type Lessons = PlaceInfo["lessons"];
 /** The number that a lesson's name begins with, "2" of "02-operators". */
 export const numberOf = (name: string): string => /^\D*0*(\d+)/.exec(name)?.[1] ?? "";
 
-/** Which lesson comes next: the first that is not passed, of those after `last` if there is one. */
+/**
+ * The next lesson: the first one after `last` that is not passed; if there is none, the first of all that is not
+ * passed.
+ */
 export function nextLesson({ lessons }: Pick<PlaceInfo, "lessons">, last = ""): string {
   const at = lessons.findIndex((one) => one.name === last);
   return (lessons.slice(at + 1).find((one) => !one.is_passed) ?? lessons.find((one) => !one.is_passed))?.name ?? "";
@@ -21,8 +24,9 @@ function lessonThing(lessons: Lessons, name: string): Thing | null {
   return { label: isFirst ? "Begin with lesson 1" : `Lesson ${numberOf(name)}: ${found.title}`, what: `lesson:${name}`, goesOn: false };
 }
 
-/** The next steps of a user, the most likely first: a lesson that was begun, the lesson after the last passed one, the first lesson,
- * or the world that is open. `open`: what runs now, with its title; `last`: what was opened last in this browser.
+/** The next steps of a user, the most likely first: a lesson that was begun, the lesson after the last passed one, the
+ * first lesson, or the open world. `open`: the current lesson or world, with its title; `last`: the one that was
+ * opened last in this browser.
  */
 export function nextThings({ lessons }: Pick<PlaceInfo, "lessons">, open: { what: string; title: string } | null, last: string): Thing[] {
   const things: (Thing | null)[] = [], lessonOf = (what: string): Lessons[number] | undefined => lessons.find((one) => what === `lesson:${one.name}`);

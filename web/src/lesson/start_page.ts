@@ -18,7 +18,7 @@ export function sizeText(bytes: number): string {
   return bytes < 1000 ? `${bytes} bytes` : bytes < 1_000_000 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1_000_000).toFixed(1)} MB`;
 }
 
-/** What a recording is called on the page: its world, its length and when it was made. */
+/** The title of a recording on the page: its world, its length, and when it was made. */
 export function recordingText(one: PlaceInfo["recordings"][number], locale?: string): { title: string; about: string } {
   const when = one.when > 0 ? new Date(one.when * 1000).toLocaleString(locale, { dateStyle: "medium", timeStyle: "short" }) : "";
   if (one.world === undefined || one.world === "") return { title: one.name, about: [when, sizeText(one.bytes)].filter((part) => part !== "").join(", ") };
@@ -33,7 +33,7 @@ function lessonCard(one: PlaceInfo["lessons"][number], isNext: boolean, maps: Wo
   ], () => events.open(`lesson:${one.name}`), {}, `button.card.lesson${one.is_passed ? ".passed" : ""}${isNext ? ".next" : ""}`));
 }
 
-/** The lessons of one course, with how many are done. */
+/** The lessons of one course, with the number of passed ones. */
 function courseSection(title: string, lessons: PlaceInfo["lessons"], next: string, maps: WorldMaps, events: StartEvents): View {
   const passed = lessons.filter((one) => one.is_passed).length, text = `${passed} of ${lessons.length} passed`;
   return h("section", { key: title, attributes: { "aria-label": title } }, h("div.row", null, h("h2", null, title), h("progress", { attributes: { max: lessons.length, value: passed, "aria-label": `${title}: ${text}` } }), h("span.quiet", null, text)),

@@ -46,7 +46,7 @@ export interface Surroundings {
   later(call: () => void, ms: number): () => void;
 }
 
-/** Changed files are kept this long after the request that may have changed them. */
+/** Changed files are stored in the browser this long after the request that may have changed them. */
 const KEPT_AFTER_MS = 1000;
 /** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
@@ -64,7 +64,7 @@ function withTexts<T>(engine: EngineModule, texts: readonly string[], call: (add
   }
 }
 
-/** Runs the engine in a worker, or in Node.js: messages in, messages out. Nothing in it waits. */
+/** Runs the engine in a worker or in Node.js. It receives and sends messages, and never blocks. */
 export class EngineWorker {
   private module: EngineModule | null = null;
   private stopWaiting: (() => void) | null = null;
@@ -102,7 +102,7 @@ export class EngineWorker {
       const { make, loaded } = await this.around.load(engine);
       this.module = await make({
         soarboxFrame: (kind, bytes) => {
-          // The engine does not know under which name it was opened.
+          // The engine does not know the name by which the world was opened.
           if (kind === "h") this.say({ kind: "begun", what: this.what });
           this.say({ kind: "frame", frame: kind, bytes });
         },
@@ -120,7 +120,9 @@ export class EngineWorker {
     }
   }
 
-  /** Reads what the browser has kept of the place; false if it keeps nothing, as in a private window. */
+  /**
+   * Reads the stored files of the place; returns false if the browser stores none, for example in a private window.
+   */
   private async findKept(): Promise<boolean> {
     const { FS } = this.engine;
     try {
@@ -132,7 +134,7 @@ export class EngineWorker {
     }
   }
 
-  /** Grades in this worker, which does nothing else. */
+  /** Grades in this worker, which has no other task. */
   private async gradeHere({ engine, lesson, from, files }: Extract<ToWorker, { kind: "grade-here" }>): Promise<void> {
     const print = (line: string): void => this.say({ kind: "graded", text: `${line}\n`, isOver: false, files: [] });
     try {

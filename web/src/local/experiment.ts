@@ -5,9 +5,9 @@ import type { KeptFile } from "./messages";
 
 type Files = EngineModule["FS"];
 
-/** The user's files, and the program's own. */
+/** The folders of the user's files and of the program's files. */
 const HOME = "/place/home", SHIPPED = "/soarbox";
-/** Is read by the program, and not copied to the user. */
+/** The file that defines a lesson; it is not copied to the user. */
 const LESSON_FILE = "lesson.toml";
 
 export function filesBelow(FS: Files, folder: string): KeptFile[] {
@@ -25,7 +25,10 @@ export function writeFiles(FS: Files, files: readonly KeptFile[]): void {
   }
 }
 
-/** Where the user's files of a lesson or a world are, and the program's; `shipped`: empty if the world is the user's own. */
+/**
+ * The folders of a lesson or world: `own` has the user's files, `shipped` the program's. It is empty if the user made
+ * the world.
+ */
 function foldersOf(FS: Files, what: string): { own: string; shipped: string } | null {
   const at = what.indexOf(":"), kind = what.slice(0, at), name = what.slice(at + 1);
   if (!/^[\w-][\w.-]*$/.test(name)) return null;
@@ -44,7 +47,7 @@ function foldersOf(FS: Files, what: string): { own: string; shipped: string } | 
 function shippedFiles(FS: Files, what: string, shipped: string): KeptFile[] {
   if (shipped === "") return [];
   const all = filesBelow(FS, shipped).map(({ path, bytes }) => ({ path: path.slice(shipped.length + 1), bytes }));
-  // Only these files of a lesson are copied to the user: not its solution, for example.
+  // Of a lesson, only these files are copied to the user; its solution, for example, is not.
   return what.startsWith("lesson:") ? all.filter(({ path }) => !path.includes("/") && path !== LESSON_FILE) : all;
 }
 
@@ -71,7 +74,7 @@ export function changedFiles(FS: Files, what: string): ChangedFiles {
 export function writeExperiment(FS: Files, what: string, files: Readonly<Record<string, string>>): void {
   const folders = foldersOf(FS, what);
   if (folders === null) return;
-  // A world whose folder exists is not copied any more when it is opened.
+  // Copies all files of the world, because opening copies no files into an existing folder.
   writeFiles(FS, shippedFiles(FS, what, folders.shipped).map(({ path, bytes }) => ({ path: `${folders.own}/${path}`, bytes })));
   writeFiles(FS, Object.entries(files).map(([name, text]) => ({ path: `${folders.own}/${name}`, bytes: new TextEncoder().encode(text) })));
 }

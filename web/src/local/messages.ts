@@ -8,24 +8,24 @@ export interface LoadedEngine { module: WebAssembly.Module; data: ArrayBuffer }
 /** A file of the place by its path, "/place/home/...". */
 export interface KeptFile { path: string; bytes: Uint8Array }
 
-/** The lesson or world of a link, and the files that it brings. */
+/** The lesson or world of a link, and the files in the link. */
 export interface Experiment { what: string; files: Readonly<Record<string, string>> }
 
-/** What the page says to the worker that runs its engine. */
+/** Messages from the page to the worker that runs its engine. */
 export type ToWorker =
-  // With an experiment, the place is empty but for its files.
+  // With an experiment, the place contains only the experiment's files.
   | { kind: "begin"; engine: EngineFiles; keep: boolean; experiment?: Experiment }
   | { kind: "open"; what: string; id?: number }
   | { kind: "request"; text: string }
   | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
   | { kind: "keep" }
   | { kind: "changes"; call: number; what: string }
-  // Instead of all others, to a worker that only grades; it answers with `graded`.
+  // The only message to a worker that only grades; it answers with `graded`.
   | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   /** The new output of that worker; `files`: its changed files, when it is done. */
   | { kind: "graded"; text: string; isOver: boolean; files: readonly KeptFile[] };
 
-/** What the worker says: `frame` is a letter of the frames between engine and server (docs/serve_protocol.md). */
+/** Messages from the worker. `frame` is a letter of the frames between engine and server (docs/serve_protocol.md). */
 export type FromWorker =
   | { kind: "ready"; isKept: boolean }
   | { kind: "failed"; text: string }

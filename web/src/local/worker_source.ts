@@ -157,7 +157,7 @@ export class LocalPlace implements RunSource {
       case "stop-grading":
         return this.stopGrading();
       case "graded":
-        return;  // Only graders say this.
+        return;  // Only workers that grade send this.
     }
   }
 
@@ -260,7 +260,7 @@ export class LocalApi extends Api {
     return this.place.changes(what);
   }
 
-  /** Of the page itself, which may be a file. */
+  /** The address of the page, which may be a file. */
   override get pageAddress(): string {
     return location.href.replace(/#.*$/, "");
   }

@@ -3,7 +3,7 @@ import { button, h } from "../dom/view";
 import type { MakePanel } from "./panel";
 import { agentLink, empty, moment, toggle } from "./parts";
 
-/** What agents print, and what happens to them. */
+/** Texts that agents print, and optionally other events. */
 export const outputPanel: MakePanel = (context) => {
   let hasNews = false;
   return {

@@ -3,7 +3,7 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { Contents } from "../run/contents";
 import type { PanelContext } from "./panel";
 
-/** What several panels show in the same way. */
+/** Parts that several panels share. */
 
 /** A note in an empty panel: what it will show. */
 export function empty(text: string, ...more: Child[]): View {

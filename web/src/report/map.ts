@@ -32,7 +32,7 @@ export function placeNames(dots: readonly Dot[], side: number): NamePlace[] {
 
 export interface Extent { x: number; z: number; side: number }
 
-/** A square that holds all ways and places, with some ground around; null if there are none. */
+/** A square that contains all paths and places, with a margin; null if there are none. */
 export function extentOf(ways: readonly (Way | null)[], places: readonly PlaceReport[]): Extent | null {
   let x0 = Infinity, x1 = -Infinity, z0 = Infinity, z1 = -Infinity;
   const take = (x: number, z: number): void => {

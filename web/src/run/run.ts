@@ -20,7 +20,7 @@ export interface RunEvents {
   connection: { state: Connection; retryAt: number };
   language: unknown;
   printed: readonly PrintedLine[];
-  /** Another tab edits texts, or this one does again. */
+  /** Another tab has started to edit texts, or this one edits again. */
   tabs: boolean;
   /** The learner's hand or the teacher's messages have changed. */
   class: ClassNews;

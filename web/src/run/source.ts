@@ -38,7 +38,7 @@ export interface Hello {
 }
 export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number }
 
-/** What a page asks for: an object with its name and fields (docs/workbench.md), and what the server adds. */
+/** A request of a page: an object with its name and fields (docs/workbench.md and docs/serve.md). */
 export type Request = { readonly request: string; readonly id?: number } & Readonly<Record<string, unknown>>;
 
 export type Connection = "connecting" | "open" | "lost" | "closed";

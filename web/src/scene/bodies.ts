@@ -7,11 +7,14 @@ import { BONE_NUMBERS, moveSkin, poseBones, type Moved } from "./skinning";
 import { withoutSmall, type BodyLook, type Level, type ShapeLibrary, type ShapeMesh } from "./shape_library";
 import type { Between } from "../run/playout";
 
-/** Distances for full and coarse bodies, their maximum numbers, and the distance for rifles; with a card, and if the processor draws. */
+/**
+ * Maximum distances, in m, and numbers of full and coarse bodies, and the distance for rifles: with a graphics card,
+ * and if the processor draws.
+ */
 const DETAIL = { fineUntil: 14, mostFine: 24, coarseUntil: 45, mostCoarse: 200, rifleUntil: 150 }, SLOW_DETAIL = { fineUntil: 0, mostFine: 0, coarseUntil: 14, mostCoarse: 6, rifleUntil: 24 };
 /** If the processor draws, distant bodies lack parts smaller than this: caps of limbs, seams. */
 const SEEN_FROM_AFAR_M = 0.12;
-/** Around a body, with its arms out and its rifle up. */
+/** Radius around a body that includes its outstretched arms and its raised rifle. */
 const REACH_M = 1.6;
 
 interface Wanted { now: Drawable; old: Drawable | undefined }

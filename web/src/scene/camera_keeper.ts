@@ -9,7 +9,7 @@ const INSIDE = 0.93, SOON_S = 0.8;
 const ROOM_S = 1.6;
 /** The picture is too wide if the camera could be nearer by this factor; after WIDE_FOR_S seconds it moves there. */
 const TOO_WIDE = 0.6, WIDE_FOR_S = 2.5;
-/** How long the recent positions of agents are remembered, and in which steps. */
+/** How long recent positions of agents are stored, and the interval between them. */
 const RECENT_S = 3, RECENT_STEP_S = 0.25;
 
 const later = (body: FramedBody, seconds: number): Vec3 => plus(body.place, times([body.velocity[0], 0, body.velocity[2]], seconds));
@@ -67,7 +67,7 @@ export class RecentGround {
     this.spans = [];
   }
 
-  /** Its corners, as bodies that are to be in the picture. */
+  /** The corners of the area, as bodies that must be in the picture. */
   corners(): FramedBody[] {
     if (this.spans.length === 0) return [];
     const low = this.spans.map((one) => one.low).reduce(lowest), high = this.spans.map((one) => one.high).reduce(highest);

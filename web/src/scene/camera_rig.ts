@@ -7,18 +7,21 @@ import { clamp, length, minus, rotate } from "./vectors";
 
 export type CameraMode = "orbit" | "follow" | "map";
 
-/** What the picture is to show: agents, places and scenery around them; of a game, its board. */
+/** What the picture must show: agents, their places and the scenery around them; for a game, the board. */
 export interface Shown { readonly bodies: readonly FramedBody[]; readonly places: readonly Vec3[]; readonly scenery: readonly FramedBody[]; readonly isBoard: boolean; readonly hasWalls: boolean }
 
 const LOWEST_RAD = 0.04, HIGHEST_RAD = Math.PI / 2 - 0.02, NEAREST_M = 1.2, FARTHEST_M = 400, MAP_AWAY_M = 25;
 /** Number of directions that are tried at the beginning. A later one must reduce the distance by this factor. */
 const SIDES = 12, CLEARLY = 0.93;
-/** A script's view is taken over if agents are at least this share of the picture's height. */
+/** A script's view is used if agents have at least this share of the picture's height. */
 const SMALLEST_SHARE = 0.07;
 const OTHER_SHAPE = 0.05;
 const TURN_PER_PX = 0.006, EASE_PER_S = 9, PULL_PER_S = 2.6;
 
-/** The camera mode: around a point (orbit), around an agent that it goes with (follow), or from above (map). */
+/**
+ * Controls the camera. Its modes: around a point (orbit), around an agent that it follows (follow), or from above
+ * (map).
+ */
 export class CameraRig {
   readonly camera = new PerspectiveCamera(45, 1, 0.1, 2000);
   mode: CameraMode = "orbit";
@@ -31,7 +34,7 @@ export class CameraRig {
   private byHand = false;
   private isKeeping = false;
   private readonly keeper = new CameraKeeper();
-  /** The shape of the picture for which everybody was framed. */
+  /** The aspect ratio for which the current view was computed. */
   private framedAspect = 0;
   /** Speed of the camera while it keeps agents in view: of the target in m/s, and of the distance's logarithm. */
   private drift: [number, number, number, number] = [0, 0, 0, 0];

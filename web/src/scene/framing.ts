@@ -137,7 +137,7 @@ export function sceneryAround(scene: Scene, places: readonly Vec3[]): FramedBody
     if (corners.length > 0) pieces.push(corners);
     if (pieces.length > MOST_PIECES) return [];
   }
-  // What is next to something that is in the picture belongs to it.
+  // Also includes pieces that are next to an included piece.
   const found: FramedBody[] = [];
   for (let grows = true; grows;) {
     const isNear = (piece: FramedBody[]): boolean => piece.some(({ place: [x, , z] }) => x > lowX - BESIDE_M && x < highX + BESIDE_M && z > lowZ - BESIDE_M && z < highZ + BESIDE_M);
@@ -166,7 +166,7 @@ export function boardOf(scene: Scene): FramedBody[] {
   return [left, right].flatMap((x) => [back, front].map((z): FramedBody => ({ place: [x, Math.max(bottom, 0), z], velocity: NO_MOVE, radius: 0, height: 0 })));
 }
 
-/** Whether the scene is full of pieces of buildings: then agents are seen from above only. */
+/** Whether the scene contains many pieces of buildings. Then agents are visible only from above. */
 export function hasWalls(scene: Scene): boolean {
   const MANY_PIECES = 40;
   let count = 0;
@@ -174,7 +174,7 @@ export function hasWalls(scene: Scene): boolean {
   return count > MANY_PIECES;
 }
 
-/** At most half of the picture may be taken by areas over it. */
+/** A box that reaches further into the picture than this share from each edge is ignored. */
 const MOST_INSET = 0.45;
 
 /** The free rectangle of a picture under boxes. Each box takes a strip along the edge where this costs least. */

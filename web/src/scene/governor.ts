@@ -5,9 +5,9 @@ export interface Quality {
   /** Pixels of the picture for each pixel of the page, at most. */
   readonly ratio: number;
   readonly shadowSide: number;
-  /** Shadows are updated in every picture, or in every third. */
+  /** Shadows are updated in every n-th picture. */
   readonly shadowsEvery: number;
-  /** Cheaper light, coarser bodies, fewer pictures: if the processor draws. */
+  /** The processor draws: cheaper light, coarser bodies, fewer pictures. */
   readonly isSlow: boolean;
   /** In seconds: pictures that take longer than `tooSlow` are too slow; if they take less than `hasRoom`, more detail is possible. */
   readonly tooSlow: number;
@@ -18,7 +18,7 @@ export interface Quality {
 export const SLOW_EVERY_MS = 60;
 const card = { isSlow: false, shadowSide: 2048, shadowsEvery: 1, tooSlow: 0.055, hasRoom: 0.025 };
 const processor = { isSlow: true, shadowSide: 1024, shadowsEvery: 3, tooSlow: 0.076, hasRoom: 0.07 };
-/** From the best to the cheapest. */
+/** Levels of detail, from the best to the cheapest. */
 export const QUALITIES: readonly Quality[] = [
   { ...card, ratio: 2 }, { ...card, ratio: 1 },
   { ...processor, ratio: 1 }, { ...processor, ratio: 0.75 }, { ...processor, ratio: 0.6 }, { ...processor, ratio: 0.5, shadowSide: 512, shadowsEvery: 6 },

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Agent } from "../format/scene";
 
-/** How materials by name look: the window's colours. */
+/** The appearance of materials, by name: the same colours as in the window. */
 export type Paint = "plain" | "ground" | "concrete" | "brick" | "crate" | "cloth" | "leaves" | "stone" | "missing" | "corners";
 export type Rgb = readonly [number, number, number];
 
 export interface Look {
   base: Rgb;
-  /** The second colour: of visors, glass and faces; of ground: of the plants on it. */
+  /** The second colour, for visors, glass and faces. Ground: the colour of its plants. */
   trim: Rgb | null;
   opacity: number;
   gloss: number;
@@ -54,7 +54,7 @@ const LOOKS: Readonly<Record<string, Look>> = {
   "Soarbox/WhiteFlower": look([0.95, 0.95, 0.93], [0.52, 0.62, 0.14], 0.05), "Soarbox/Hedge": look([0.2, 0.38, 0.13], DARK, 0.02),
   "Soarbox/Yellow": look(YELLOW, DARK, 0.3), "Soarbox/Purple": look([0.46, 0.2, 0.62], DARK, 0.3), "Soarbox/Orange": look([0.94, 0.46, 0.1], DARK, 0.3),
   "Soarbox/Black": look([0.07, 0.07, 0.08], DARK, 0.4), "Soarbox/BoardLight": look([0.66, 0.68, 0.62], DARK, 0.05), "Soarbox/BoardDark": look([0.56, 0.59, 0.53], DARK, 0.05),
-  // Models from files: each corner brings its colour along, as u, v and light.
+  // Models from files: each corner has its own colour, stored as u, v and light.
   "Soarbox/Model": look([1, 1, 1], DARK, 0.15, { paint: "corners" }),
   "Soarbox/Hills": look([0.4, 0.47, 0.24], [0.33, 0.28, 0.22], 0.02), "Soarbox/Missing": look([1, 1, 1], DARK, 0.1, { glow: 0.35, paint: "missing" }),
 };

@@ -51,7 +51,7 @@ function addGloss(shader: WebGLProgramParametersWithUniforms): void {
     .replace("#include <roughnessmap_fragment>", "#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor - 0.62 * vGloss, 0.16, 1.0);");
 }
 
-/** Grass, soil, tracks that people have worn, pale and darker tiles, and lines every metre and ten: as in the window. */
+/** Grass, soil, worn tracks, pale and dark tiles, and lines every metre and every ten metres: as in the window. */
 const GROUND_COLOUR = /* glsl */ `
 vec3 facing = abs(normalize(vWorldNormal));
 vec2 place = facing.y > 0.55 ? vWorldPlace.xz : facing.x > facing.z ? vWorldPlace.zy : vWorldPlace.xy;
@@ -108,7 +108,7 @@ vWorldNormal = normalize(mat3(modelMatrix) * faced);`);
     .replace("#include <color_fragment>", GROUND_COLOUR);
 }
 
-/** The same as one picture: cheaper to draw, coarser to look at. */
+/** The ground as a single texture: cheaper to draw, but coarser. */
 function addPlain(shader: WebGLProgramParametersWithUniforms, look: Look): void {
   shader.uniforms["plain"] = { value: sampleCoarsely(plainTexture(look.base, look.trim, PLAIN_SIDE_M)) };
   shader.vertexShader = shader.vertexShader
@@ -127,7 +127,7 @@ vOnPlain = (modelMatrix * placed).xz / ${PLAIN_SIDE_M.toFixed(1)} + 0.5;`);
 /** The materials of looks. Each is created once. */
 export class Materials {
   private readonly made = new Map<string, Material>();
-  /** Where the processor draws: cheaper light. */
+  /** Uses cheaper light, because the processor draws. */
   isSlow = false;
 
   named(name: string): Material {

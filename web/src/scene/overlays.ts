@@ -20,7 +20,7 @@ const SIGHT: Rgb = [1, 0.93, 0.55], HEARING: Rgb = [0.55, 0.85, 1], TRACER: Rgb 
 const VELOCITY: Rgb = [0.35, 0.9, 1], FORCE: Rgb = [1, 0.45, 0.85];
 const UNKNOWN: Rgb = [0.6, 0.62, 0.66];
 
-/** An agent as it is drawn now, interpolated between two moments. */
+/** The current pose of an agent, interpolated between two moments. */
 export interface Placed { id: number; agent: Agent; place: Vec3; forward: Vec3 }
 
 export const feetOf = (placed: Placed): Vec3 => [placed.place[0], placed.place[1] - placed.agent.height / 2, placed.place[2]];
@@ -73,7 +73,7 @@ function on(centre: Vec3, radius: number, heading: number): Vec3 {
 
 const lifted = (p: Vec3, by: number): Vec3 => [p[0], p[1] + by, p[2]];
 
-/** Where agents were: kept from moment to moment. */
+/** The recent positions of agents. */
 export class Trails {
   private readonly courses = new Map<number, Vec3[]>();
   private readonly moves = new Map<number, { place: Vec3; velocity: Vec3 }>();
@@ -191,7 +191,7 @@ function paintBelief(pen: Pen, self: Placed, mind: Mind, others: ReadonlyMap<num
   return ghosts;
 }
 
-/** 10 m/s² are two metres long; collisions and impulses do not fill the picture. */
+/** The length of arrows: 10 m/s² are two metres. The limits keep collisions and impulses from filling the picture. */
 const METRES_PER_PUSH = 0.2, LONGEST_PUSH_M = 4, LEAST_PUSH_M = 0.04, MOST_PUSHES = 12, METRES_PER_SPEED = 0.6;
 
 /** Velocities of bodies and the forces on them; the sum of several forces is drawn brighter. */

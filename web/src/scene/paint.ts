@@ -8,12 +8,12 @@ import { paintLater } from "./painter";
 enum Cloth { Camouflage, Webbing, Skin, Leather, Metal, Glass, Helmet, Rubber, Steel, Team, DarkCamouflage, DarkWebbing, DarkHelmet }
 const CLOTHS = 13;
 
-/** Pictures for surfaces, painted by code after they are first needed. */
+/** The colour of a texture at a position. Textures are painted by code when they are first needed. */
 type Shade = (u: number, v: number, x: number, y: number) => Rgb;
 
 const byteOf = (tone: number): number => Math.min(Math.max(tone, 0), 1) * 255 + 0.5;
 
-/** `first`: its colour until it is painted. */
+/** A texture that is painted later; `first` is its colour until then. */
 function painted(size: number, first: Rgb, shade: Shade, isData = false): DataTexture {
   const texture = paintLater(Uint8Array.of(...first.map(byteOf), 255), 1, {
     width: size, height: size,
@@ -119,7 +119,7 @@ function once(name: string, make: () => DataTexture): DataTexture {
   return texture;
 }
 
-/** A texture as the processor draws it: each further sample of a pixel costs it as much as the first. */
+/** Reduces the number of samples per pixel, because on a processor each sample costs as much as the first one. */
 export function sampleCoarsely(texture: DataTexture): DataTexture {
   texture.anisotropy = 1;
   texture.minFilter = LinearMipmapNearestFilter;
@@ -127,7 +127,7 @@ export function sampleCoarsely(texture: DataTexture): DataTexture {
   return texture;
 }
 
-/** Null for paint without a picture. */
+/** The texture of a paint; null if it has none. */
 export function paintTexture(paint: Paint): DataTexture | null {
   switch (paint) {
     case "concrete": return once(paint, () => painted(256, grey(0.8), concrete));

@@ -3,14 +3,14 @@ import { DataTexture, type Texture } from "three";
 
 const SLICE_MS = 10;
 
-/** Gives the rows of a picture one after another. */
+/** Computes a picture row by row. */
 export interface Canvas { readonly width: number; readonly height: number; row(y: number, into: Uint8Array): void }
 
 let painted = (): void => {};
 const waiting: (() => boolean)[] = [];
 let isBusy = false;
 
-/** `call` is called whenever a picture is there. */
+/** `call` is called each time a picture is finished. */
 export function whenPainted(call: () => void): void {
   painted = call;
 }
@@ -27,8 +27,8 @@ function work(): void {
   setTimeout(work, 0);
 }
 
-/** A texture of one row that is shown until the picture is painted, in the order of the calls. Painting takes longer than
- * drawing, and the first frame must not wait for it.
+/** Returns a texture with the small picture `first`, which is replaced after `canvas` is painted. Pictures are painted
+ * in the order of the calls. Painting takes longer than drawing, and the first frame must not wait for it.
  */
 export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, canvas: Canvas): DataTexture {
   const { width, height } = canvas, texture = new DataTexture(first, first.length / 4 / firstHeight, firstHeight);
@@ -54,7 +54,7 @@ export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, 
   return texture;
 }
 
-/** The size changed: the texture is allocated again. */
+/** Replaces a picture by one of another size, so the texture is allocated again. */
 function replace(texture: DataTexture, gone: () => void, data: Uint8Array<ArrayBuffer>, width: number, height: number): void {
   texture.removeEventListener("dispose", gone);
   (texture as Texture).dispose();

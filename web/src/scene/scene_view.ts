@@ -30,7 +30,7 @@ import { length, minus, times } from "./vectors";
 
 const LIGHT_SCALE = Math.PI;
 const MOST_POINT_LIGHTS = 4;
-/** Maximum age of a picture, in seconds, relative to the printed texts in it. */
+/** The picture also shows texts that are printed at most this many seconds after its moment. */
 const JUST_NOW_S = 0.1;
 /** A body that moves further than this between two moments was teleported. */
 const JUMP_M = 3;
@@ -45,19 +45,19 @@ export interface SceneEvents {
   selected(id: number): void;
   /** A button of the world's scripts was clicked. */
   pressed(button: string): void;
-  /** The camera keeps everybody in the picture, or no longer; and how many agents that live are outside of it. */
+  /** `keeps`: the camera keeps everybody in the picture. `outside`: the number of living agents outside of it. */
   framed(keeps: boolean, outside: number, living: number): void;
 }
 
-/** Draws a run. Gives pictures only while something moves. */
+/** Draws a run. Draws new pictures only while something moves. */
 export class SceneView {
   readonly rig = new CameraRig();
   readonly on = new Set<OverlayWord>(["labels", "shots", "places"]);
   readonly playout = new Playout();
   isPaused = false;
-  /** Whether it shows a game on a board. */
+  /** Whether the world is a game on a board. */
   isBoard = false;
-  /** What lies over the picture, in its pixels: no label is put under it. */
+  /** Areas over the picture, in its pixels. Labels are not placed under them. */
   covered: readonly Box[] = [];
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
@@ -132,18 +132,21 @@ export class SceneView {
     this.wake();
   }
 
-  /** What something in the run looks like: the contents "shapes:KEY". */
+  /** Adds a shape of the run: the contents "shapes:KEY". */
   takeShape(key: string, content: ShapeContent): Promise<void> {
     return this.shapes.add(key, content);
   }
 
-  /** An image or a sound of the run: the contents "assets:KEY". */
+  /** Adds an image or a sound of the run: the contents "assets:KEY". */
   takeAsset(key: string, content: AssetContent): void {
     this.assets.add(key, content);
     this.wake();
   }
 
-  /** What agents have printed between two times of the world: it is shown over their heads for a while, also at a past moment. */
+  /**
+   * Returns the texts that agents printed between two times of the world. They are shown over their heads for a while,
+   * also at a past moment.
+   */
   printedBetween: (from: number, until: number) => readonly { agent: string; text: string; time: number }[] = () => [];
 
   private printedNow(scene: Scene): readonly Speech[] {
@@ -153,13 +156,13 @@ export class SceneView {
     return lines.map(({ agent, text, time }) => ({ from: ids.get(agent) ?? 0, to: 0, text: text.trim(), time }));
   }
 
-  /** What the selected agent imagines or remembers, until the next call. */
+  /** Sets what the selected agent imagines or remembers, until the next call. */
   imagine(ghosts: Ghosts | null): void {
     this.imagined = ghosts;
     this.wake();
   }
 
-  /** Another run: nothing of the last one stays. `isSameWorld`: but the camera, if the user has moved it. */
+  /** Removes all data of the last run. `isSameWorld`: keeps the camera if the user has moved it. */
   forget(isSameWorld = false): void {
     this.scene = null;
     this.imagined = null;
@@ -217,7 +220,7 @@ export class SceneView {
     this.renderer.dispose();
   }
 
-  /** The agent at a place of the picture, in its pixels; 0: none. */
+  /** The id of the agent at a position in the picture, in pixels; 0: none. */
   agentAt(x: number, y: number): number {
     const { clientWidth: width, clientHeight: height } = this.canvas, point = new Vector3();
     let best = 0, bestScore = Infinity;

@@ -76,7 +76,7 @@ export class ScriptUi {
     patch(this.layer, []);
   }
 
-  /** Gives back what the boxes on the screen cover. */
+  /** Returns the areas that the boxes on the screen cover. */
   draw(components: readonly Component[], palette: readonly Color[], camera: PerspectiveCamera, width: number, height: number): Box[] {
     const covered: Box[] = [], byId = new Map(components.map((one) => [one.id, one])), shown: Child[] = [];
     for (const one of [...components].sort((a, b) => a.layer - b.layer)) {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
 
-/** Triangles as sent by the run (docs/dev/stream.md): the window's own. Counter-clockwise seen from outside. */
+/**
+ * Triangles as sent by the run (docs/dev/stream.md): the same as in the window. Counter-clockwise if seen from
+ * outside.
+ */
 export interface ShapeMesh {
   readonly count: number;
   readonly positions: Float32Array<ArrayBuffer>;
   readonly normals: Float32Array<ArrayBuffer>;
   readonly uvs: Float32Array<ArrayBuffer>;
-  /** Of each vertex: 1 the material's colour, 0 its second one; what multiplies the colour; gloss. */
+  /**
+   * For each vertex: a mix of the material's colour (1) and its second colour (0), a factor of the colour, and gloss.
+   */
   readonly paint: Float32Array<ArrayBuffer>;
   readonly indices: Uint32Array<ArrayBuffer>;
-  /** Used if the drawable has none. */
+  /** The material if the drawable has none. */
   readonly material: string;
-  /** Which four bones move each vertex, and how much; null: none do. */
+  /** The four bones that move each vertex, and their weights; null: a mesh without a skeleton. */
   readonly skin: { readonly bones: Uint16Array<ArrayBuffer>; readonly shares: Float32Array<ArrayBuffer> } | null;
 }
 export interface Pose { place: Vec3; turn: Quat }
@@ -24,9 +29,9 @@ export interface ShapeContent {
   /** For a mesh with a skeleton: the key of its body. */
   body?: BodyLook;
   material?: string;
-  /** In base 64, deflated. */
+  /** The triangles, deflated, in base 64. */
   fine?: string;
-  /** With fewer faces; missing: the same. */
+  /** The same with fewer triangles; if it is missing, `fine` is used instead. */
   coarse?: string;
   /** For a body: the triangles for a height of a few pixels. */
   tiny?: string;
@@ -34,7 +39,7 @@ export interface ShapeContent {
   bones?: readonly { parent: number; bind: readonly number[]; in_model: readonly number[] }[];
 }
 
-/** Fine, coarse, and tiny. */
+/** The level of detail: fine, coarse or tiny. */
 export type Level = 0 | 1 | 2;
 interface Known { levels: (ShapeMesh | null)[]; body: BodyLook | null; isFigure: boolean; bones: readonly BoneAt[] }
 
@@ -52,7 +57,7 @@ class Columns {
   number(): number {
     return this.view.getUint32(this.room(4), true);
   }
-  /** Differences; every one to the number before. */
+  /** Reads indices, which are stored as differences from the previous one. */
   indices(count: number): Uint32Array<ArrayBuffer> {
     const at = this.room(4 * count), into = new Uint32Array(count);
     for (let i = 0, value = 0; i < count; ++i) into[i] = value = (value + this.view.getUint32(at + 4 * i, true)) >>> 0;
@@ -133,7 +138,7 @@ function hex(value: number): string {
   return bits.getUint32(0).toString(16);
 }
 
-/** How a drawable's shape is called; as ShapeKey of app/shape_contents.cpp. */
+/** The key of a drawable's shape, equal to that of ShapeKey in app/shape_contents.cpp. */
 export function shapeKey(d: Drawable, agentBody: boolean): string {
   if (d.shape === Shape.Mesh) return `mesh/${d.mesh}`;
   return `${d.shape}.${agentBody ? 1 : 0}.${d.size.map(hex).join(".")}.${hex(d.repeats[0])}.${hex(d.repeats[1])}.${d.material.startsWith("Soarbox/") ? d.material : ""}`;
@@ -183,7 +188,7 @@ export class ShapeLibrary {
     return this.known.get(look)?.bones ?? [];
   }
 
-  /** What a drawable with a skeleton looks like; null: it has none. */
+  /** The body of a drawable with a skeleton; null: it has no skeleton. */
   bodyOf(d: Drawable): BodyLook | null {
     if (d.shape !== Shape.Mesh) return null;
     const body = this.known.get(`mesh/${d.mesh}`)?.body ?? null;

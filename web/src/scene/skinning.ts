@@ -5,12 +5,14 @@ import type { BoneAt, ShapeMesh } from "./shape_library";
 /** A bone's transformation from the bind pose into the world: three rows of four numbers. */
 export const BONE_NUMBERS = 12;
 
-/** Where the corners of several bodies are, one body after the other. Normals are bytes (127 is 1), with one to spare. */
+/**
+ * The moved corners of several bodies, one body after the other. Normals are bytes (127 is 1), four for each corner.
+ */
 export interface Moved { positions: Float32Array<ArrayBuffer>; normals: Int8Array<ArrayBuffer> }
 
 type Rows = Float32Array | number[];
 
-/** A turn and a place as rows. */
+/** Writes a rotation and a position as rows. */
 function setPose(into: Rows, at: number, turn: Quat | readonly number[], place: Vec3 | readonly number[]): void {
   const x = turn[0]!, y = turn[1]!, z = turn[2]!, w = turn[3]!;
   into[at] = 1 - 2 * (y * y + z * z);
@@ -86,7 +88,7 @@ export function poseBones(bones: readonly BoneAt[], now: Drawable, old: Drawable
   }
 }
 
-/** Moves the corners of one body; they begin at this corner of `into`. */
+/** Moves the corners of one body. Writes them into `into`, from the corner `first` on. */
 export function moveSkin(shape: ShapeMesh, bones: Float32Array, into: Moved, first: number): void {
   const { positions, normals, count, skin } = shape, to = into.positions, facing = into.normals;
   if (skin === null) return;

@@ -51,7 +51,7 @@ function paintRow(style: SkyStyle, row: number, rows: number, columns: number, i
   }
 }
 
-/** Clear at first; clouds and stars are painted later. */
+/** A clear sky; clouds and stars are painted later. */
 function picture(style: SkyStyle): DataTexture {
   const clear = new Uint8Array(4 * FEW_ROWS), air: SkyStyle = { ...style, cover: 0, stars: 0 };
   for (let row = 0; row < FEW_ROWS; ++row) paintRow(air, row, FEW_ROWS, 1, clear.subarray(4 * row, 4 * row + 4));
@@ -63,7 +63,7 @@ function picture(style: SkyStyle): DataTexture {
   return texture;
 }
 
-/** A sphere around the camera with the sky of a name, and the colour of the haze before it. */
+/** A sphere around the camera with a named sky, and the colour of its haze. */
 export class Sky {
   readonly mesh: Mesh<SphereGeometry, MeshBasicMaterial>;
   readonly haze = new Color();

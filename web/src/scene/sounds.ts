@@ -6,7 +6,9 @@ import type { Assets } from "./assets";
 /** Up to this distance a sound has its full volume; twice as far away it has half of it. The same in the window. */
 export const FULL_VOLUME_M = 5;
 
-/** How loud a sound arrives on the left and on the right, each 0 to 1. `right` is the camera's. */
+/**
+ * The volumes of a sound on the left and on the right, each 0 to 1. `right` is the camera's direction to the right.
+ */
 export function heardAt(volume: number, place: Vec3 | null, ear: Vec3, right: Vec3): { left: number; right: number } {
   if (place === null) return { left: volume, right: volume };
   const way = [place[0] - ear[0], place[1] - ear[1], place[2] - ear[2]] as const, away = Math.hypot(...way);
@@ -15,10 +17,10 @@ export function heardAt(volume: number, place: Vec3 | null, ear: Vec3, right: Ve
   return { left: loud * Math.min(1, 1 - side), right: loud * Math.min(1, 1 + side) };
 }
 
-/** Plays the sounds of a run, once each. Browsers let a page make noise only after its user has clicked or pressed a key. */
+/** Plays each sound of a run once. Browsers allow sounds only after the user has clicked or pressed a key. */
 export class Sounds {
   isOn = true;
-  /** How many were begun; for tests. */
+  /** The number of sounds that were started; for tests. */
   played = 0;
   private context: AudioContext | null = null;
   private last: number | null = null;
@@ -32,10 +34,10 @@ export class Sounds {
     this.context ??= typeof AudioContext === "undefined" ? null : new AudioContext();
   }
 
-  /** `isLive`: they sound; a moment of the past is silent. */
+  /** `isLive`: new sounds are played. Past moments are silent. */
   take(sounds: readonly Sound[], camera: PerspectiveCamera, isLive: boolean): void {
     const newest = sounds.at(-1)?.id ?? this.last ?? 0, before = this.last;
-    // What began before the page was there, and what comes after a jump back, is not played.
+    // Sounds that began before the page was opened, and sounds after a jump back, are not played.
     this.last = newest;
     if (before === null || newest < before || !isLive || !this.isOn) return;
     for (const sound of sounds) if (sound.id > before) void this.play(sound, camera);
@@ -57,7 +59,7 @@ export class Sounds {
     try {
       source.buffer = await decoded;
     } catch {
-      return;  // The world has checked the file; a browser that cannot read it stays silent.
+      return;  // The world has checked the file, so only this browser cannot decode it.
     }
     for (const [channel, volume] of [heard.left, heard.right].entries()) {
       const gain = context.createGain();

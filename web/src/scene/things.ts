@@ -6,7 +6,7 @@ import { geometryOf, type Materials } from "./materials";
 import { looksLikeABody, shapeKey, type ShapeLibrary } from "./shape_library";
 import type { Between } from "../run/playout";
 
-/** A drawable's shape, and what else it looks like. */
+/** The key of a drawable's shape, and the key of its complete appearance. */
 interface Key { shape: string; whole: string }
 interface Made { geometry: BufferGeometry; material: Material; castsShadow: boolean }
 interface Batch { mesh: InstancedMesh; count: number }
@@ -22,7 +22,7 @@ function agentLook(agent: Agent): Look {
   return { ...lookOf("White"), base, gloss: 0.42 };
 }
 
-/** Everything that has no skeleton: one draw call for all things that look the same. */
+/** All drawables without a skeleton. Those with the same appearance share one draw call. */
 export class Things {
   readonly group = new Group();
   private readonly made = new Map<string, Made>();
