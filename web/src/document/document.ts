@@ -53,7 +53,7 @@ export interface TableRow {
   /** The body of the row: team, kind, and whether another simulation moves it. */
   readonly sign?: readonly [string, string, boolean];
   readonly depth?: number;
-  /** A bit for each group that it belongs to. */
+  /** The groups of the row, one bit for each. */
   readonly g?: number;
   readonly chosen?: boolean;
   /** Its deeper rows can be folded. */
@@ -76,7 +76,7 @@ export interface TreeRow {
   readonly k: string;
   readonly s: Spans;
   readonly a?: readonly string[];
-  /** Present if the row can be unfolded: whether it is. */
+  /** Whether the row is unfolded; missing: it cannot be unfolded. */
   readonly open?: boolean;
   readonly below?: readonly TreeRow[];
 }

@@ -36,9 +36,9 @@ export class EditPanel implements Panel {
   private wanted = "";
   private tellsAgain = false;
   private offered: { file: string; text: string } | null = null;
-  /** The text typed here before it was changed elsewhere. */
+  /** The text that was typed here before the file was changed elsewhere; null: none. */
   private older: string | null = null;
-  /** The open question for a name: of a new file, or a new name for the one at a position. */
+  /** The input for a name: of a new file, or a new name for the one at a position; null: not open. */
   private asks: { what: "rename" | "new"; old: string; name: string; line: number; character: number } | null = null;
   /** Whether the editor contains text that was typed or restored here. Otherwise it follows the text of the run. */
   private isOwn = false;

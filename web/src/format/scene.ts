@@ -85,7 +85,7 @@ export enum Font { Small, SmallMono, Medium, MediumMono, Large, LargeMono }
 /** A box of text that a script shows: on the screen in pixels, or in the world. */
 export interface Component {
   id: number;
-  /** 0: placed on the screen, else relative to the parent. */
+  /** The box to which the position is relative; 0: the screen. */
   parent: number;
   layer: number;
   x: number;
@@ -103,14 +103,14 @@ export interface Component {
   /** A material, or the key of an image ("assets:KEY"). */
   material: string;
   caption: string;
-  /** The name of the button that it is; empty: it is none. */
+  /** The name of the button; empty: the box is no button. */
   button: string;
-  /** How much of its width a bar fills. */
+  /** A bar that fills this share of the width; null: none. */
   bar: null | { share: number; color: Color };
-  /** Its top left corner; 1 px is 5 mm. */
+  /** Position of the top left corner in the world, where 1 px is 5 mm; null: the box is on the screen. */
   world: null | { place: Vec3; turn: Quat };
 }
-/** A push that a script or a command gave a body for the last step. */
+/** A force that a script or a command applied to a body in the last step. */
 export interface Push { owner: number; place: Vec3; force: Vec3; mass: number }
 export interface NamedPlace { kind: "waypoint" | "region" | "item" | "thing"; name: string; place: Vec3 }
 

@@ -6,7 +6,7 @@ import { deflateSync } from "node:zlib";
 import { BadBytes } from "./byte_reader";
 import { SceneReader, isFull, unpack } from "./scene_reader";
 
-/** What stream_test of the engine wrote. */
+/** The bytes that tests/stream/scene_stream_test.cpp expects from the engine. */
 const blocks = readFileSync("../tests/stream/scene_blocks.hex", "utf8").trim().split("\n").map((line) => Uint8Array.from(Buffer.from(line, "hex")));
 const [full, difference] = [blocks[0]!, blocks[1]!];
 

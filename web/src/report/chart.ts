@@ -90,7 +90,7 @@ export interface Drawing {
   children: Child;
   /** Marks at the current moment, drawn over the rest. */
   at?: (seconds: number) => Child;
-  /** A click at a place of the picture. */
+  /** Called on a click at this position of the picture. */
   click?: (x: number, y: number) => void;
 }
 

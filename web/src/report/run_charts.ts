@@ -23,7 +23,7 @@ export function marksOf(events: readonly EventReport[], places: ReadonlyMap<stri
   });
 }
 
-/** Operators and events of everybody over the whole run. */
+/** Operators and events of all agents over the entire run. */
 export function timelineFigure(run: RunReport, time: Time): View {
   const names = new Map<string, number>(), places = new Map(run.agents.map((agent, i) => [agent.name, i]));
   for (const [, , , name] of run.spans) if (!names.has(name)) names.set(name, names.size);
@@ -54,7 +54,7 @@ export function timelineFigure(run: RunReport, time: Time): View {
 
 const PLOT_PX = 190, MOST_POINTS = 900;
 
-/** One number of everybody over time. */
+/** One number of all agents over time. */
 export function plotFigure(run: RunReport, ways: readonly (Way | null)[], what: "speed" | "health", title: string, time: Time): View {
   const high = ways.reduce((most, way) => (way === null ? most : way[what].reduce((a, b) => Math.max(a, b), most)), 0) || 1, paint = paints(run.agents);
   return chart({ label: `${title} over time`, caption: title, time }, (width) => {

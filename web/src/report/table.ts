@@ -10,7 +10,10 @@ const MOST_ROWS = 2000, FILTERED_FROM = 20;
 
 const plain = (cell: TableCell): string | number => (typeof cell === "object" ? textOf(cell) : cell);
 
-/** The rows that pass a filter, in the order of a column: numbers as numbers, texts as people sort them, equal ones as they came. `by` -1: as they came. */
+/**
+ * The rows that pass a filter, sorted by a column: numbers by value, texts in natural order. Equal rows keep their
+ * order. `by` -1: not sorted.
+ */
 export function arranged(rows: readonly (readonly TableCell[])[], by: number, isRising: boolean, filter: string): (readonly TableCell[])[] {
   const shown = filter === "" ? [...rows] : rows.filter((row) => passes(filter, row.map(plain).join(" ")));
   if (by < 0) return shown;

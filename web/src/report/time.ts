@@ -2,13 +2,13 @@
 
 /** The moment that a run's report shows: all its pictures follow it. */
 export interface Time {
-  /** In seconds, as all times here. */
+  /** In seconds, like all times here. */
   readonly end: number;
   readonly now: number;
   readonly isPlaying: boolean;
   go(seconds: number): void;
   play(isOn: boolean): void;
-  /** Calls whenever the moment or the playing changes. */
+  /** Registers a function that is called when the moment changes, or playing starts or ends. */
   on(call: () => void): void;
 }
 

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { lookOf } from "./looks";
 
-/** As the window has it; the tests run in web/. */
+/** The window's table of materials. Tests run in web/. */
 const PALETTE = readFileSync("../src/viewer/palette.cpp", "utf8");
 
 test("each of the window's materials looks the same here", () => {

@@ -63,7 +63,7 @@ test("truncated data, or an index without a corner, is not a shape", () => {
 });
 
 test("a shape has the same name as in the run", () => {
-  // As app/shape_contents_test.cpp has it.
+  // src/app/shape_contents_test.cpp expects the same key.
   assert.equal(shapeKey(box(), false), "1.0.3f800000.40000000.40400000.3f800000.3f800000.");
   assert.equal(shapeKey(box({ shape: Shape.Capsule, size: [Math.fround(0.3), 1, 0], material: "Soarbox/Sheep" }), true), "2.1.3e99999a.3f800000.0.3f800000.3f800000.Soarbox/Sheep");
   assert.equal(shapeKey(box({ material: "White" }), false), shapeKey(box(), false));
