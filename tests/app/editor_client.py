@@ -73,7 +73,7 @@ class Editor:
             self.messages.append(message["params"]["message"])
 
     def answer(self, method, params):
-        """The whole answer to a request, an error included."""
+        """The complete answer to a request, including an error."""
         self.number += 1
         self.channel.send({"jsonrpc": "2.0", "id": self.number, "method": method, "params": params})
         while (message := self.channel.receive()) is not None:
@@ -98,7 +98,7 @@ class Editor:
         self.tell("textDocument/didChange", {"textDocument": {"uri": uri, "version": 2}, "contentChanges": list(changes)})
 
     def wait_for(self, uri, holds, limit_s=60):
-        """The diagnostics of a file once they are as wanted."""
+        """Waits until `holds` is true for the diagnostics of a file, and returns them."""
         while not (uri in self.diagnostics and holds(self.diagnostics[uri])):
             message = self.channel.receive(limit_s)
             if message is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Recordings with a header that was written by hand (docs/dev/recording_format.md)."""
+"""Creates recordings with other headers than the program writes (docs/dev/recording_format.md)."""
 import struct
 
 MAGIC = b"\x53\x4f\x41\x52\x42\x4f\x58\x1a"
@@ -39,7 +39,7 @@ def text(words):
 
 
 def zstd_frame(content):
-    """One frame of blocks that are not compressed."""
+    """One zstd frame with uncompressed blocks."""
     blocks = [content[at:at + 100_000] for at in range(0, len(content), 100_000)] or [b""]
     frame = struct.pack("<IBI", 0xFD2FB528, 0xA0, len(content))
     for i, block in enumerate(blocks):
@@ -55,7 +55,7 @@ def block(kind, content, ticks=0, first=0, version=4):
 
 
 def header(scenario, folder="/", further=(), files=(), seed=1, build="forged", memory_mb=2048, own_kernel=1):
-    """`files`: the number of a folder, a name and a content each."""
+    """The block of a header. `files`: (number of the folder, name, contents) of each."""
     content = text(build) + text(scenario) + text(folder) + number(len(further)) + b"".join(map(text, further))
     content += bytes(8) + number(seed) + number(1280) + number(720) + struct.pack("<d", 1 / 30) + bytes([1, own_kernel])
     content += text("") + number(0) + number(len(files))
@@ -65,7 +65,7 @@ def header(scenario, folder="/", further=(), files=(), seed=1, build="forged", m
 
 
 def with_header(recording, made):
-    """The bytes of a recording, with another header."""
+    """The bytes of a recording, with its header replaced."""
     data, at, rest = recording.read_bytes(), len(MAGIC), b""
     while at < len(data):
         frame = struct.unpack_from(FRAME, data, at)

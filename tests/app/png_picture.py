@@ -51,6 +51,6 @@ class Picture:
         return tuple(self._rows[y][i:i + 3])
 
     def count(self, test, box=None, step=1):
-        """How many pixels pass the test in a box (left, top, right, bottom), looking at every step-th."""
+        """The number of pixels in a box (left, top, right, bottom) that pass the test, of every `step`-th in both directions."""
         left, top, right, bottom = box or (0, 0, self.width, self.height)
         return sum(1 for y in range(top, bottom, step) for x in range(left, right, step) if test(*self.at(x, y)))

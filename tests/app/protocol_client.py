@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A client of the protocol between Soar kernels and debuggers, on nothing but a socket and an XML parser."""
+"""A client of the protocol between Soar kernels and debuggers, which uses only a socket and an XML parser."""
 import socket
 import struct
 import time
@@ -10,7 +10,7 @@ ENTITIES = {'"': "&quot;", "'": "&apos;"}
 
 
 def frame(document):
-    """A message as it goes over the socket: four bytes of length, then the document."""
+    """The bytes of a message: its length in four bytes, then the document."""
     data = document if isinstance(document, bytes) else document.encode("utf-8")
     return struct.pack(">I", len(data)) + data
 
@@ -20,7 +20,7 @@ class Refused(Exception):
 
 
 class Client:
-    """One connection. Calls that come meanwhile are answered, and events are kept in `events` as (name, element)."""
+    """A connection. While it waits for a response, it answers incoming calls and stores events in `events` as (name, element)."""
 
     def __init__(self, port, limit_s=100.0):
         self.limit_s = limit_s
@@ -42,7 +42,7 @@ class Client:
         self.socket.sendall(data)
 
     def receive(self, until):
-        """The next document; None if the time is over. Raises ConnectionError if the kernel has closed."""
+        """The next document; None after `until`. Raises ConnectionError if the kernel has closed the connection."""
         while True:
             if len(self.buffer) >= 4:
                 length = struct.unpack(">I", self.buffer[:4])[0]
@@ -62,7 +62,7 @@ class Client:
             self.buffer += data
 
     def take(self, document):
-        """Answers a call of the kernel's and keeps it if it is an event."""
+        """Answers a call of the kernel, and stores it if it is an event."""
         if document.get("doctype") != "call":
             return
         self.send(frame(f'<sml ack="{document.get("id")}" doctype="response" id="{self.next_id}" smlversion="9.6.3"></sml>'))
@@ -96,7 +96,7 @@ class Client:
         return "" if result is None else result.text or ""
 
     def line(self, agent, line):
-        """A command line, as a debugger sends it; the text that it answers."""
+        """Sends a command line as a debugger does, and returns the text of the answer."""
         return self.text("cmdline", agent=agent, line=line, echo="true", nofilter="false")
 
     def values(self, agent, line):
@@ -125,7 +125,7 @@ def argument(command, name):
 
 
 def debugger_start(client):
-    """What the Java debugger asks and registers for when it connects."""
+    """Sends the requests of the Java debugger when it connects."""
     client.register("after-agent-reinitialized")
     assert int(client.text("initial_time_tag")) < 0
     names = client.agents()
@@ -141,7 +141,7 @@ def debugger_start(client):
 
 
 def debugger_attach(client, agent):
-    """What it does for the agent that a window shows."""
+    """Sends the requests of the Java debugger for the agent of a window."""
     for event in ("print", "echo", "xml-trace-output", "after-decision-cycle", "before-agent-reinitialized"):
         client.register(event, agent=agent)
     assert "watchdecisions" in client.values(agent, "watch")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Long runs in a window, as a user has them: every scenario, every lesson and the sample themes, at full speed, with all
-panels opened, recorded and replayed. Memory and the cost of frames at the end stay near those of the first half minute.
+"""Long runs in a window like those of users: every scenario, every lesson and the sample themes, at full speed, with all
+panels opened, recorded and replayed. Memory and the cost of frames must not grow after the first half minute.
 
     soak.py [--seconds 120] [NAME...]"""
 import argparse
@@ -27,7 +27,7 @@ LIMIT_S = 1500
 
 
 def all_names():
-    """What is there to be run: each scenario's folder or file, each lesson that grades, and each that is read."""
+    """Everything that can be run: scenarios, lessons that are graded, and the lessons of docs/lessons."""
     names = []
     for folder in sorted((REPOSITORY / "scenarios").iterdir()):
         if (folder / "Sandbox.lua").exists() or (folder / "scenario.toml").exists():
@@ -41,7 +41,7 @@ def all_names():
 
 
 def at_rest(name):
-    """The user does nothing: the cost of a frame does not depend on the number of frames per tick."""
+    """Measures while the run is paused, so that the cost of a frame does not depend on the number of frames per tick."""
     return f'key P\nexpect "Paused"\nwait 20\nmeasure "settle"\nwait 60\nmeasure "{name}"\nkey P\n'
 
 
@@ -55,7 +55,7 @@ class Failure(Exception):
 
 
 def play(arguments, file, text):
-    """Plays a user and returns the measures by name."""
+    """Plays a user in a window, and returns the measures by name."""
     file.write_text(text, encoding="utf-8")
     command = [COMMAND, *arguments, "--detail", "low", "--width", str(WIDTH), "--height", str(HEIGHT), "--ui-script", str(file)]
     try:
@@ -63,7 +63,7 @@ def play(arguments, file, text):
                               env=environment(WIDTH, HEIGHT), errors="replace")
     except subprocess.TimeoutExpired as error:
         raise Failure(f"does not come to its end within {LIMIT_S} s: {' '.join(command)}") from error
-    # 1: the run had a problem, which scenarios may have.
+    # 1 is the code for a problem in the run, which is allowed.
     if done.returncode not in (0, 1):
         raise Failure(f"ended with {done.returncode}: {' '.join(command)}\n{done.stderr[-3000:]}")
     if "too much to be drawn" in done.stderr:
@@ -73,7 +73,7 @@ def play(arguments, file, text):
 
 
 def compare(what, early, late, timed):
-    """Complains of what has grown. Times count only where nothing else runs beside; corners tell of what is drawn anywhere."""
+    """Complaints about measures that have grown. Times are compared only if `timed`, because they need an idle machine."""
     complaints = []
     times = (("frame_ms", SLACK_MS), ("panels_ms", SLACK_MS)) if timed else ()
     for key, slack in times + (("memory_mb", SLACK_MB), ("corners", SLACK_CORNERS)):
@@ -85,7 +85,7 @@ def compare(what, early, late, timed):
 
 
 def ending(name, seconds):
-    """When the scenario comes to its end by itself, if it does before."""
+    """The time at which the scenario ends by itself; at most `seconds`."""
     done = subprocess.run([COMMAND, "run", name, "--headless", "--json", "--seconds", str(seconds)], capture_output=True,
                           text=True, timeout=LIMIT_S, check=False, errors="replace")
     for line in done.stdout.splitlines():
@@ -95,7 +95,7 @@ def ending(name, seconds):
 
 
 def soak(name, seconds, folder, timed=True):
-    """One scenario; its complaints, and a line of figures."""
+    """Runs one scenario. Returns the complaints and a line of figures."""
     begun = time.monotonic()
     until = ending(name, seconds) - 0.5
     if until < 2:

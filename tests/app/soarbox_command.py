@@ -13,7 +13,7 @@ import unittest
 COMMAND = os.environ["SOARBOX"]
 THESIS = pathlib.Path(__file__).resolve().parent.parent / "thesis"
 
-# An agent's script: it walks along the x axis.
+# The script of an agent that walks along the x axis.
 WALKER = """
 function Agent_Initialize(agent)
     agent:SetTarget(Vector.new(50, 0, 0));
@@ -27,7 +27,7 @@ PAGE = pathlib.Path(__file__).resolve().parents[2] / "web" / "dist" / "page" / "
 
 
 def page_missing():
-    """Why no report can be made here; empty: one can. Continuous integration builds the page first."""
+    """The reason why reports cannot be tested here; empty: they can. Continuous integration builds the page first."""
     return "" if PAGE.exists() or os.environ.get("CI") == "true" else "the page of reports is not built: ./dev test builds it"
 
 
@@ -36,7 +36,7 @@ def limit_memory(process_id, memory_bytes):
 
 
 class Run:
-    """One finished run of the command; `code`: how it must end; `memory_bytes`: all that it may have."""
+    """One finished run of the command. `code`: its required exit code, if any; `memory_bytes`: its memory limit."""
 
     def __init__(self, *arguments, code=None, display=False, limit_s=240, cwd=None, memory_bytes=None, variables=None):
         environment = {**os.environ, **(variables or {})}
@@ -60,21 +60,21 @@ class Run:
 
 
 def new_folder(case):
-    """A folder that lasts as long as the test, or the class of tests."""
+    """A folder that is removed after the test, or after the class of tests."""
     folder = tempfile.TemporaryDirectory()
     (case.addClassCleanup if isinstance(case, type) else case.addCleanup)(folder.cleanup)
     return pathlib.Path(folder.name).resolve()
 
 
 def end_with(case, process):
-    """The process ends with the test."""
+    """Ends the process after the test."""
     case.addCleanup(process.wait)
     case.addCleanup(process.kill)
     return process
 
 
 def wait_until(holds, what="the fact", limit_s=120):
-    """Waits until `holds` returns a true value, without a time limit of its own, and returns it."""
+    """Waits until `holds` returns a true value, and returns it. Fails after `limit_s`."""
     end = time.monotonic() + limit_s
     while not (found := holds()):
         if time.monotonic() > end:

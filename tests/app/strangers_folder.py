@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Shared by tests of strangers' files: a stranger's folder, a folder outside of it, a folder of the user, and what must
-hold whatever the program is asked to do."""
+"""Shared by tests of untrusted files: a folder from a stranger, a folder outside of it, a folder of the user, and the
+checks that each request must pass."""
 import os
 import shutil
 import subprocess

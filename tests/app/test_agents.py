@@ -16,12 +16,12 @@ def flat_distance(a, b):
 
 
 def news(events):
-    """The first of each row of equal commands."""
+    """The first of each series of equal commands."""
     return [event for before, event in zip([None] + events, events) if before is None or before["command"] != event["command"]]
 
 
 def overlaps(states, tolerance_m):
-    """(time, one, other, depth) wherever two agents' capsules share more than `tolerance_m`."""
+    """(time, one, other, depth) of each pair of agents with capsules that overlap by more than `tolerance_m`."""
     found = []
     for state in states:
         agents = state["agents"]
@@ -43,7 +43,7 @@ class Seeker(unittest.TestCase):
         self.assertGreaterEqual(len(asked), 10, "targets reached in 120 s")
         self.assertTrue(all(event["distance"] <= NEAR_TARGET for event in asked))
         self.assertTrue(all(event["distance"] > NEAR_TARGET for event in kept))
-        # One command per tick, but for the very first ones.
+        # One command per tick, except for the first ticks.
         self.assertGreaterEqual(len(commands), run.of("end")[0]["ticks"] - 2)
 
     def test_reaches_ten_targets_and_asks_for_a_new_one_only_when_near(self):
@@ -60,7 +60,7 @@ class Followers(unittest.TestCase):
         leader, *followers = self.run_.of("state")[-1]["agents"]
         self.assertEqual(len(followers), 4)
         for follower in followers:
-            # The rule's band, and the metre that separation from the others may push them out again.
+            # The rule's threshold, and a margin because separation may push them out again.
             self.assertLess(flat_distance(leader["position"], follower["position"]), math.sqrt(NEAR_LEADER) + 1.5, follower["name"])
 
     def test_say_stop_exactly_when_the_leader_is_near(self):
@@ -106,7 +106,7 @@ class Groups(unittest.TestCase):
 class TheThesisOwnAgents(unittest.TestCase):
     def test_run_unmodified_with_scripts_in_its_dialect(self):
         run = run_json(THESIS / "scripts", "--path", THESIS / "agents", "--seconds", 60, "--every-command", code=0)
-        # Their tests leave a gap at exactly 3 and 5, which is true of the thesis' rules, too.
+        # The rules of the thesis do not cover the distances 3 and 5.
         told = [(diagnostic["severity"], diagnostic["message"].split(",")[0]) for diagnostic in run.diagnostics()]
         self.assertEqual(set(told), {("warning", f"if ^distance is exactly {distance}") for distance in (3, 5)}, told)
         self.assertEqual((run.of("end")[0]["agents"], run.of("end")[0]["soar_agents"]), (6, 5))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The parade of movements: every soldier moves, the patrols go round, and all of it is the same in every run."""
+"""The scenario with all movements: every soldier moves, the patrols walk in circles, and all runs are equal."""
 import unittest
 
 from soarbox_command import run_json

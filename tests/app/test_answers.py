@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Answers that beginners might give to lessons, graded through the real command. Each was written for one
-misunderstanding, before anybody saw what it is told; those whose names begin with f, g or h were written without
-a look at the hints of that time. Hints were added later for those that were not named: none is fresh any more. A right
-answer passes; of a wrong one the first thing that `soarbox learn check` says must name the misunderstanding."""
+misunderstanding, before its output was known. Those with names that begin with f, g or h were written by authors who had
+not read the hints. Later, hints were added for misunderstandings that were not named, so these are no longer blind tests.
+A right answer must pass. For a wrong answer, the first sentence of `soarbox learn check` must name the misunderstanding."""
 import concurrent.futures
 import json
 import pathlib
@@ -30,7 +30,7 @@ def lesson_of(answer):
 
 
 def grade(answer):
-    """The exit code, what was printed, and the headline."""
+    """The exit code, the output and the headline."""
     course, number, lesson = lesson_of(answer)
     with tempfile.TemporaryDirectory() as home:
         mine = pathlib.Path(home) / lesson.name

@@ -63,7 +63,7 @@ class Scripts(ScenarioCase):
         return self.folder
 
     def check_world_goes_on(self, run):
-        """Exit code 1, and the good agent has walked to the end."""
+        """Expects exit code 1, and that the agent without mistakes has walked to the end."""
         self.assertEqual(run.code, 1, run.err)
         last = run.of("state")[-1]
         self.assertGreater(last["time"], 2.9)

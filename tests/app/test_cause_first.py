@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The cause first: `soarbox run` at its end and the panel Problems rank problems in the same way.
+"""The findings at the end of `soarbox run` and the panel Problems list the cause first, in the same order.
 
-The files in cause_first are what both say of one world each; SOARBOX_UPDATE=1 writes them anew.
+Each file in cause_first contains the texts of both for one world. SOARBOX_UPDATE=1 writes the files again.
 """
 import json
 import os
@@ -46,9 +46,9 @@ sp {second*apply*go
 }
 """
 
-# By file name: the rules of hero. Those of second wait for a health that is never so low.
+# The rules of hero, by file name. The rules of second wait for a health that is never that low.
 CASES = {
-    # A rule that cannot be read, a slip, a command that the world refuses, and an agent that waits.
+    # A rule with a syntax error, a slip, a command that the world refuses, and an agent that waits.
     "everything": """sp {hero*broken
    (state <s> ^superstate nil
 -->
@@ -115,7 +115,7 @@ class CauseFirst(ScenarioCase):
         return "".join(f"{finding['cause']}: {finding['text']}\n" for finding in findings)
 
     def panel(self, folder):
-        """What the panel Problems lists."""
+        """The contents of the panel Problems, as text."""
         engine = Engine(str(folder), 1)
         try:
             engine.ask({"request": "look", "panels": ["problems"]})

@@ -8,7 +8,7 @@ import statistics
 from mission_case import RULES, SWEEP, WORLD, MissionCase
 from soarbox_command import Run
 
-# Steps of two ways, by chance.
+# Chooses at random between two kinds of steps.
 CHANCE = """
 sp {scout*propose*step
    (state <s> ^superstate nil ^io.input-link.waypoint <w>)
@@ -54,7 +54,7 @@ DIFFERENCE = re.compile(r"^  (?P<what>[^:]+): (?P<variant>.+) has (?P<mean>\S+) 
 
 
 def student_two_sided(t, freedom):
-    """The probability of a value of Student's t at least so far from 0, by Simpson's rule over its density."""
+    """The probability that |t| of Student's t distribution is at least this large, by Simpson's rule over the density."""
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
     density = lambda x: scale * (1 + x * x / freedom) ** (-(freedom + 1) / 2)
     steps, width = 20000, abs(t) / 20000
@@ -139,14 +139,14 @@ class Sweeps(MissionCase):
         spec = self.write("noisy.toml", one.replace('"scenario.toml"', '"."'))
         Run("sweep", spec, code=0)
         before = {(row["variant"], row["seed"]): row["state_hash"] for row in self.rows()}
-        # An unused file; a variant with its own file.
+        # A file that no variant uses; then a variant that uses it.
         self.write("bolder.soar", RULES.replace("off I go", "here I go"))
         self.assertIn("0 runs made, 18 were there", Run("sweep", spec, code=0).err)
         spec.write_text(spec.read_text() + '[[variant]]\nname = "bolder"\nrules = { "scout" = "bolder.soar" }\n', encoding="utf-8")
         self.assertIn("6 runs made, 18 were there", Run("sweep", spec, code=0).err)
         after = {(row["variant"], row["seed"]): row["state_hash"] for row in self.rows()}
         self.assertEqual(before, {key: after[key] for key in before})
-        # What a variant with runs uses cannot change.
+        # The files of a variant that has runs must not change.
         self.write("bold.soar", RULES.replace("off I go", "there I go"))
         self.assertIn("variant 'bold' has changed since this sweep began", Run("sweep", spec, code=3).err)
         self.write("bold.soar", RULES)

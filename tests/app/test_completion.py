@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The completions of bash and zsh after soarbox, in real shells."""
+"""Completion of `soarbox` command lines in real bash and zsh shells."""
 import os
 import pathlib
 import shutil

@@ -11,7 +11,7 @@ from soarbox_command import Run, end_with, new_folder
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 
-# It finds the way from 1 to 3 by one operator each.
+# It goes from 1 to 3, with one operator for each step.
 COUNTER = """sp {propose*initialize
    (state <s> ^superstate nil -^count)
 -->

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The games on boards: the percepts of each turn equal stored ones, our agents play to the end, and --rules works."""
+"""Board games: the percepts of each turn equal the stored ones, our agents play to the end, and --rules works."""
 import json
 import os
 import pathlib
@@ -27,7 +27,7 @@ sp {north*apply
 
 class Games(ScenarioCase):
     def percepts(self, scenario, *arguments):
-        """What the minds perceive and command in the first turns, as text."""
+        """The percepts and commands of the minds in the first turns, as text."""
         recording = self.folder / "game.soarrec"
         seconds = TURNS * TICKS_PER_TURN / 30
         run_json(scenario, "--seconds", seconds, "--record", recording, *arguments, code=0)

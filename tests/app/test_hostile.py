@@ -15,7 +15,7 @@ function Sandbox_Initialize(sandbox)
 end
 %s
 """
-# Each function of the API with all kinds of values in all places.
+# Calls each function of the API with all kinds of values as each argument.
 ANYTHING = """
     local box = Sandbox.CreateBox(sandbox, 1, 1, 1)
     local gone = Core.CreateBox(sandbox, 1, 1, 1)
@@ -116,7 +116,7 @@ HOSTILE_LINES = {
 }
 
 
-# Seconds to run them, where one is too long.
+# Simulated seconds of the worlds for which one second takes too long.
 CROWDED = {"endless creation": 0.3, "endless agents": 0.07}
 
 
@@ -251,7 +251,7 @@ class Signals(ScenarioCase):
     """A run that would last for days can be ended at any moment, and its output is complete up to then."""
 
     def end(self, sandbox, number, told="begun"):
-        """Ends the run after it has printed that."""
+        """Ends the run after it has printed this text."""
         self.write("Walker.lua", WALKER)
         self.write("Sandbox.lua", sandbox)
         with subprocess.Popen([COMMAND, "run", str(self.folder), "--headless", "--seconds", "1e7"], text=True,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""`soarbox inspect`: what debuggers show of a mind, as text and as JSON.
+"""`soarbox inspect` prints the data that debuggers show about a mind, as text and as JSON.
 
-The files in inspect_golden are what it prints of one agent; SOARBOX_UPDATE=1 writes them anew.
+The files in inspect_golden are its output for one agent. SOARBOX_UPDATE=1 writes them again.
 """
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The later lessons of the first course, through the real command. They take as long as all of test_learn.py."""
+"""The later lessons of the first course, through the real command. This takes as long as test_learn.py."""
 import re
 import shutil
 
@@ -11,7 +11,7 @@ from test_learn import LATER, tried_as_it_should
 class LaterLessons(MissionCase):
     def test_starters_fail_solutions_pass_and_wrong_answers_get_their_own_hint(self):
         numbers = [*range(LATER, 24), *range(25, 28)]
-        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), len(numbers) + LATER)  # Those before, and the world of one's own.
+        self.assertEqual(len(list((REPOSITORY / "lessons").glob("*/lesson.toml"))), len(numbers) + LATER)  # Plus the earlier ones and lesson 24.
         tried_as_it_should(self, numbers, wrong=80)
 
     def test_worlds_of_ones_own_lack_what_they_are_there_to_show(self):

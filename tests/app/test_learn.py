@@ -9,7 +9,7 @@ from mission_case import REPOSITORY, MissionCase
 from soarbox_command import COMMAND, Run
 
 
-LATER = 13  # From here on, test_later_lessons.py tries them.
+LATER = 13  # The first lesson that test_later_lessons.py tests.
 
 
 def tried_as_it_should(case, numbers, wrong):
@@ -38,7 +38,7 @@ class Lessons(MissionCase):
         page = (REPOSITORY / "docs" / "window.md").read_text(encoding="utf-8")
         table = page.split("## The panels")[1].split("\n\n")[1]
         panels = {line.split("|")[1].strip() for line in table.splitlines()[2:]}
-        panels.remove("Exercise")  # Of runs that take part in one alone.
+        panels.remove("Exercise")  # Only runs that take part in an exercise have it.
         lessons = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted((REPOSITORY / "lessons").glob("*/lesson.toml"))]
         first = [lesson["panel"] for lesson in lessons]
         self.assertEqual(len(set(first)), 16, first)

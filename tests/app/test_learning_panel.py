@@ -9,7 +9,7 @@ from soarbox_command import Run
 from virtual_display import can_draw
 from window_user import WindowUser
 
-# Looks the price of a pear up in a substate; the rule that it learns knows that of a fig at once.
+# Looks up the price of a pear in a substate. The learned rule gives the price of a fig without a substate.
 SHOPPER = """
 chunk always
 sp {walker*init (state <s> ^superstate nil) --> (<s> ^tag <t1> ^tag <t2>)
@@ -25,13 +25,13 @@ sp {walker*price*look (state <ss> ^superstate <s> ^wanted <f>) (<s> ^operator.na
 
 
 def views(scenario, view, seconds, agent="learner"):
-    """What `soarbox inspect` shows of the agent, as text and as JSON."""
+    """The output of `soarbox inspect` for the agent, as text and as JSON."""
     text = Run("inspect", scenario, "--agent", agent, "--at", seconds, "--view", view)
     return text.out, json.loads(Run("inspect", scenario, "--agent", agent, "--at", seconds, "--view", view, "--json").out)
 
 
 def every(node):
-    """A reason and all below it."""
+    """A reason and all reasons below it."""
     yield node
     for below in node.get("below", []):
         yield from every(below)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Wrong answers to lessons without a known mistake, and the headline of `soarbox learn check`: it must be true.
 
-Each was made by deleting, swapping, misspelling or misplacing something in the solution, before anybody saw what it is told."""
+Each was made from the solution by deleting, swapping, misspelling or misplacing something, before its headline was known."""
 import pathlib
 import re
 
@@ -9,7 +9,7 @@ from soarbox_command import Run, ScenarioCase
 
 LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
 
-# Lesson, what is replaced in its solution by what, and how the headline begins.
+# Lesson, text in its solution, replacement, and a pattern for the beginning of the headline.
 ANSWERS = [
     (1, "^visible yes", "^visible no", r"It greeted at .* but not within 1 s when a visitor came into view"),
     (1, "(<a> ^name <name> ^visible yes)", "(<a> ^name <name>)\n  -(<a> ^visible yes)", r"It greeted at .* but not within 1 s"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The lessons of docs/lessons run, and show what their pages say: each sentence about what happens has its test."""
+"""The lessons of docs/lessons run as their pages describe: each sentence about the behaviour has a test."""
 import json
 import math
 import pathlib
@@ -314,7 +314,7 @@ class Pages(LessonCase):
 
 
 class OwnWorld(ScenarioCase):
-    """The world that a learner makes, graded by what its checks notice."""
+    """The world that a learner writes. It is graded by the mistakes that its checks detect."""
 
     def setUp(self):
         super().setUp()

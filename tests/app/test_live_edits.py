@@ -25,8 +25,8 @@ class LiveEditCase(ScenarioCase):
     EDITED_AT, GOES_ON = 30, 60
 
     def run_and_edit(self, edit, rules=COUNT, until=bool, goes_on=GOES_ON):
-        """Edits after a second of the world, waits until `until` is true of what the run says about it, lets it go on for so many
-        ticks, and ends it. The world would last four minutes: if nothing is said by then, the run ends all the same."""
+        """Edits after a second of world time, waits until `until` is true for the run's error output, and ends the run `goes_on`
+        ticks later. Without such output the run ends after four minutes of world time."""
         if rules is not None:
             self.write("hero.soar", rules)
             self.write("scenario.toml", WORLD)
@@ -44,7 +44,7 @@ class LiveEditCase(ScenarioCase):
                     elif edited and ends_at is None and until(os.pread(errors.fileno(), 1 << 20, 0).decode(errors="replace")):
                         ends_at = tick + goes_on
                     elif ends_at is not None and tick >= ends_at:
-                        # Once: the second signal would end it in the middle of a word.
+                        # Sends only one signal: a second one would end it in the middle of its output.
                         ends_at = math.inf
                         run.send_signal(signal.SIGINT)
             errors.seek(0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Mistakes in a file of rules that is edited while the world runs: each is reported with its place and a hint, and
-what ran before goes on."""
+the previous version keeps running."""
 import os
 import time
 
@@ -10,7 +10,7 @@ TELL = "sp {hero*tell"
 LOOP = "sp {hero*again (state <s> ^superstate nil ^n <n>) --> (<s> ^n (+ <n> 1))}\n"
 KEEPS = "the previous version keeps running"
 
-# The edit of the text, and the message. The old rules count to the end.
+# The edited text, and parts of the message. The old rules count until the end.
 SLIPS = {
     "a bracket is gone": (COUNT.replace("nil ^heard <n>) --> (write", "nil ^heard <n> --> (write"),
                           ("hero.soar:6:", "found '-->'", "still open", KEEPS)),
@@ -32,7 +32,7 @@ SLIPS = {
                               ("hero.soar:7:5: warning: rule hero*tell replaces the rule of the same name in line 6", "its own name")),
     "it is UTF-16": (COUNT.encode("utf-16"), ("hero.soar", "UTF-16", KEEPS)),
 }
-# These replace the rule that prints: after that there is no output of it.
+# These edits replace the rule that prints, so its output ends.
 REPLACES = ("two rules of one name",)
 
 

@@ -198,7 +198,7 @@ class LuaDebugger(unittest.TestCase):
         self.go("next", walker)
         self.wait_for("output", lambda body: re.search(r"\b4\b", body["output"]))
         self.assertEqual("3", self.value("state.since", self.frames(walker)[0]["id"]))
-        # What was typed is an input: it is there again after a step back.
+        # Typed commands are inputs: they are applied again after a step back.
         self.go("next", walker)
         self.go("stepBack", walker)
         self.assertEqual("3", self.value("state.since", self.frames(walker)[0]["id"]))

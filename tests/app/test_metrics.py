@@ -10,7 +10,7 @@ from mission_case import REPOSITORY, SWEEP, MissionCase
 from soarbox_command import Run
 
 SEED = 5
-# Each metric of docs/missions.md that is a number, in a world in which it is not zero.
+# World, agent and seconds: the numeric metrics of docs/missions.md that are not zero there.
 WORLDS = {
     ("soar_skirmish", "blue-1", 7): ("health", "ammunition", "speed", "distance", "rounds", "damage", "idle", "answered", "repeats",
                                      "decisions", "firings", "elements"),
@@ -22,7 +22,7 @@ WORLDS = {
 
 
 class Recording:
-    """One recorded run, and what can be read in it without a mission."""
+    """One recorded run, and values that can be computed from it without a mission."""
 
     def __init__(self, file, agent, seconds):
         self.file, self.agent, self.seconds = file, agent, seconds
@@ -45,7 +45,7 @@ class Recording:
         return float(told[-1])
 
     def rules(self, command):
-        """Rows of a table of rules: its fields."""
+        """The fields of each row in the output of a command about rules."""
         return [line.split() for line in self.console(command).splitlines()[1:] if line.strip()]
 
     def health(self):

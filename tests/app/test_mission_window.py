@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The panel Mission: checks that tick off in a run and in its recording, and lessons beside their scenes.
+"""The panel Mission: checks in a run and in its recording, and lessons next to their scenes.
 
-SOARBOX_PICTURES=FOLDER keeps pictures of it to look at."""
+SOARBOX_PICTURES=FOLDER stores screenshots there."""
 import json
 import os
 import pathlib

@@ -256,7 +256,7 @@ class Watch(MissionCase):
         # A mission that was not there before is tested, too.
         self.write("second.toml", 'scenario = "scenario.toml"\n' + checks)
         self.wait_for("2 missions, all passed")
-        # A file that was saved during a round may have caused another one.
+        # A file that was saved during a round may have started another round.
         rounds, end = -1, time.monotonic() + 60
         while time.monotonic() < end and (rounds != self.told().count(waiting) or waiting not in self.told().splitlines()[-1]):
             rounds = self.told().count(waiting)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The mistakes of beginners, each with its messages: mistakes/NAME.soar is the mistake, mistakes/NAME.txt what
-`soarbox check` prints, what a run prints on the console, and what the panel Problems shows.
+"""Mistakes of beginners and their messages. mistakes/NAME.soar contains the mistake. mistakes/NAME.txt contains the output
+of `soarbox check`, the console output of a run, and the contents of the panel Problems.
 
-    WRITE_EXPECTED=1 python3 -m unittest test_mistakes      writes the .txt files; read each line before you keep it
+    WRITE_EXPECTED=1 python3 -m unittest test_mistakes      writes the .txt files; check each line before you commit them
 """
 import os
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The packaged Neovim, without a screen, with the lines of docs/editors.md: it shows problems, completes and renames."""
+"""Neovim without a screen, configured as in docs/editors.md: it shows problems, completes and renames."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""What users' own agents need: carrying, giving, goals, remembering things, avoiding an agent."""
+"""Features that users' own agents need: carrying, giving, goals, remembering things, avoiding an agent."""
 import json
 import math
 
@@ -31,7 +31,7 @@ sp {{hero*tell*{n} (state <s> ^step {n} ^said.reason <reason>) --> (write |{n} b
 
 
 def script(*commands):
-    """Rules that give these commands one after the other, and print their answers."""
+    """Rules that give these commands one after the other, and print the status of each."""
     return BEGIN + "".join(STEP.format(n=n, next=n + 1, command=command, parameters=parameters)
                            for n, (command, parameters) in enumerate(commands, 1))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The options that README and docs/ show are those of the command. tests/docs runs the examples of the pages."""
+"""The options in README and docs/ exist in the command. tests/docs runs the examples of the pages."""
 import pathlib
 import re
 
@@ -11,7 +11,7 @@ FORM = re.compile(r"[A-Z]{2,}|\[|\||\b[NX]\b|, [a-z]+ |\.\.\.")
 
 
 def printed_lines():
-    """(place, words) of each `soarbox` line, without its comment."""
+    """(page:line, command line without its comment) of each `soarbox` line."""
     for page in PAGES:
         for number, text in enumerate(page.read_text().splitlines(), 1):
             found = re.match(r"^(?:    )?(?:\./dev )?(?:soarbox (?=[a-z])|(?=run\b))(.+)$", text) if re.match(r" *(\./dev|soarbox) ", text) else None
@@ -20,7 +20,7 @@ def printed_lines():
 
 
 def is_form(words):
-    """Whether it contains a placeholder."""
+    """Whether a command line contains a placeholder."""
     return FORM.search(words) is not None
 
 

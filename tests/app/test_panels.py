@@ -296,7 +296,7 @@ class Panels(WindowUser):
             """, code=1, record=f"--record={self.folder / 'filled.soarrec'}")
         for name in ("first.png", "second.png", "third.png", "fourth.png"):
             picture = Picture(self.folder / name)
-            # Left, right and bottom panels below their tabs: neither blank nor of few colours only.
+            # The left, right and bottom panels below their tabs are not blank and have many colours.
             for left, top, right, bottom in ((10, 110, 260, 400), (930, 130, 1270, 400), (290, 530, 900, 680)):
                 colours = {picture.at(x, y) for x in range(left, right, 3) for y in range(top, bottom, 3)}
                 self.assertGreater(len(colours), 12, (name, left, top))

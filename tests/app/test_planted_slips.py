@@ -2,7 +2,7 @@
 """Removes single letters in complete programs, and counts how many of these slips `soarbox check` reports.
 
 The programs are the solutions of the lessons and the rules of scenarios in which `check` finds nothing. Each loses one
-letter of one variable, or of one attribute, at places that a fixed seed draws.
+letter of one variable or one attribute, at positions that are drawn with a fixed seed.
 """
 import pathlib
 import random

@@ -56,7 +56,7 @@ class Check(Programs):
             for named in (rules, self.folder / "world"):
                 run = Run("check", named, code=1)
                 self.assertNotIn("4711", run.out)
-        # A file above that sources the scenario's rules gives them no rights.
+        # A file in the parent folder that sources the scenario's rules gives them no additional permissions.
         self.write("top.soar", "source world/hero.soar\n")
         self.assertNotIn("4711", Run("check", self.folder / "world/hero.soar", code=1).out)
 
@@ -66,7 +66,7 @@ class Check(Programs):
         told = self.check("one.soar")
         self.assertEqual([("top.soar", 2)], [(file.split("/")[-1], line) for file, line, _ in told], told)
         self.assertIn("walk", told[0][2])
-        # The same of that file alone.
+        # The same result if only that file is checked.
         self.assertEqual([told[0][1:]], [one[1:] for one in self.check("top.soar")])
 
     def test_what_another_file_completes_is_no_slip(self):
@@ -110,7 +110,7 @@ class Check(Programs):
         self.assertEqual([(self.folder / "part0/f11.soar").as_uri()],
                          [one["uri"] for one in editor.ask("textDocument/definition", place)])
         self.assertEqual(2, len(editor.ask("textDocument/rename", dict(place, newName="other"))["changes"]))
-        # A slip is found among all of them.
+        # A slip is found although there are many files.
         end = {"line": 2, "character": 0}
         editor.change(uri, {"range": {"start": end, "end": end}, "text": propose("nobody")})
         told = editor.wait_for(uri, lambda found: found)

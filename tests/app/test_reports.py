@@ -15,7 +15,7 @@ from soarbox_command import Run, page_missing
 
 
 def data_of(page):
-    """What a page holds: its runs, or its sweep."""
+    """The data in a page: its runs, or its sweep."""
     return json.loads(re.search(r'<script type="application/json" id="data"[^>]*>(.*?)</script>', page.read_text(encoding="utf-8"), re.S)[1])
 
 
@@ -59,7 +59,7 @@ class Reports(MissionCase):
         self.assertEqual(Run("report", recording, "-o", page).code, 0)
         text = page.read_text(encoding="utf-8")
         notices = re.search(r'<footer class="licences">.*?</footer>', text, re.S)[0]
-        # By their own words in the scripts of the page.
+        # Recognises the libraries by texts in the scripts of the page.
         self.assertIn("THREE.", text)
         for words in ("the Soarbox authors", "three.js authors", "Leon Sorokin", "Permission is hereby granted", "uplot "):
             self.assertIn(words, notices)
@@ -125,7 +125,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         data = data_of(page)[0]
         self.assertTrue(data["same"])
         self.assertEqual(len(data["agents"]), 10)
-        # The omitted events could not be seen, are reported, and are spread over the hour.
+        # Only events that could not be seen are omitted. The page reports this, and the remaining events cover the entire hour.
         told = next(line for line in data["thinned"] if "events, commands and prints" in line)
         said = int(re.search(r"Of (\d+) events", told)[1])
         self.assertGreater(said, 9 * 3600 * 3)
@@ -134,7 +134,7 @@ function Sandbox_Update(sandbox, deltaTimeInMillis) end
         self.assertGreater(len(prints), 5000)
         for begin in range(0, 3600, 300):
             self.assertGreater(sum(begin <= event["t"] < begin + 300 for event in prints), len(prints) / 24)
-        # Ways are as exact as before, to the end.
+        # Paths are complete and as exact as before.
         csv_file = self.folder / "end.csv"
         self.assertEqual(Run("export", recording, "--csv", "--from", "3599.99", "-o", csv_file).code, 0)
         with open(csv_file, newline="", encoding="utf-8") as file:

@@ -36,7 +36,7 @@ class Search(MissionCase):
         self.assertEqual(err.count("0 runs made"), 3, err)
 
     def python_with(self, module):
-        """This interpreter, or the system's, whichever has the module."""
+        """An interpreter that has this module: the current one, or the system's."""
         for python in (sys.executable, "/usr/bin/python3"):
             if pathlib.Path(python).exists() and subprocess.run([python, "-c", f"import {module}"], capture_output=True, check=False).returncode == 0:
                 return python
@@ -89,7 +89,7 @@ parameters = { "agent.scout.speed" = { from = 1.0, to = 5.0 }, "agent.scout.sens
         self.assertEqual(parts("agent.scout.speed", lambda value: int((value - 1) / 4 * 8)), list(range(8)))
         self.assertEqual(parts("agent.scout.senses.sight", int), list(range(10, 18)))
         self.assertEqual(parts("agent.scout.senses.noise", lambda value: int((math.log10(value) + 2) / 2 * 8)), list(range(8)))
-        # The same file makes the same variants, elsewhere, too.
+        # The same file gives the same variants in another folder.
         Run("sweep", self.folder / "latin.toml", "--folder", self.folder / "again", code=0)
         self.assertEqual([row["state_hash"] for row in self.rows("again")], [row["state_hash"] for row in rows])
         # More random variants do not change the first ones.

@@ -29,8 +29,8 @@ def missing():
 
 
 class SlurmCase(unittest.TestCase):
-    """A Slurm that lives as long as a test. Several nodes are daemons of one host."""
-    nodes = None  # Their names; None: one, named like the host.
+    """Starts a Slurm for each test. Each node is a daemon on this host."""
+    nodes = None  # The names of the nodes; None: one node, named like the host.
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(dir="/tmp")
@@ -225,7 +225,7 @@ class OnSlurm(SlurmCase):
 
     def test_what_a_task_needs_is_passed_on(self):
         there, kept = self.folder / "there", self.folder / "comment"
-        # The last of two equal options counts, so this one shows that it came to Slurm.
+        # Slurm uses the last of two equal options, so the output file shows that this one was passed on.
         run = Run("sweep", self.sweep_of("1..2"), "--folder", there, "--on", "slurm", "--cpus-per-task", "1", "--mem", "200M",
                   "--time", "5", f"--sbatch=--output={kept}", code=0)
         self.assertTrue(kept.is_file(), run.err)
@@ -256,7 +256,7 @@ class OnTwoNodes(SlurmCase):
     nodes = ("one", "two")
 
     def processes_of(self, node):
-        """The processes of this node besides its daemon: steps and tasks."""
+        """The processes of this node except its daemon: steps and tasks."""
         found = []
         for entry in pathlib.Path("/proc").glob("[0-9]*"):
             try:

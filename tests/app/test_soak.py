@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The short form of soak.py, for every submission: the first scenario of the README, a crowd and a fight in a window at full
-speed, past the time in which the panels fill, and their recordings replayed. Memory and what is drawn must not grow; times,
-which depend on what else the machine does, are compared by `./dev soak` alone."""
+"""The short form of soak.py, for every submission: the first scenario of the README, a crowd and a fight run in a window at
+full speed until the panels are full, and their recordings are replayed. Memory and the number of drawn corners must not
+grow. Only `./dev soak` compares times, because they depend on the load of the machine."""
 import pathlib
 import tempfile
 import unittest

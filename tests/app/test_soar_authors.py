@@ -36,7 +36,7 @@ sp {scout*apply*move-to
 }
 """ + FORGET
 
-# Says each command of a list once, at the start; `{commands}`: right-hand side actions on <out>.
+# Gives these commands once, at the start. `{commands}`: right-hand side actions on <out>.
 ONCE = """
 sp {{once*propose
    (state <s> ^superstate nil -^said)

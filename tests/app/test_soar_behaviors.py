@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The behaviours of the Soar agents in scenarios/soar_*: what a viewer would see, over ten seeds."""
+"""The visible behaviour of the Soar agents in scenarios/soar_*, for ten seeds."""
 import collections
 import json
 import math
@@ -140,7 +140,7 @@ class Skirmish(Behavior):
 
 
 class Imagery(Behavior):
-    """soar_hide: what the hider imagines, and what can be seen of it."""
+    """soar_hide: the scene that the hider imagines, and its display."""
 
     def view(self, *arguments):
         run = Run("inspect", "soar_hide", "--agent", "hider", "--view", *arguments, code=0)
@@ -195,7 +195,7 @@ class Imagery(Behavior):
 
 
 class Crates(Behavior):
-    """soar_crates: a crate that is too wide for the door cannot pass it, whatever a porter believes."""
+    """soar_crates: a crate that is too wide for the door cannot pass it, even if a porter believes that it fits."""
 
     RULES = REPOSITORY / "scenarios" / "soar_crates" / "by_percepts.soar"
 
@@ -245,7 +245,7 @@ class ImageryExample(unittest.TestCase):
             self.assertEqual(run.diagnostics(), [])
             seen = Run("inspect", folder, "--at", 15, "--view", "imagery", "--json", code=0)
             nodes = {node["name"]: node["at"] for node in json.loads(seen.out)["scenes"][0]["nodes"]}
-            # Half the barn, the gap, half the lamp; it drops the lamp before its feet.
+            # Half the width of the barn, the gap, and half the lamp; the lamp falls in front of the agent.
             self.assertLess(flat(nodes["lamp"], (8 - 2 - 1 - 0.2, 0, 6)), 0.9)
 
 

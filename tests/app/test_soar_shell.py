@@ -58,7 +58,7 @@ class SoarShell(ScenarioCase):
             with self.subTest(line=line[:40]):
                 done = shell(line + "\necho still here\n")
                 self.assertIn(done.returncode, (0, 1), done.stderr[-500:])
-                if "{" not in line:  # An open brace takes the next line with it.
+                if "{" not in line:  # After an open brace, the next line belongs to the same command.
                     self.assertIn("still here", done.stdout[-200:])
 
 
@@ -120,7 +120,7 @@ class SceneViewers(unittest.TestCase):
 
     def test_where_nobody_listens_is_told(self):
         with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))  # Taken, but nobody listens.
+            free.bind(("127.0.0.1", 0))  # The port is in use, but no program listens.
             nobody = free.getsockname()[1]
             for where, told in ((nobody, "Start the viewer first"), (0, "a port is a number from 1 to 65535"),
                                 (70000, "a port is a number from 1 to 65535"), ("/no/such/socket", "Start the viewer first"),

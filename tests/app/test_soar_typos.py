@@ -242,7 +242,7 @@ SLIPS = {
     "a number between quotes": ("> 10", "> \"10\"", 3, "found '\"10\"'", "without quotes: 10"),
 }
 
-# An escaped bar, an arrow, and a line between bars that begins with a brace.
+# Between bars: an escaped bar, an arrow, and a line that begins with a brace.
 LEGAL = r"""sp {a*make
    (state <s> ^superstate nil)
 -->
@@ -338,7 +338,7 @@ sp {hero*apply*end
 }
 """
 
-# One rule with conditions that multiply.
+# A rule with conditions that match in all combinations.
 TOWER = ("multi-attributes disk 6\nsp {done\n   (state <s> ^holds" + "".join(f" <h{n}>" for n in range(1, 7)) + ")\n"
          + "".join(f"   (<h{n}> ^disk <d{n}>)\n" for n in range(1, 7)) + "".join(f"   (<d{n}> ^name {n})\n" for n in range(1, 7))
          + "-->\n   (<s> ^done yes)\n}\n"
@@ -398,14 +398,14 @@ sp {play*apply*slide
         file = self.write("legal.soar", LEGAL)
         run = Run("check", file, "--json")
         self.assertEqual((run.code, run.out), (0, ""))
-        # A slip after such words is found, and by its right name.
+        # A slip after such words is found, with the correct name.
         run = Run("check", self.write("legal.soar", LEGAL.replace("(<o> ^name go ^open |\n} y| ^sign |-->|)\n-->", "(<o> ^name og ^open |\n} y| ^sign |-->|)\n-->")), "--json")
         told = [json.loads(line)["message"] for line in run.out.splitlines()]
         self.assertEqual(sorted(told), ["rule a*apply waits for the operator og, which no rule proposes",
                                         "rule a*propose proposes the operator go, which no rule applies"])
 
     def test_traps_that_a_kernel_sees_in_good_rules_are_told_before_and_in_a_run(self):
-        """Conditions that multiply, and a number that falls between two proposals."""
+        """Conditions that match in all combinations, and a number that no proposal accepts."""
         gap = GOOD + GOOD.split("sp {hero*apply")[0].replace("propose*go", "propose*rest").replace("> 10", "< 10")
         for name, rules, line, message in (("tower", TOWER, 2, "tests ^holds 6 times"), ("gap", gap, 14, "exactly 10")):
             file = self.write(name + ".soar", rules)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Sweeps in which a variant's minds run in a kernel in another process."""
+"""Sweeps with a variant that runs its minds in a kernel in another process."""
 import csv
 import json
 import os

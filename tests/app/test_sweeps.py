@@ -162,7 +162,7 @@ class Sweeps(MissionCase):
         spec = self.write("sweep.toml", SWEEP.replace("1..6", "1..2") + '[[variant]]\nname = "bold"\nrules = { "scout" = "bold.soar" }\n')
         self.assertEqual(Run("sweep", spec).code, 0)
         kept = spec.read_text(encoding="utf-8")
-        # A check, a metric or the rules of a variant: the existing rows were made with others.
+        # A changed check, metric or setting: the existing rows were made with the previous one.
         for old, new in (('at = "gate"', 'at = "gate"\nby = 3'), ('time_of = "there"', 'max = "distance"'), ("seconds = 8", "seconds = 7")):
             self.write("sweep.toml", kept.replace(old, new))
             run = Run("sweep", spec, code=3)
@@ -238,7 +238,7 @@ class Sweeps(MissionCase):
     @unittest.skipIf(shutil.which("sbatch"), "Slurm is installed")
     def test_a_sweep_keeps_others_out_of_its_folder(self):
         self.mission("")
-        # A run that lasts until it is ended, on any machine.
+        # The run is so long that it lasts until it is interrupted, on any machine.
         spec = self.write("sweep.toml", SWEEP.replace("seconds = 8", "seconds = 1000000"))
         first = self.begin(spec, "--jobs", "1")
         lock = spec.with_suffix(".sweep") / "lock"
@@ -254,7 +254,7 @@ class Sweeps(MissionCase):
         first = self.begin(spec, "--jobs", "1")
         parts = spec.with_suffix(".sweep") / "parts"
         wait_until(lambda: first.poll() is not None or list(parts.glob("*.rows")))
-        # It may have finished all of them: then the second has nothing to do.
+        # The first sweep may have finished all runs. Then the second one has nothing to do.
         first.send_signal(signal.SIGINT)
         self.assertIn(first.wait(60), (0, 130))
         self.assertEqual(Run("sweep", spec).code, 0)

@@ -35,7 +35,7 @@ sp {hero*apply*plan
 }
 """
 
-# Name of the slip: the rules with it, the message, and the same rules without it.
+# Name of the slip: rules with it, its message, and the same rules without it.
 SLIPS = {
     "a rule makes what it tests as absent": (
         "sp {hero*safe (state <s> ^superstate nil -^safe) --> (<s> ^safe yes)}\n"

@@ -49,12 +49,12 @@ class Watch(Case):
             watch.wait_for(is_command_of("counter", 1))
             client.line("counter", "run 4")
             watch.wait_for(is_command_of("counter", 5))
-            # An agent that comes later.
+            # An agent that is created later.
             self.begin(client, "late")
             client.line("late", "run --self 3")
             watch.wait_for(is_command_of("late", 1))
         kernel.interrupt()
-        # What it saw stays; it ends with the kernel.
+        # `soarbox watch` ends together with the kernel.
         self.assertEqual(watch.process.wait(60), 0)
 
     def test_files_are_followed_as_the_client_loaded_them(self):
@@ -102,7 +102,7 @@ class Watch(Case):
             self.begin(client, "late")
             client.line("late", "run --self 3")
             watch.wait_for(is_command_of("late", 1))
-            # Whoever only looks changes nothing.
+            # The end of `soarbox watch` does not change the agent.
             watch.interrupt()
             self.assertIn("^count 6", client.line("counter", "print S1"))
         kernel.interrupt()

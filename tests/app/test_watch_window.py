@@ -31,7 +31,7 @@ class WatchInWindow(WindowUser):
         return self.client.line("counter", line)
 
     def when_memory_holds(self, words, then):
-        """On another thread, acts as soon as the kernel's agent has this on its input link."""
+        """Calls `then`, on another thread, as soon as the input link of the kernel's agent contains these words."""
         def wait():
             until = time.monotonic() + 250
             while words not in self.line("print I2"):

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The answers to *why*, situation by situation: tests/why contains an agent for each, with the expected sentences.
+"""The answers to *why* in many situations. tests/why contains an agent for each situation, with the expected sentences.
 
-Each situation is looked at in four ways: in the run itself, in a recording that is simulated again, in what that recording
-holds, and with a mind in a kernel elsewhere. The comments of an agent say what is expected:
+Each situation is inspected in four ways: in the run itself (live), in a recording that is simulated again (again), from
+the recorded data alone (recorded), and with a mind in a kernel in another process (elsewhere). Comments in the file of an
+agent contain the expectations:
 
-    # at 2                       the moment, in seconds (1 unless it says so)
-    # operators: TEXT            TEXT is in this view of `soarbox inspect`, however it is looked at
-    # why go: TEXT               likewise; the view may be followed by a name
-    # why go: not TEXT           TEXT is not
-    # recorded operators: TEXT   only in that way: live, again, recorded, elsewhere
-    # asked why: TEXT            only where there is a mind that can be asked: live, again, elsewhere
+    # at 2                       the moment, in seconds (default: 1)
+    # operators: TEXT            this view of `soarbox inspect` contains TEXT, in all four ways
+    # why go: TEXT               the same for a view with an argument
+    # why go: not TEXT           the view does not contain TEXT
+    # recorded operators: TEXT   only in this way: live, again, recorded or elsewhere
+    # asked why: TEXT            only in the three ways in which there is a mind: live, again, elsewhere
 """
 import os
 import pathlib
@@ -111,7 +112,7 @@ class Why(ScenarioCase):
             self.write("scenario.toml", WORLD)
             recording = self.folder / (situation.name + ".soarrec")
             made = Run("run", self.folder, "--headless", "--seconds", situation.at, "--record", recording)
-            self.assertIn(made.code, (0, 1), made.err)  # 1: rules that did not parse.
+            self.assertIn(made.code, (0, 1), made.err)  # Exit code 1: some rules did not parse.
             for way in WAYS:
                 for view in situation.views(way):
                     shown = self.look(situation, way, view, recording)

@@ -11,7 +11,7 @@ WIDTH, HEIGHT = 1280, 720
 
 
 def is_far(r, g, b):
-    """Sky, or hills in the haze before it."""
+    """Whether a pixel shows the sky or distant hills in the haze."""
     return b > 110 and max(r, g, b) - min(r, g, b) < 70
 
 
@@ -40,7 +40,7 @@ class Window(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         path = new_folder(cls) / "picture.png"
-        # Soon after the beginning the window still shows all agents, as it opened on them.
+        # Soon after the beginning all agents are still in the picture, because the first view shows all of them.
         cls.done = subprocess.run(
             [COMMAND, "run", "thesis", "--screenshot", str(path), "--at", "2"],
             capture_output=True, text=True, timeout=240, check=False, env=environment(WIDTH, HEIGHT))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""How many clicks a task takes: the table of docs/window.md, played with real events and counted."""
+"""The numbers of clicks in the table of docs/window.md: each task is played with real events, and the clicks are counted."""
 import pathlib
 import re
 import unittest
@@ -10,8 +10,8 @@ from window_user import WindowUser
 PAGE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "window.md"
 CLICKS = ("click", "click-agent", "click-at", "double-click", "right-click", "drag", "type", "key")
 
-# The actions of a user in one window, in order: the task of the table (None: an action between two tasks), and the session.
-# Further indented lines are not part of the task: they check its result.
+# The actions of a user in one window, in order: (task in the table, its session). None: actions between two tasks.
+# Lines with a deeper indentation are not part of the task, but check its result.
 STORY = (
     (None, """
         until 0.5
@@ -268,14 +268,14 @@ STORY = (
 
 
 def table():
-    """Task to number, as the page has it."""
+    """The number of clicks of each task in the page's table."""
     part = PAGE.read_text(encoding="utf-8").split("### How many clicks", 1)[1].split("\n## ", 1)[0].split("\n### ", 1)[0]
     rows = re.findall(r"^\| (.+?) \| .+ \| (\d+) \|$", part, flags=re.MULTILINE)
     return {task: int(number) for task, number in rows}
 
 
 def count(session):
-    """Clicks and texts of a task; Enter belongs to the text that it ends."""
+    """The number of clicks and typed texts of a task. A text and the Enter after it count once."""
     total, before = 0, ""
     lines = [line for line in session.splitlines() if line.strip()]
     margin = min(len(line) - len(line.lstrip()) for line in lines)

@@ -26,7 +26,7 @@ TYPE_INTO_EDIT = """
 
 @unittest.skipUnless(can_draw(), "no virtual display at hand")
 class TypedText(WindowUser):
-    """Closing asks, drafts come back, every change can be undone."""
+    """Closing the window asks first, drafts are restored, and each change can be undone."""
 
     def test_closing_asks_and_what_was_typed_comes_back_as_a_draft(self):
         self.play(TYPE_INTO_EDIT + """

@@ -16,7 +16,7 @@ from soarbox_command import COMMAND, free_port, run_json
 from test_soar_typos import TOWER
 
 
-# One small decision and one command with a parameter for each new reading; finished commands are removed.
+# Makes one small decision and gives one command with a parameter for each new reading. Finished commands are removed.
 SEEKER_RULES = """
 sp {propose*advance (state <s> ^superstate nil ^io.input-link.range { <r> >= 12.0 })
    --> (<s> ^operator <o> + =) (<o> ^name advance ^speed <r>)}
@@ -32,7 +32,7 @@ sp {apply*drop (state <s> ^operator.name ^io.output-link <out>) (<out> ^<name> <
 
 
 class Process:
-    """A soarbox command that is still running; its lines are read as they come."""
+    """A running soarbox command. Its output is read line by line."""
 
     def __init__(self, *arguments, environment=None):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"} | (environment or {})
@@ -47,7 +47,7 @@ class Process:
             self.lines.append(line)
 
     def wait_for(self, wanted, limit_s=60.0):
-        """The first line that the predicate accepts."""
+        """Waits for the first line that the predicate accepts, and returns it."""
         until = time.monotonic() + limit_s
         seen = 0
         while time.monotonic() < until:
@@ -271,7 +271,7 @@ class RemoteMinds(Case):
                          "--report", 0.5, "--kernel", f"127.0.0.1:{port}", "--kernel-limit", 0.5)
         run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > 3)
         kernel.process.send_signal(signal.SIGSTOP)
-        # The kernel is silent until all this has happened: the world waits for it no longer than the limit.
+        # The kernel is stopped meanwhile. The world waits for it no longer than the limit.
         lost = json.loads(run.wait_for(is_event("lost")))
         run.wait_for(lambda line: '"state"' in line and json.loads(line)["time"] > lost["time"] + 6)
         kernel.process.send_signal(signal.SIGCONT)
@@ -354,7 +354,7 @@ class Watched(Case):
             self.assertEqual(len(client.agents()), 5)
 
     def step(self, client, agent):
-        """One decision; the command may come while the world runs the agent, and is then refused, as Soar does."""
+        """Runs one decision. While the world runs the agent, the command is refused, as in Soar; then it is sent again."""
         for _ in range(50):
             try:
                 return client.line(agent, "run -d 1 --self")

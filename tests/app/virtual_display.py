@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Virtual displays for the tests of the window: one of each size, from its first use to the end of the tests."""
+"""Virtual displays for tests of the window. One of each size is started at its first use, and runs until the tests end."""
 import atexit
 import functools
 import os
@@ -13,7 +13,7 @@ def can_draw():
 
 @functools.lru_cache(maxsize=None)
 def display(width, height):
-    """Starts a virtual display and returns its name, such as ":99"; it picks a number that is free."""
+    """Starts a virtual display with a free number and returns its name, such as ":99"."""
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
                                "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -32,7 +32,7 @@ def display(width, height):
 
 
 def environment(width, height):
-    """Environment variables for a program that opens its window on a virtual display of this size."""
+    """Environment variables with which a program opens its window on a virtual display of this size."""
     changed = {name: value for name, value in os.environ.items() if name not in ("WAYLAND_DISPLAY", "XAUTHORITY")}
     changed["DISPLAY"] = display(width, height)
     return changed

@@ -106,7 +106,7 @@ sp {idler*apply*flee
 
 
 class WindowUser(unittest.TestCase):
-    """Plays a user of the window. The window's state between runs is in a folder of the test."""
+    """Plays a user of the window. The window stores its state between runs in a folder of the test."""
 
     def setUp(self):
         self.folder = new_folder(self)
@@ -126,7 +126,7 @@ class WindowUser(unittest.TestCase):
                 "--detail", "low"]
 
     def play(self, script, *arguments, size=(1280, 720), code=0, record="--no-record"):
-        """Plays a user and expects success; code 1: the run reported a problem."""
+        """Plays a user and expects this exit code. 0: success; 1: the run reported a problem."""
         return self.played(script, "run", str(self.folder), record, "--port", "0", *arguments, size=size, code=code)
 
     def played(self, script, *command, size=(1280, 720), code=0):
