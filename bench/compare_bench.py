@@ -4,20 +4,20 @@
 
 usage: compare_bench.py FOLDER [options]
 
-FOLDER holds run_bench and io_loop, built against the library to be measured.
+FOLDER contains run_bench and io_loop, built against the library to be measured.
 
   --instructions     count instructions with valgrind (callgrind) instead of taking
                      wall times: slow, but comparable between machines
-  --only NAME,...    these agents only (io_loop for all of its rows)
-  --repeat N         wall times are the least of N runs (3)
-  --work FOLDER      where generated agents and profiles go (a temporary folder)
-  --baseline FILE    what to compare with (baseline.json beside this script)
-  --write FILE       also add what was measured to FILE, in the form of the baseline
+  --only NAME,...    only these agents (io_loop selects all of its rows)
+  --repeat N         wall times are the minimum of N runs (default: 3)
+  --work FOLDER      folder for generated agents and profiles (default: a temporary folder)
+  --baseline FILE    the baseline (default: baseline.json next to this script)
+  --write FILE       also add the measurements to FILE, in the format of the baseline
   --keep-profiles    leave the callgrind profiles in the folder given with --work
 
-An agent that fails is shown with the reason and left out of the means, and so is
-one that made another number of decisions than the baseline did: what it did was
-not the same work.
+An agent that fails is shown with the reason and not included in the means. The same
+holds for an agent with another number of decisions than in the baseline, because it
+has not done the same work.
 """
 import argparse
 import json
@@ -54,15 +54,15 @@ def execute(command, limit):
 
 
 def callgrind(command, profile, limit):
-    """Instructions inside bench_load, bench_run and bench_init, and the driver's own line."""
+    """Instructions inside bench_load, bench_run and bench_init, and the driver's line of output."""
     wrapped = ["valgrind", "--tool=callgrind", "--collect-atstart=no", "--toggle-collect=bench_load*",
                "--toggle-collect=bench_run*", "--toggle-collect=bench_init*",
                f"--callgrind-out-file={profile}"] + command
     result, error, _ = execute(wrapped, limit)
     if error:
         return None, error
-    # Counted is what happens inside these functions; the calls of bench_run and of
-    # bench_init carry their inclusive costs, and the rest is the loading.
+    # Only instructions inside these functions are counted. The calls of bench_run and
+    # bench_init have their inclusive costs; the rest is the cost of loading.
     total, inclusive, names, called = 0, {}, {}, None
     with open(profile, encoding="utf-8", errors="replace") as lines:
         for line in lines:

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Count what a tick of the crowds executes, by part, with valgrind (callgrind).
+"""Count the instructions of a tick of the crowds, by part, with valgrind (callgrind).
 
 usage: count_ticks.py WORLD_TICKS [AGENTS...]      default: 1 10 100 1000
 
-Prints one line of JSON per crowd: instructions per tick in all, of the minds (perceive, decide,
-hear how commands went), of the scripts (what updates agents, steering included), of the physics
-and of the rest. The first tick, which builds what lasts, is left out.
-One thread, so that the counts hold whatever else the machine does.
+Prints one line of JSON per crowd: instructions per tick in total, of the minds (percepts, decisions,
+results of commands), of the scripts (updates of agents, including steering), of the physics and of
+the rest. The first tick is left out, because it creates data that is used later. Uses one thread,
+so that the counts do not depend on the load of the machine.
 """
 import json
 import re
@@ -24,7 +24,7 @@ PARTS = {
 
 
 def seconds_for(agents):
-    """Simulated: thousands of updates, but no more than a few ticks of a large crowd."""
+    """Simulated seconds: thousands of updates of agents, but only a few ticks of a large crowd."""
     return min(10.0, max(0.35, 100 / agents))
 
 

@@ -5,8 +5,8 @@
 usage: generate.py FOLDER [NAME ...]
 
 NAME is one of many-rules, load, smem-lookup, learners-311, learners-3011; all of them
-by default. The output depends on nothing but this script and the agents beside it: no
-random numbers, no clock.
+by default. The output depends only on this script and the agents next to it, not on
+random numbers or the clock.
 """
 import pathlib
 import sys
@@ -85,7 +85,7 @@ def many_rules(out):
 -->
    (<s> ^situation sit-{k % 200})""")
 
-    # Missions: one is always there, the others come and go with slow sensors.
+    # Missions: one is always proposed, the others depend on slow sensors.
     for m in range(MISSIONS):
         if m == 0:
             condition = ""
@@ -171,7 +171,7 @@ def many_rules(out):
 -->
    (<top> ^clock <t> - (+ <t> 1))""")
 
-    # Monitors fill up to 8,000: alarms of a mission, by situation, band and step.
+    # Monitors, up to 8,000 rules in total: alarms of a mission, by situation, band and step.
     k = 0
     while len(rules) < 8000:
         m = k % MISSIONS

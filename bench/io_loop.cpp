@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
 // The loop of a program that hosts many agents: change one input value of each,
-// run it till it acts, take the command and mark it complete.
+// run it until it acts, read the command and mark it complete.
 //
 //   io_loop N TICKS MODE [AGENT.soar]
 //
-// MODE  self        run every agent by itself, kernel in this thread
+// MODE  self        run each agent separately, kernel in this thread
 //       all         change all inputs, then run all agents together
-//       new-thread  as self, kernel in a thread of its own
+//       new-thread  like self, but with the kernel in a separate thread
 //
-// AGENT.soar defaults to agents/io-seeker.soar beside the program or in the
+// AGENT.soar defaults to agents/io-seeker.soar next to the program or in the
 // working directory. Prints one line of JSON. One tick runs before the measured
 // ones, so that set-up is not counted.
 

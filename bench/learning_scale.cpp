@@ -6,7 +6,7 @@
 //   learning_scale agents/learning-scale.soar
 //
 // Only the public SML client interface is used, so the same source builds against any library that offers it. The
-// phases are functions with C names, so that an instruction-counting profiler can be told to count inside one of them.
+// phases are functions with C names, so that an instruction-counting profiler can be restricted to one of them.
 
 #include <cstdio>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 //
 // Cost of recording a run, at each level: per tick, and on disk.
 //
-//   recording_cost [SCENARIO [SECONDS]]     all levels; two runs side by side, one recorded, tick by tick in turns:
+//   recording_cost [SCENARIO [SECONDS]]     all levels; runs a recorded and an unrecorded world in alternating ticks:
 //                                           processor time of the world's thread per tick, and
 //                                           bytes per agent and simulated second
 //   recording_cost count LEVEL SCENARIO SECONDS [WARM]
@@ -10,7 +10,7 @@
 //                                           MeasuredTicks; LEVEL is off, world, decisions or all; WARM seconds before
 //                                           are not counted
 //   recording_cost seek [SCENARIO [SECONDS]]
-//                                           records, then goes to places of the file: how long that takes
+//                                           records, and measures how long going to ticks of the file takes
 //
 // Prints lines of JSON. Minds decide on one thread.
 
@@ -150,7 +150,7 @@ int Seek(const std::string& scenario, double seconds, const fs::path& file) {
   begin = Clock::now();
   if (const auto inputs = reader.Inputs(); !inputs) return Fail(inputs.error());
   const double inputs_ms = since(begin);
-  // Far apart, so that each place is in another block.
+  // The ticks are far apart, so that each one is in another block.
   double slowest_ms = 0, all_ms = 0;
   constexpr int kPlaces = 200;
   for (std::uint64_t i = 0; i < kPlaces; ++i) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Memory of rules: how much more the first agent with them takes than an agent without rules, and how much each further
-// agent with the same rules takes, because agents share them.
+// Memory of rules: the additional memory of the first agent with these rules, compared with an agent without rules, and
+// the memory of each further agent with the same rules, which agents share.
 //
-//   rule_memory FILE.soar [AGENTS]     AGENTS with the rules are made (default 11)
+//   rule_memory FILE.soar [AGENTS]     creates this number of agents with the rules (default 11)
 //
 // Prints one line of JSON. Counts the memory that the C library's allocator has returned.
 

@@ -5,12 +5,12 @@
 //   run_bench AGENT.soar [DECISIONS [ROUNDS]]
 //
 // Without DECISIONS, or with 0, the agent runs until it halts. With ROUNDS it is
-// initialised (init-soar) afterwards and run again, that many runs in all; the figures
-// are then those of all runs and initialisations together. Only the public SML client
+// initialised (init-soar) afterwards and run again, for this total number of runs. The
+// figures are then the sums of all runs and initialisations. Only the public SML client
 // interface is used, so the same source builds against any library that offers it.
 //
-// The phases are functions of their own, with C names, so that an
-// instruction-counting profiler can be told to count inside any of them only.
+// The phases are separate functions with C names, so that an instruction-counting
+// profiler can be restricted to one of them.
 
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Makes src/lesson/maps.json: how each world and lesson looks from above in its first tick, for the cards of the start page.
+"""Writes src/lesson/maps.json: a map of each world and lesson in its first tick, for the cards of the start page.
 
     SOARBOX=../build/release/bin/soarbox python3 make_maps.py [NAME...]
 
@@ -57,7 +57,7 @@ def map_of(run):
         return {"things": [], "agents": []}
     side = max(max(xs) - min(xs), max(zs) - min(zs)) * 1.12 + 4
     left, top = (max(xs) + min(xs) - side) / 2, (max(zs) + min(zs) - side) / 2
-    # What there is many times in one size are tiles of the ground.
+    # Many objects with the same size are tiles of the ground.
     sizes = collections.Counter((one["w"], one["d"]) for one in things)
     things = [one for one in things if sizes[one["w"], one["d"]] <= MOST_ALIKE]
     things.sort(key=lambda one: -one["w"] * one["d"])

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""No class of the source has more than fifteen public functions, except those that did when this check was introduced.
+"""Checks that no class has more than fifteen public functions, except classes that had more when this check was introduced.
 
 usage: check_classes.py SOURCE_DIR [--list]
 
-Functions are counted by name: overloads once, constructors, destructors and operators not at all. The client API
-(src/sml/client/sml_*.h) has the functions that Soar's has. ALLOWED says how many each of the old classes may have, and
-only ever shrinks: write the smaller number, which is printed, into it. Exit status 1 names each offence.
+Functions are counted by name: overloads once; constructors, destructors and operators are not counted. The client API
+(src/sml/client/sml_*.h) is not checked, because its functions are those of Soar. ALLOWED contains the limits of the old
+classes. A limit must not grow: if a class has become smaller, the check prints the new limit for this table. The exit
+status is 1 if a class is too large; each is printed.
 """
 import pathlib
 import re
@@ -109,7 +110,7 @@ def functions_of(body, name, is_public):
                     and not re.match(r"\s*(using|friend|typedef|enum|static_assert)\b", statement):
                 names.add(found[1])
             at = end_of(body, at, "(", ")")
-            # The rest of the declaration, up to its end or its body.
+            # Skips the rest of the declaration, including its body.
             while at < len(body) and body[at] not in ";{":
                 at = end_of(body, at, "(", ")") if body[at] == "(" else at + 1
             at = end_of(body, at, "{", "}") if at < len(body) and body[at] == "{" else at + 1

@@ -5,9 +5,9 @@
 usage: check_instructions.py PERFORMANCE.MD DRIVER_FOLDER [--compiler NAME]
 
 Reads the table under the heading "The instruction gate", repeats its runs with the drivers run_bench, io_loop and
-recording_cost of DRIVER_FOLDER (a release build), and fails if one takes more than 2 % more instructions than its row
-says. A change that is worth its instructions states the new figure in the same commit. Figures hold for the compiler that the paragraph
-above the table names; with another one (--compiler) the runs are shown and nothing is required.
+recording_cost of DRIVER_FOLDER (a release build), and fails if a run uses over 2 % more instructions than its row
+states. If a change is worth more instructions, write the new figure in the same commit. The figures are for the compiler
+that is named in the paragraph above the table. With another one (--compiler), the runs are only shown.
 """
 import argparse
 import pathlib
@@ -22,7 +22,7 @@ import compare_bench  # noqa: E402  (bench/ is not a package)
 
 HEADING = "The instruction gate"
 MOST_GROWTH = 0.02
-RECORDING = "recording "  # Begins the name of a run of recording_cost; its level follows.
+RECORDING = "recording "  # Prefix of the name of a run of recording_cost, before its level.
 RECORDINGS = 3  # Instructions of the writing thread only add to a count, so the smallest count is used.
 SCENARIO, TICKS_PER_SECOND = "crowd/crowd_100.lua", 30
 ROW = re.compile(r"^\| *([a-z_-]+(?: \w+)*) *\| *([\d,]+) *\| *([\d,]+) *\|$", re.MULTILINE)
@@ -30,7 +30,7 @@ COMPILER = re.compile(r"Counted with `([^`]+)`")
 
 
 class Figures:
-    """What the page states: the compiler, and per run its length and the instructions per decision or tick."""
+    """The data of the page: the compiler, and for each run its length and the instructions per decision or tick."""
 
     def __init__(self, page):
         section = re.search(rf"^#+ {HEADING}\n(.*?)(?=^#|\Z)", page, re.MULTILINE | re.DOTALL)

@@ -6,7 +6,8 @@ usage: check_layers.py SOURCE_DIR
 
 Every module may include itself and the modules listed for it; libraries that belong to one module only
 (Ogre, ImGui, SDL: viewer; Bullet, Recast and Detour: world; Lua: script; SQLite: journal and sweep) may be included nowhere else.
-Inside the kernel the folders have an order, too, and a list that only shrinks says who may include the core. Exit status 1 names each offence.
+Inside the kernel the folders have an order, too, and a list, to which nothing may be added, contains the files that may include the core.
+The exit status is 1 if an include is not allowed; each is printed.
 """
 import pathlib
 import re
@@ -38,7 +39,7 @@ ALLOWED = {
     "model": {"bytes", "diagnostics", "picture", "world"},
     "stream": {"bytes", "world"},
     "script": {"diagnostics", "picture", "world", "model"},
-    # So does sim.
+    # sim, too, reaches the kernel through the public client API only.
     "sim": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script"},
     "dis": {"diagnostics", "world", "sim"},
     "record": {"bytes", "diagnostics", "mind", "wording", "world", "model", "script", "sim"},
@@ -85,7 +86,7 @@ INCLUDE_LINE = re.compile(INCLUDE.pattern, re.MULTILINE)
 
 
 def goes_up(file, target):
-    """Whether an include inside the kernel goes against the order of its folders; paths below src."""
+    """Whether an include inside the kernel violates the order of its folders. Paths are relative to src."""
     places, targets = file.split("/"), target.split("/")
     if len(places) == 2 or ASSEMBLY.match(file) or TEST.search(file):
         return False
@@ -95,7 +96,7 @@ def goes_up(file, target):
 
 
 def strangers_to_core(root):
-    """Files of the list that do not use the core: they must be removed from the list, so that it only shrinks."""
+    """Files of the list that do not use the core. They must be removed from the list."""
     for file in sorted(USERS_OF_CORE):
         path = root / file
         includes = INCLUDE_LINE.findall(path.read_text(encoding="utf-8")) if path.exists() else []

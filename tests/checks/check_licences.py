@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks what the project says about licences.
+"""Checks the project's statements about licences.
 
 usage: check_licences.py PROJECT_DIR
 
 * Every source file names its licence (SPDX) in its first lines.
 * docs/licences.md names every package that the page for browsers needs and every library that the build installs.
-* What the build of the page wrote (web/dist/page), if it is there, carries the notices of the programs in it. The programs
-  are recognised by their own words in the bundles, not by the list that the build made.
+* If the page has been built (web/dist/page), it contains the notices of the programs in it. The programs are recognised by
+  words in the bundles, independent of the list that the build has created.
 """
 import json
 import pathlib
@@ -47,7 +47,7 @@ def not_named(root):
 
 
 def without_notice(folder):
-    """What is missing in a built page."""
+    """The notices that are missing in a built page."""
     assets = folder / "assets"
     pairs = [(sorted(assets.glob("*.js")), assets / "licences.txt"),
              ([folder / "report.js", folder / "report_scene.js"], folder / "report.html")]

@@ -13,11 +13,11 @@ CODE = re.compile(r"`[^`\n]*`")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 SOURCE_FILE = re.compile(r"(?<![\w/.])((?:[a-z_]+/)*[a-z_]+\.(?:h|cpp))\b")
-SOURCE_ROOTS = (".", "src/kernel", "src/kernel/rules", "src/sml")  # What kernel.md's paths are relative to.
+SOURCE_ROOTS = (".", "src/kernel", "src/kernel/rules", "src/sml")  # Paths in kernel.md are relative to this folder.
 
 
 def anchor(heading):
-    """The anchor that code hosts make from a heading."""
+    """The anchor that code hosts create for a heading."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower().replace("`", "")).replace(" ", "-")
 
 

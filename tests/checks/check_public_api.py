@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Additions of the client API to Soar 9.6.3 must be left out if SOARBOX_PUBLIC_API_ONLY is defined.
+"""Checks that the client API contains no additions to Soar 9.6.3 if SOARBOX_PUBLIC_API_ONLY is defined.
 
 usage: check_public_api.py ROOT
 
-Each public function of Kernel, Agent and the elements of working memory that stands outside of such a guard is named in
-docs/spec/sml_client_api.md; each that says it is not part of Soar's interface stands inside. Exit status 1 names each offence.
+Each public function of Kernel, Agent and the elements of working memory must be inside such a guard, or be named in
+docs/spec/sml_client_api.md. A function with a comment that it is not part of Soar's interface must be inside. The exit status
+is 1 if a function violates this; each is printed.
 """
 import pathlib
 import re
@@ -13,7 +14,7 @@ import sys
 
 HEADERS = ["Kernel", "Agent", "Identifier", "IntElement", "FloatElement", "StringElement", "WMElement"]
 GUARD = "#ifndef SOARBOX_PUBLIC_API_ONLY"
-# Ours, and used only by our own library.
+# These functions are ours, and only our library uses them.
 INSIDE = {"GetSymbol", "Name"}
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Every test is run: each *_test.cpp and test_*.py is named in the build files of its folder or of one above.
+"""Checks that every test is run: the build files of its folder or of a parent folder name each *_test.cpp and test_*.py.
 
 usage: check_registered.py ROOT
 """

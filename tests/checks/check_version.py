@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Checks that the project has one version everywhere: the one of CMakeLists.txt.
+"""Checks that all files have the same version of the project as CMakeLists.txt.
 
 usage: check_version.py PROJECT_DIR
 """

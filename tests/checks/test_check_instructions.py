@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """The instruction gate accepts what it should, and can fail. Uses real counts of the drivers in SOARBOX_DRIVERS.
 
-Each run is counted once, for all tests: two counts of threads that run beside each other differ.
+Each run is counted once for all tests, because two counts of a program with several threads differ.
 """
 import contextlib
 import io
@@ -45,7 +45,7 @@ class TheInstructionGate(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         check_instructions.measure = counted_once(check_instructions.measure)
-        # A small crowd will do.
+        # A small crowd is sufficient here.
         check_instructions.SCENARIO = "crowd/crowd_10.lua"
         with tempfile.TemporaryDirectory() as work:
             cls.counted = {}

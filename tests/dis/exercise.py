@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A member of an exercise, written independently from the standard: it receives and sends PDUs (IEEE 1278.1), and computes where they
-are on the earth by formulas of its own."""
+"""A member of an exercise, written from the standard and independent of our code: it receives and sends PDUs (IEEE 1278.1), and
+has its own formulas for positions on the earth."""
 import math
 import socket
 import struct
@@ -53,7 +53,7 @@ def order(kind, to, request=7):
 
 
 class Member:
-    """Takes part in an exercise on this machine, in a multicast group that does not leave it."""
+    """Takes part in an exercise on this machine, in a multicast group that is limited to it."""
 
     def __init__(self, port, group="239.1.2.3"):
         self.to = (group, port)
@@ -72,7 +72,7 @@ class Member:
         self.socket.sendto(datagram, self.to)
 
     def hear(self, limit_s=100):
-        """The next datagram; nothing if there is none in that time."""
+        """The next datagram; nothing if none arrives in this time."""
         self.socket.settimeout(limit_s)
         try:
             return self.socket.recv(65536)
@@ -108,7 +108,7 @@ def damage_of(datagram):
 
 
 def write_capture(path, datagrams, port):
-    """A file of packets as programs for networks read them (pcap, raw IPv4)."""
+    """A file of packets in the format of network tools (pcap, raw IPv4)."""
     with open(path, "wb") as file:
         file.write(struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 228))
         for number, datagram in enumerate(datagrams):

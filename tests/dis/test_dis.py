@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs of the real command in exercises with other programs: over the network of this machine, by real datagrams."""
+"""Runs of the real command in exercises with other programs, with real datagrams over the network of this machine."""
 import json
 import math
 import os
@@ -146,7 +146,7 @@ class Exercise(unittest.TestCase):
         self.member.say(shot)
         events = self.keep_saying([visitor], run, lambda e: e["event"] == "log" and "hit by" in e["text"])
         self.assertIn("hit by visitor", events[-1]["text"])
-        # It announces that it leaves.
+        # The run announces that it leaves.
         self.member.say(exercise.entity_state((7, 8, 9), exercise.on_earth(0, 0, 8), appearance=1 << 23 | 1 << 16))
         events = run.events_until(lambda e: is_news(e, "leaves"))
         self.assertIsNotNone(events[-1])
@@ -163,7 +163,7 @@ class Exercise(unittest.TestCase):
         shot = exercise.detonation((7, 8, 9), (1, 1, 1), exercise.on_earth(0, 1, 0))
         events = self.keep_saying([visitor, shot], run, lambda e: is_news(e, "dies", "guard"))
         self.assertIn("shot by visitor", events[-1]["text"])
-        # The others are informed.
+        # The other members are informed.
         heard = self.member.hear_until(
             lambda d: exercise.kind_of(d) == 1 and exercise.entity_of(d) == (1, 1, 1) and exercise.damage_of(d) == 3)
         self.assertIsNotNone(heard[-1])
@@ -183,13 +183,13 @@ class Exercise(unittest.TestCase):
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
         self.assertIsNotNone(heard[-1], "it acknowledges")
         self.assertEqual(heard[-1][24:26], b"\0\4")
-        # It does not move, and its PDUs say so.
+        # The entity does not move, and its PDUs contain this.
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 1 and d[85] & 0x20)
         self.assertIsNotNone(heard[-1])
         self.member.say(exercise.order(13, (65535, 65535, 0)))
         heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)
         self.assertEqual(heard[-1][24:26], b"\0\3")
-        # Other programs cannot add or remove entities of its world: it cannot comply.
+        # Other programs cannot add or remove entities of its world: it answers that it is unable to comply.
         for kind, flag in ((11, 1), (12, 2)):
             self.member.say(exercise.order(kind, (1, 1, 1)))
             heard = self.member.hear_until(lambda d: exercise.kind_of(d) == 15)

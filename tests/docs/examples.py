@@ -2,16 +2,16 @@
 """Reads the shell examples of Markdown pages.
 
 An example is a block (indented, or fenced without a language or as sh, bash, console) with a line that begins with `soarbox`,
-`./dev soarbox`, `./dev run` or `$`. A comment of its own before a block says what is special about it:
+`./dev soarbox`, `./dev run` or `$`. A comment in a separate line before a block has this meaning:
 
-  <!-- not run: REASON -->    it needs a window, a network, another program, or shows a form instead of a command
-  <!-- output -->             lines after `$ COMMAND` are what it prints; a line `...` stands for any number of lines
-  <!-- exit N -->             its last command ends with N instead of 0
+  <!-- not run: REASON -->    it needs a window, a network or another program, or shows a form instead of a command
+  <!-- output -->             the lines after `$ COMMAND` are its output; a line `...` matches any number of lines
+  <!-- exit N -->             its last command has the exit code N instead of 0
   <!-- file: NAME -->         the block, of any language, is the content of this file, for the examples after it
-  <!-- before: COMMAND -->    this command comes first: it makes what the reader has by then
+  <!-- before: COMMAND -->    this command runs first: it creates files that the reader has at this point
 
-Not examples, without a comment: a line with [OPTIONAL] or a PLACEHOLDER in capitals, which is a form; servers, which run until they are
-ended (tests/app/test_manual.py starts them); and what ./dev builds.
+These are not examples, even without a comment: a line with [OPTIONAL] or a PLACEHOLDER in capitals, which is a form; servers, which run
+until they are ended (tests/app/test_manual.py starts them); and commands of ./dev that build.
 """
 import dataclasses
 import re
@@ -73,7 +73,7 @@ def without_comment(command):
 
 
 def is_form(command):
-    """Whether a line shows how a command is written instead of being one."""
+    """Whether a line is a form with placeholders instead of a command."""
     bare = re.sub(r"\"[^\"]*\"|'[^']*'", "", without_comment(command))
     return bool(FORM.search(bare) or PLACEHOLDER.search(re.sub(r"\b[A-Z_]+=", "", bare)))
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Takes the pictures of the documents from the program as it is.
+"""Takes the pictures for the documents from the current program.
 
 usage: pictures.py SOARBOX [NAME...]     (./dev pictures [NAME...] builds the program and calls this)
 
-Without a name it takes all. The display is a virtual one (Xvfb). Pictures get 256 colours, which makes them small. Two pictures need a
-browser and have scripts of their own: `SOARBOX_PICTURES=FOLDER npm run e2e` in web/ writes report_docs.png, which is report.png here, and
-web/side_by_side.mjs writes side_by_side.png.
+Without a name it takes all pictures, on a virtual display (Xvfb). They are reduced to 256 colours to make the files small. Two pictures
+need a browser and have other scripts: `SOARBOX_PICTURES=FOLDER npm run e2e` in web/ writes report_docs.png, which is report.png here,
+and web/side_by_side.mjs writes side_by_side.png.
 """
 import collections
 import os
@@ -162,7 +162,7 @@ def palette(counts):
     """At most 256 colours, and the number of the nearest one for each colour (median cut)."""
     boxes = [list(counts.items())]
     while len(boxes) < 256:
-        # A compromise between the number of pixels, which keeps the ground smooth, and the distance of colours, which keeps small signs.
+        # Weighs the number of pixels, which keeps the ground smooth, and the distance of colours, which keeps small signs.
         widest = max((box for box in boxes if len(box) > 1), key=lambda box: spread(box) ** 2 * sum(n for _, n in box) ** 0.3, default=None)
         if widest is None:
             break
@@ -181,7 +181,7 @@ def chunk(kind, body):
 
 
 def shrink(file):
-    """Writes the picture again with 256 colours."""
+    """Replaces the picture by one with 256 colours."""
     picture = Picture(file)
     rows = [[tuple(part & 0xfc for part in picture.at(x, y)) for x in range(picture.width)] for y in range(picture.height)]
     colours, number = palette(collections.Counter(colour for row in rows for colour in row))

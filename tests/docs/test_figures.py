@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The figures of README equal what the project contains or has measured. A figure is followed by a comment with its name: 29<!--lessons-->."""
+"""The figures in README equal the contents of the project or its measurements. A comment with its name follows each figure: 29<!--lessons-->."""
 import json
 import pathlib
 import re
@@ -12,7 +12,7 @@ MARKED = re.compile(r"([\d.,]*\d)<!--(\w+)-->")
 
 
 def lessons(folder="."):
-    """Lessons below this folder of lessons/; solutions and wrong answers are none."""
+    """The number of lessons below this folder of lessons/, without solutions and wrong answers."""
     found = [path for path in (ROOT / "lessons" / folder).rglob("lesson.toml") if not {"solution", "wrong"} & set(path.parts)]
     return len(found)
 

@@ -7,7 +7,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIST = (ROOT / "docs" / "lessons" / "README.md").read_text(encoding="utf-8")
-ESTIMATED = {24, 27}  # What somebody makes of them is not to be counted.
+ESTIMATED = {24, 27}  # Files that users create there are not counted.
 
 
 def rules_of(text):
@@ -15,7 +15,7 @@ def rules_of(text):
 
 
 def minutes(number, folder):
-    """150 words, 12 lines of an example or 15 lines of the starter are a minute; a line to be written takes 1.2; 8 for the world and the hints."""
+    """One minute for 150 words, 12 lines of an example or 15 lines of the starter; 1.2 for a line to write; 8 for the world and hints."""
     lesson = tomllib.loads((folder / "lesson.toml").read_text(encoding="utf-8"))
     page = next((ROOT / "docs" / "lessons").glob(f"{number}-*/README.md")).read_text(encoding="utf-8")
     words = len(re.findall(r"\w+", re.sub(r"```.*?```", "", page, flags=re.DOTALL))) + len((lesson["idea"] + lesson["task"]).split())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The pictures of the documents: each is used, a script takes it, and the script reduces its colours correctly."""
+"""Each picture of the documents is used and taken by a script. The script reduces colours correctly."""
 import pathlib
 import re
 import struct
@@ -11,7 +11,7 @@ import pictures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs" / "images"
-BY_BROWSER = {"report", "side_by_side"}  # web/ takes these.
+BY_BROWSER = {"report", "side_by_side"}  # Scripts in web/ take these pictures.
 
 
 def there():

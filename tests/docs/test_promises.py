@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Promises of README and docs/: each that docs/dev/promises.md lists is on its page and has a test; the cheap ones are tried here."""
+"""Each promise in docs/dev/promises.md is on its page of README or docs/, and has a test. The tests that are fast are here."""
 import json
 import os
 import pathlib

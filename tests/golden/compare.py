@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Compare a conformance transcript with the one Soar 9.6.3 gave.
+"""Compare a conformance transcript with that of Soar 9.6.3.
 
 usage: compare.py [--verbatim] EXPECTED ACTUAL
 
 Semantic comparison (the default) ignores what Soar leaves to the implementation:
 identifier numbers, timetags, the order of attributes in a printed object, the order
 of rule firings and working-memory changes within one wave, the order of preferences
-of one kind, blank lines and padding, the numbers of identities in explanations (what is one
-identity stays one), how many identities the bookkeeping counted, and the order of tests within braces.
---verbatim compares the text as it stands. Exit status 0: same, 1: different (a diff
+of one kind, blank lines and padding, the numbers of identities in explanations (equal
+identities must stay equal), the total number of identities, and the order of tests within
+braces. --verbatim compares the text letter by letter. Exit status 0: same, 1: different (a diff
 is printed), 2: usage.
 """
 import difflib
@@ -27,7 +27,7 @@ MASKED_OBJECT = re.compile(r"^(\((?:@[0-9]*(?: \(@[0-9]+\))?|<id>)) \^(.*?)( \[[
 
 
 def is_balanced(text):
-    """Do the parentheses outside |bars| balance?"""
+    """Whether the parentheses outside |bars| are balanced."""
     text = re.sub(r"\|(?:[^|\\]|\\.)*\|", "", text)
     return text.count("(") <= text.count(")")
 

@@ -4,9 +4,10 @@
 
 usage: generate_memory.py semantic|episodic SEED COUNT FOLDER
 
-semantic: graphs with skewed values and cycles, cues grown from an object by dropping, replacing and negating, all modes
-of activation, stores between queries. episodic: worlds whose things come, go and change, cues cut from what was there
-once and spoilt, negated, bounded. Each answer is written by a rule, so that transcripts of two kernels can be compared:
+semantic: graphs with skewed values and cycles, cues that are made from an object by dropping, replacing and negating
+elements, all modes of activation, stores between queries. episodic: worlds in which things are added, removed and changed,
+and cues that are parts of an earlier state with errors, negations and bounds. A rule prints each answer, so that
+transcripts of two kernels can be compared:
 
     python3 tests/golden/generate_memory.py semantic 1 50 /tmp/memory
     for case in /tmp/memory/*; do (cd $case && build/dev/bin/trace_case case.cmd); done
@@ -23,7 +24,7 @@ sp {step*apply (state <s> ^operator <o> ^n <n>) (<o> ^name step ^n <n>) --> (<s>
 
 
 def skewed(draw, values):
-    """The first values come most often."""
+    """One of the values; the first ones are the most frequent."""
     return values[min(int(draw.expovariate(1.2)), len(values) - 1)]
 
 

@@ -7,8 +7,8 @@ usage: run_golden.py --driver TRACE_CASE --cases FOLDER [--minimum FILE [--raise
 
 Each case runs in a copy of its folder, for a limited time and with limited output. Prints how many agree in meaning
 (compare.py's default) and letter by letter, and names those that do not. Fails if fewer agree than the file of minimums
-asks for: {"AREA": {"semantic": N, "verbatim": N}}, counts of cases or "all". If more agree, it says so; with --raise it
-writes the new counts to the file. CASE: only cases whose names contain one of these words; then nothing is required.
+requires: {"AREA": {"semantic": N, "verbatim": N}}, counts of cases or "all". If more agree, it reports this; with --raise
+it writes the new counts to the file. CASE: only cases whose names contain one of these words; then nothing is required.
 
 With --remote-driver each case runs a second time with its kernel in another process (`soarbox kernel`, started in the
 case's folder), and fails unless both transcripts are equal to the letter.
@@ -37,7 +37,7 @@ LIKE_963 = "like-9.6.3"
 
 @contextlib.contextmanager
 def kernel_port(command, folder):
-    """The port of a kernel that lives in a folder for a while."""
+    """Starts a kernel in this folder, and gives its port; ends it afterwards."""
     with subprocess.Popen([command, "kernel", "--port", "0"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                           text=True) as kernel:
         try:
@@ -50,7 +50,7 @@ def kernel_port(command, folder):
 
 
 def transcript(driver, case, soarbox=None):
-    """What the driver prints for a case; how it ended, if badly. With `soarbox`: the kernel is that command's."""
+    """The output of the driver for a case, and how it ended if it failed. With `soarbox`: uses a kernel of that command."""
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         copy = pathlib.Path(folder) / "case"
         shutil.copytree(case, copy)
@@ -71,7 +71,7 @@ def transcript(driver, case, soarbox=None):
 
 
 def limit_output():
-    """A case that never stops printing ends with a signal."""
+    """Limits the output: a signal ends a case that prints too much."""
     resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_OUTPUT_BYTES, MOST_OUTPUT_BYTES))
 
 
@@ -89,7 +89,7 @@ def required_counts(required, case_count):
 
 
 def check_minimum(path, area, reached, case_count, raise_it):
-    """The exit status: whether as many cases agree as the file asks for."""
+    """The exit status: 0 if at least the required number of cases agree."""
     minimums = json.loads(path.read_text(encoding="utf-8"))
     if area not in minimums:
         print(f"{path} does not say how many cases of {area} must agree")

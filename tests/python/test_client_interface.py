@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The client interface of Soar in Python: names, handlers, both kinds of kernels, and what goes wrong in programs."""
+"""The client interface of Soar in Python: names, handlers, both kinds of kernels, and mistakes of programs."""
 import contextlib
 import gc
 import io

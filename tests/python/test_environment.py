@@ -19,7 +19,7 @@ from unittest import mock
 import soarbox
 
 if os.environ.get("SOARBOX_WITHOUT_NUMPY"):
-    sys.modules["numpy"] = None  # From here on, importing it raises ImportError.
+    sys.modules["numpy"] = None  # Then importing it raises ImportError.
 
 ACTIONS = [None, "stop", ("move-to", {"waypoint": "north"}), ("move-to", {"x": 4, "z": 0.5})]
 OBSERVE = ["self.health", "self.position.x", "self.position.z", "agent.range", "agent.visible"]

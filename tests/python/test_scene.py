@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""The robot of docs/examples with a world of its own: its picture is in its recording."""
+"""The robot of docs/examples with its own world: the recording contains its picture."""
 import json
 import os
 import pathlib
@@ -32,7 +32,7 @@ class Robot(unittest.TestCase):
         places = [tick["agents"][0]["position"] for tick in self.ticks()]
         self.assertGreater(max(place[0] for place in places), 3.4)
         self.assertLess(max(place[0] for place in places), 4)
-        # y of the room is to the front: our -z.
+        # The y axis of the room points to the front, which is our -z.
         self.assertLess(min(place[2] for place in places), -2)
         self.assertGreater(min(place[2] for place in places), -3)
 

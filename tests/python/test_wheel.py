@@ -13,7 +13,7 @@ TOOL = pathlib.Path(__file__).parents[2] / "bindings/python/wheel.py"
 
 
 def unpack(wheel, place):
-    """As pip does: programs can be executed."""
+    """Unpacks a wheel like pip, with the permission to execute programs."""
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(place)
         for entry in archive.infolist():
@@ -42,7 +42,7 @@ class Wheel(unittest.TestCase):
                     "for who, process in (('python', 'self'), ('engine', world._engine._process.pid)):\n"
                     "    for line in open(f'/proc/{process}/maps'):\n"
                     "        if '.so' in line: print(who, line.split()[-1])\n")
-            # Nothing but the wheel: no command on the path, no library of the build.
+            # Only the wheel: no command on the path, and no library of the build.
             done = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": str(place), "PATH": "/usr/bin:/bin"},
                                   capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)

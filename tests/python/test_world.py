@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Worlds from Python: time, agents, percepts, commands, reasons, rules, and what goes wrong."""
+"""Worlds from Python: time, agents, percepts, commands, reasons, rules, and errors."""
 import os
 import pathlib
 import subprocess
@@ -18,7 +18,7 @@ GO = """sp {go
 
 
 def story(seed, steps):
-    """What happens in a world, as far as Python sees it."""
+    """The ticks, percepts and decisions of a world, as Python reports them."""
     with soarbox.World("soar_hallway", seed=seed) as world:
         seen = []
         for ticks in steps:

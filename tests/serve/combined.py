@@ -3,8 +3,8 @@
 
 usage: combined.py [--seconds S] [--learners N]
 
-Printed: how long another page waits for an answer, how far the worlds of the class came, and the most memory and processes that the server had.
-test_attack.py runs the same for a few seconds and asks for what holds on any machine.
+Prints how long another page waits for an answer, the ticks that the worlds of the class reached, and the maximum memory and number of
+processes of the server. test_attack.py runs the same for a few seconds, with limits that hold on any machine.
 """
 import argparse
 import io
@@ -54,7 +54,7 @@ def archive_of(count, size):
 
 
 class Attackers:
-    """Threads that attack until they are stopped. A server that closes a connection or refuses is attacked again."""
+    """Threads that attack until they are stopped. They continue after the server has refused something or closed a connection."""
 
     def __init__(self, server, big_recording):
         self.server, self.is_over, self.threads = server, threading.Event(), []
@@ -95,7 +95,7 @@ class Attackers:
         self.threads.append(thread)
 
     def place(self):
-        """A new place, until the server refuses to make more for this address; then one of the existing ones."""
+        """A new place. If the server refuses to create more for this address: one of the existing places."""
         status, made = self.server.json("POST", "/api/places", b"")
         if status == 200:
             self.places.append(made["place"])
@@ -221,7 +221,7 @@ class Combined:
         self.waits, self.memory_mb, self.processes, self.rounds = [], 0, 0, {}
 
     def run(self, seconds, least_answers=0):
-        """Attacks for this long, and until each learner has had this many answers."""
+        """Attacks for at least this time, and until each learner has got `least_answers` answers."""
         forks = multiprocessing.get_context("fork")
         is_over, (received, sent) = forks.Event(), forks.Pipe(False)
         attacking = forks.Process(target=self.attackers.work, args=(is_over, sent), daemon=True)

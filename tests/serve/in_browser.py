@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Runs the page's end-to-end tests (web/e2e) in a real browser, against a real server and reports that the command has made.
+"""Runs the page's end-to-end tests (web/e2e) in a real browser, against a real server and reports that the command has created.
 
 usage: in_browser.py [TEST...]
 

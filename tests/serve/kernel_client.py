@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """A program that drives agents of a `soarbox kernel`, for tests in other languages. usage: kernel_client.py PORT
 
-It reads lines of JSON: ["create", AGENT] makes an agent; [AGENT, LINE] sends it a command line. It answers each with a line of JSON, the text of
-the kernel's answer.
+It reads lines of JSON: ["create", AGENT] creates an agent; [AGENT, LINE] sends it a command line. For each, it prints the text of the kernel's
+answer as a line of JSON.
 """
 import json
 import pathlib

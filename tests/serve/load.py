@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Plays many learners at once against a server, and measures what it costs (not a test: docs/serve.md says how to run it).
+"""Simulates many learners of a server, and measures the load (not a test: docs/serve.md describes how to run it).
 
 usage: load.py [--learners N] [--seconds S] [--streams N] [--stream-seconds S]
 
-The server has room for as many runs as there are learners. Each learner opens a lesson, looks at the panels that a page shows, types into the editor
-now and then, applies the solution half way, asks why, and hints. One more learner comes when all have begun, and must be told to wait. Afterwards the
-learners leave, and pages watch one run of soar_skirmish.
+The server allows one run for each learner. Each learner opens a lesson, requests the panels that a page shows, types into the editor from time to
+time, applies the solution in the middle, and requests *Why* and hints. After all have begun, the server must refuse one more learner. Afterwards
+the learners leave, and pages watch one run of soar_skirmish.
 
-Printed: how late the world's time is after the first quarter, in which all worlds begin (95 % of all ticks are no later), how long requests wait for
-their answers, what the learner is told for whom there is no room, bytes per second and learner, memory per run, processor time, and how many
-browsers' streams one core of the server carries.
+Prints the delay of the worlds after the first quarter, in which all worlds begin (95 % of all ticks are no later), the waiting times of requests,
+the answer to the refused learner, bytes per second and learner, memory per run, processor time, and the number of browsers that one core of the
+server can serve.
 """
 import argparse
 import contextlib
@@ -63,9 +63,9 @@ class Learner(threading.Thread):
             message = page.receive()
             now = time.monotonic() - begin
             if message["message"] == "flow" and not message["paused"]:
-                # Relative to the best moment, when the page saw the world in time.
+                # Delays are relative to the smallest one.
                 behind = now - message["time_s"]
-                # After all have started, which takes a while; a world does not catch up on time that it lost then.
+                # Ignores the first quarter, in which all worlds start: a world does not make up for time that it loses then.
                 if now > self.seconds / 4:
                     first = behind if first is None else min(first, behind)
                     self.lateness.append(behind)

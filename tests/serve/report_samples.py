@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Reports for web/e2e/report.mjs to look at: a fight, a run whose names and texts are markup, several runs, a sweep, a
+"""Creates reports for web/e2e/report.mjs: a fight, a run with markup in names and texts, several runs, a sweep, a
 tournament.
 
 usage: report_samples.py FOLDER     SOARBOX names the command; the page is built (npm run build in web/)
@@ -41,7 +41,7 @@ def write(file, text):
 
 
 def make(folder):
-    """fight.html, markup.html, several.html, sweep.html and cup.html, in this folder."""
+    """Writes fight.html, markup.html, several.html, sweep.html and cup.html into this folder."""
     folder = pathlib.Path(folder).resolve()
     os.environ["XDG_STATE_HOME"] = str(folder / "state")
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Attacks of one hostile learner on a server, and their effects on others. The tests bound the server's own work and memory, and what it
-answers: how long an answer takes depends on what else a machine does (combined.py measures it)."""
+"""Attacks of one hostile learner on a server, and their effects on others. The tests check its answers and limit its
+processor time and memory. They do not check the time of an answer, because it depends on the load of the machine (combined.py measures it)."""
 import io
 import json
 import os
@@ -46,7 +46,7 @@ class Messages(Attack):
         for text in ('{"request":"x","a":' + "[" * 70 + "]" * 70 + "}", json.dumps({"request": "x", "a": [0] * 30_000}), "[" * 500_000):
             page.send_frame(1, text.encode())
             self.assertIn("not a request", page.until_message("error")["error"])
-        # Input below the limits is accepted, whatever surrounds it.
+        # Input below the limits is accepted after such messages.
         page.send_frame(1, json.dumps({"a": {"request": "y", "id": 1}, "request": "x", "id": "mine", "b": [["id"]]}).encode())
         answer = page.until_message("error")
         self.assertEqual((answer["id"], answer["error"]), ("mine", "there is no run"))
@@ -55,7 +55,7 @@ class Messages(Attack):
         server = self.serve()
         page = self.page(server, server.new_place())
         page.until_message("none")
-        # 16 points each, of 1,000 at once and 100 per second.
+        # Each costs 16 points. A page has 1,000 points and gets 100 per second.
         frame, is_refused = page.frame(1, json.dumps({"request": "x", "a": "b" * 1_000_000}).encode()), threading.Event()
 
         def flood():
@@ -65,7 +65,7 @@ class Messages(Attack):
         flooding.start()
         try:
             page.until(lambda message: message["message"] == "error" and "more than this server allows" in message["error"])
-            # Its messages are now read once per second.
+            # From now on the server reads its messages once per second.
             self.assert_others_are_served(server, cpu_s(server.process.pid))
         finally:
             is_refused.set()
@@ -285,7 +285,7 @@ class Tabs(Attack):
         page.until_contents("edit", lambda edit: edit["edit"]["text"])
         for i in range(5):
             page.ask(request="edit-text", what="type", text=f"# thought {i}\n")
-            # The draft is on the disk before the engine says that it has the text.
+            # The draft is on the disk before the engine confirms the text.
             page.until_contents("edit", lambda edit, i=i: f"thought {i}" in edit["edit"]["text"])
             os.kill(server.engines()[0], signal.SIGKILL)
             page.until_message("ended")

@@ -50,7 +50,7 @@ class Desk(ClassCase):
         self.assertEqual(self.learners(server)["Bob"]["notes"], [])
         self.post(server, f"/api/class/{self.key}/hand", place=ada)
         page.until(lambda message: message["message"] == "class" and not message["is_hand_up"])
-        # A user who was away finds the message, also after the server was stopped.
+        # A user who was away gets the message later, even after a restart of the server.
         self.post(server, f"/api/class/{self.key}/message", text="To all")
         self.assertEqual(server.stop(), 0)
         server = self.again()
@@ -146,7 +146,7 @@ class Tournament(ClassCase):
                          {(one, two, seed) for one, two in (("Ada", "Bob"), ("Ada", "Åsa <b>"), ("Bob", "Åsa <b>")) for seed in (1, 2)})
         self.assertEqual([row["learner"] for row in told["ladder"]], ["Ada", "Bob", "Åsa <b>"])
         self.assertEqual([(row["won"], row["lost"]) for row in told["ladder"]], [(4, 0), (2, 2), (0, 4)], told)
-        # A match is a recording that anybody with its id can watch, with the reasons of both.
+        # A match is a recording that everybody with its id can watch, with the reasons of both players.
         match = next(match for match in told["matches"] if match["learners"] == ["Ada", "Bob"])
         viewer = self.page(server, server.new_place())
         viewer.until_message("none")
@@ -233,7 +233,7 @@ class OtherSites(ServeCase):
         self.assertIn("frame-ancestors https://school.example http://127.0.0.1:9999;", policy("/embed"))
         for path in ("/", f"/p/{server.new_place()}/", "/w/x/", "/class/x/", "/api/places"):
             self.assertIn("frame-ancestors 'none';", policy(path))
-        # Another site's page may load the script, and nothing else.
+        # The page of another site may load only the script.
         self.assertEqual(server.http("GET", "/")[1]["Cross-Origin-Resource-Policy"], "same-origin")
         self.assertEqual(server.json("POST", "/api/places", b"", Origin="https://school.example")[0], 403)
 

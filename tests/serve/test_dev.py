@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""`./dev serve` starts a server that answers, and Ctrl+C ends it; it takes the build that there is. `./dev soarbox` builds the
-page for what needs it, and only then."""
+"""`./dev serve` starts a server from the existing build, and Ctrl+C ends it. `./dev soarbox` builds the page only for commands
+that need it."""
 import os
 import pathlib
 import re

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Server and world processes are killed at random moments while somebody types, saves, asks for hints, grades and uploads. Nothing is lost that
-the page was told is kept. SOARBOX_KILLS says how often; 100 takes some minutes."""
+"""Server and world processes are killed at random moments while a user types, saves, requests hints, grades and uploads. Nothing is lost after the
+server has confirmed it to the page. SOARBOX_KILLS is the number of kills; 100 take some minutes."""
 import os
 import pathlib
 import random
@@ -25,7 +25,7 @@ def number_in(text):
 
 
 def is_alive(pid):
-    """A process that has ended may wait for its parent to notice."""
+    """Whether a process is running. Ended processes may remain as zombies."""
     try:
         return pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0] != "Z"
     except OSError:
@@ -33,7 +33,7 @@ def is_alive(pid):
 
 
 class Learner:
-    """Does one action after another until a process is killed. `kept`: acknowledged actions, as numbers that only grow."""
+    """Performs one action after another until a process is killed. `kept`: the increasing numbers of the last confirmed actions."""
 
     def __init__(self):
         self.kept = {"typed": 0, "saved": 0, "uploaded": 0, "hints": 0, "passed": 0}
@@ -48,12 +48,12 @@ class Learner:
         self.page.ask(request="look", panels=["edit", "mission"])
         self.file = self.page.until_contents("edit", lambda edit: edit["files"])["files"][0]["file"]
         self.page.ask(request="edit", file=self.file)
-        # The file is written first, then the draft.
+        # The server writes the file first, then the draft.
         edit = self.page.until_contents("edit", lambda edit: number_in(edit["edit"]["text"]) >= self.kept["typed"] and edit["edit"]["text"])
         return edit["edit"]["text"]
 
     def until_answered(self):
-        """Requests are carried out in order, so all before have been."""
+        """Waits for one more answer. Requests are processed in order, so all previous ones are done then."""
         for what, is_paused in (("pause", True), ("go-on", False)):
             self.page.ask(request="flow", what=what)
             self.page.until(lambda message, is_paused=is_paused: self.goes_on(message) and message["message"] == "flow" and message["paused"] == is_paused)
@@ -144,7 +144,7 @@ class Kills(ServeCase):
         print(f"killed {kinds}; acknowledged {learner.kept}")
 
     def opens(self, page, name):
-        """Whether a recording opens. It is empty if the world was killed before its first tick."""
+        """Whether a recording can be opened. It is empty if the world was killed before its first tick."""
         what = "recording:" + name
         page.ask(request="open", what=what)
         return page.until(lambda message: message["message"] in ("error", "ended") or message.get("what") == what)["message"] == "hello"
@@ -171,7 +171,7 @@ class Kills(ServeCase):
         lesson = learner.page.until_contents("mission", lambda mission: mission["lesson"])["lesson"]
         self.assertGreaterEqual(len(lesson["hints"]), learner.kept["hints"], "hints")
         self.assertGreaterEqual(int(lesson["is_passed"]), learner.kept["passed"], "passed")
-        # The run that was killed has left a recording, which can be opened.
+        # The recording of the killed run can be opened.
         about = server.json("GET", f"/api/p/{place}")[1]
         self.assertTrue(about["recordings"])
 

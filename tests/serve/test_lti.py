@@ -37,7 +37,7 @@ class Platform:
         self.process.stdout.close()
 
     def ask(self, path, data=None):
-        """Status and body of one request, which looks like a browser's."""
+        """Status and body of one request, sent like a browser."""
         try:
             with urllib.request.urlopen(urllib.request.Request(self.url + path, data), timeout=PATIENCE_S, context=self.context) as answer:
                 return answer.status, answer.read().decode()
@@ -83,14 +83,14 @@ class LtiCase(ServeCase):
         return self.server
 
     def login(self, user, **fields):
-        """The tool's answer to the beginning of a launch: status, where it leads, the cookie, and its text."""
+        """The tool's answer to the beginning of a launch: status, location, cookie and text."""
         query = {"iss": self.platform.url, "login_hint": user, "target_link_uri": self.server.origin + "/lti/launch", "client_id": "client-1", "lti_deployment_id": "deployment-1", **fields}
         query = {name: value for name, value in query.items() if value is not None}
         status, headers, body = self.server.http("GET", "/lti/login?" + urllib.parse.urlencode(query))
         return status, headers["Location"], (headers["Set-Cookie"] or "").split(";")[0], body.decode()
 
     def form(self, user, **message):
-        """The form that the platform makes a browser send, and the browser's cookie."""
+        """The form that the platform sends through a browser, and the browser's cookie."""
         hint = base64.urlsafe_b64encode(json.dumps(message).encode()).decode().rstrip("=")
         status, location, cookie, body = self.login(user, lti_message_hint=hint)
         self.assertEqual(status, 302, body)
@@ -125,7 +125,7 @@ class LtiCase(ServeCase):
         return self.server.json("GET", f"/api/class/{self.key}")[1]
 
     def grade(self, place, solution):
-        """Applies the solution of the first lesson, or rules that do nothing, and has them graded."""
+        """Applies the solution of the first lesson, or rules that do nothing, and grades them."""
         page = self.page(self.server, place)
         if page.until(lambda message: message["message"] in ("none", "hello"))["message"] == "none":
             page.ask(request="open", what="lesson:01-a-rule")
@@ -140,7 +140,7 @@ class LtiCase(ServeCase):
         page.ask(request="edit-text", what="save", text=text)
         page.until_contents("edit", lambda edit: edit["edit"]["notice"] == "Saved.")
         page.ask(request="lesson", what="grade")
-        # A run that goes on shows the last grade until the next one is there.
+        # A running world shows the previous grade until the next one is finished.
         graded = lambda lesson: lesson["grade"] and not lesson["is_graded"] and lesson["is_passed"] == solution
         page.until_contents("mission", lambda mission: graded(mission["lesson"]))
         page.close()
@@ -221,13 +221,13 @@ class Launches(LtiCase):
         self.assertIn("another browser", self.send(fields, self.form("ada")[1])[2])
         self.assertIn("did not begin here", self.send({**fields, "state": fields["state"][:-2] + "AA"}, cookie)[2])
         self.assertIn("did not begin here", self.send({"id_token": fields["id_token"]}, cookie)[2])
-        # A token of another login has another nonce.
+        # The token of another login has another nonce.
         self.assertIn("question", self.send({**fields, "id_token": self.form("ada")[0]["id_token"]}, cookie)[2])
         self.assertEqual(self.send(fields, cookie)[0], 303)
         status, _, body = self.send(fields, cookie)
         self.assertEqual(status, 403)
         self.assertIn("used before", body)
-        # Not after a restart either.
+        # It is also refused after a restart.
         self.assertEqual(self.server.stop(), 0)
         self.again()
         self.assertEqual(self.send(fields, cookie)[0], 403)

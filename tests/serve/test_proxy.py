@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A server behind nginx, and two that share the work: places stay with one of them, and a place outlives its server."""
+"""A server behind nginx, and two servers that share the work: a place stays on one of them, and survives the end of its server."""
 import pathlib
 import shutil
 import socket
@@ -45,7 +45,7 @@ def free_port():
 
 
 class Proxy(Server):
-    """What answers at nginx's port."""
+    """An nginx in front of servers."""
 
     def __init__(self, folder, servers):
         self.port = free_port()
@@ -90,7 +90,7 @@ class BehindNginx(ServeCase):
         self.assertEqual(server.http("POST", "/api/places", b"", X_Forwarded_For="10.0.0.1", Authorization="Bearer sesame")[0], 200)
 
     def test_the_log_of_a_proxy_holds_places_and_no_token(self):
-        """docs/serve.md says so: a place's id is in the path, the token is in a header or a subprotocol."""
+        """As docs/serve.md states, the id of a place is in the path, and the token is in a header or a subprotocol."""
         server = self.serve("--host", "soar.school", "--proxy", "127.0.0.1", "--token", "sesame")
         proxy = self.proxy([server])
         place = proxy.new_place(Authorization="Bearer sesame")
@@ -105,7 +105,7 @@ class BehindNginx(ServeCase):
         self.assertNotIn("sesame", log.read_text(encoding="utf-8"))
 
     def test_two_servers_share_the_work_and_a_place_outlives_its_server(self):
-        # One disk for both.
+        # Both servers use the same folder.
         servers = [self.serve("--host", "soar.school") for _ in range(2)]
         proxy = self.proxy(servers)
         places = [proxy.new_place() for _ in range(8)]

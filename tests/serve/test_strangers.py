@@ -117,7 +117,7 @@ class Doors(ServeCase):
         for origin in ("http://evil.example", "null", "http://127.0.0.1:1", "http://127.0.0.1:" + str(server.port) + ".evil"):
             self.assertEqual(server.json("POST", "/api/places", b"", Origin=origin)[0], 403, origin)
             self.assertEqual(self.page(server, place, origin=origin).status, 403, origin)
-        # A name that was pointed to this address.
+        # The host name of another site that resolves to this address.
         self.assertEqual(server.json("GET", f"/api/p/{place}", Host=f"evil.example:{server.port}")[0], 421)
         named = self.page(server, place, host="evil.example", origin="http://evil.example")
         self.assertEqual(named.status, 421)
@@ -249,7 +249,7 @@ class Class(ServeCase):
         self.assertIn("only watch", watching.until_message("error")["error"])
         page.ask(request="flow", what="pause")
         watching.until(lambda message: message["message"] == "flow" and message["paused"])
-        # A teacher chooses panels; the learner's open panels stay, and unknown names are ignored.
+        # A teacher chooses panels. This does not change the learner's panels, and unknown names are ignored.
         watching.ask(request="look", panels=["rules", "nowhere"])
         watching.until_contents("rules", lambda rules: any(node["is"] == "tabs" for node in rules["document"]))
         for odd in ("rules", [7], ["x" * 100], ["why"] * 200):

@@ -16,7 +16,7 @@ import unittest
 
 COMMAND = os.path.abspath(os.environ["SOARBOX"])
 LESSONS = pathlib.Path(__file__).resolve().parents[2] / "lessons"
-# A test that waits this long has failed, on any machine.
+# A test that waits longer than this has failed, even on a slow machine.
 PATIENCE_S = 120
 
 
@@ -187,8 +187,8 @@ class Server:
         self.errors.close()
 
     def engines(self):
-        """Numbers of the processes that the server has started."""
-        # Each thread of the server has the processes that it started.
+        """The ids of the processes that the server has started."""
+        # The system lists the processes of each thread.
         numbers = []
         for thread in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
             numbers += (thread / "children").read_text(encoding="utf-8").split()
@@ -196,7 +196,7 @@ class Server:
 
 
 class BrowserRun(Server):
-    """`soarbox run X --browser`, or a replay."""
+    """`soarbox run X --browser` or `soarbox replay X --browser`."""
 
     def start(self, words):
         options = words[words.index("--page"):]
@@ -221,7 +221,7 @@ class ServeCase(unittest.TestCase):
         return page
 
     def opened(self, server, place, what, *panels):
-        """A page that looks at a run that it has opened."""
+        """A page that opens a run and requests these panels."""
         page = self.page(server, place)
         page.until_message("none")
         page.ask(request="open", what=what)

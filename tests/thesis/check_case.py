@@ -4,7 +4,7 @@
 
 usage: check_case.py TRACE_CASE NAME
 
-TRACE_CASE is the transcript driver; agents/NAME.soar, NAME.cmd and NAME.out stand beside this script. Exit status 1: they differ (the difference is printed).
+TRACE_CASE is the transcript driver; agents/NAME.soar, NAME.cmd and NAME.out are next to this script. Exit status 1: they differ (the difference is printed).
 """
 import difflib
 import pathlib

@@ -6,7 +6,7 @@ usage: run_node.py --node FOLDER --native SOARBOX [--only golden|worlds|recordin
 
 golden       the kernel's cases (tests/golden): as many agree with Soar 9.6.3 as natively
 worlds       every world that comes with the program, and sway, ends in the same state as natively, bit for bit
-recordings   what one program records, the other simulates again with the same state in each tick; if the command was compiled
+recordings   if the command was compiled: the recordings of each program are simulated again by the other, with the same state in each tick
 
 NAME: only worlds of these names. The exit status is 1 if anything differs.
 """
@@ -24,12 +24,12 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 GOLDEN = REPOSITORY / "tests" / "golden"
 AREAS = ("core", "differential", "random", "learning", "memory", "svs", "cases_own")
 SECONDS = 60
-# Lua alone; minds, steering and paths; minds that die; minds that learn.
+# Scripts in Lua only; minds with steering and paths; minds that die; minds that learn.
 RECORDED = ("thesis", "soar_hallway", "soar_skirmish", "soar_reward")
 
 
 class Differences:
-    """The differences, printed as they are found."""
+    """Prints and counts differences."""
 
     def __init__(self):
         self.count = 0
@@ -46,7 +46,7 @@ def run(command, *arguments, limit_s=900):
 
 
 def end_of(*words):
-    """The last event of a run, as a dictionary; the error instead if there is none. And the seconds that it took."""
+    """The last event of a run as a dictionary, or the error if there is none; and the duration in seconds."""
     start = time.monotonic()
     done = run(*words)
     ends = [json.loads(line) for line in done.stdout.splitlines() if line.startswith('{"event":"end"')]

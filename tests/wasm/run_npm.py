@@ -4,7 +4,7 @@
 
 usage: run_npm.py --package build/npm/soarbox-VERSION.tgz --native SOARBOX [TEST...]
 
-`./dev npm test` makes both and calls this. Nothing is skipped: a missing package or program is an error.
+`./dev npm test` builds both and calls this. Nothing is skipped: a missing package or program is an error.
 """
 import argparse
 import json
@@ -49,7 +49,7 @@ sp {count*apply
 
 
 class Package(unittest.TestCase):
-    """Each test has a folder of its own; `npm` and `native` run the two programs in it."""
+    """Each test has a separate folder, in which `npm` and `native` run the two programs."""
 
     maxDiff = 4000
 
@@ -59,7 +59,7 @@ class Package(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.root, ignore_errors=True)
         cls.installed = cls.root / "empty"
         cls.installed.mkdir()
-        # The native program must not be found, and both use the same worlds.
+        # The native program must not be on the path. Both programs use the same worlds.
         node = pathlib.Path(shutil.which("node") or sys.exit("run_npm.py: there is no node on the path")).parent
         cls.environment = {"PATH": f"{node}:/usr/bin:/bin", "HOME": str(cls.root), "LANG": "C.UTF-8"}
         done = subprocess.run(["npm", "install", "--offline", "--no-audit", "--no-fund", str(GIVEN.package)], cwd=cls.installed,
@@ -163,7 +163,7 @@ class Commands(Package):
         results = []
         for program in (self.npm, self.native):
             lines = [json.loads(line) for line in program("test", "scout", "--seeds", "1..2", "--json", "--no-keep").stdout.splitlines()]
-            # How long it took is not compared.
+            # The duration is not compared.
             results.append([{key: value for key, value in line.items() if key not in ("cpu_s", "wall_s")} for line in lines])
         self.assertEqual(*results)
         self.assertTrue(results[0][-1]["passed"])
@@ -187,7 +187,7 @@ class Commands(Package):
 
 
 class Api(Package):
-    """What programs in JavaScript can do: a client of kernels, worlds, commands."""
+    """Programs in JavaScript: a client of kernels, worlds, commands."""
 
     def run_script(self, name, *words):
         shutil.copy(REPOSITORY / "tests" / "wasm" / name, self.installed / name)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-2-Clause
-"""Tries a site that `./dev site` has written in a browser.
+"""Tests a site that `./dev site` has written, in a browser.
 
 usage: run_site.py [--site FOLDER|NAME.html] [--or-skip] [TEST...]
 
-A folder is served by Python's server of files, below a path, as on any static host; one file is opened from the disk. TEST: files of
-tests instead of site.mjs, for example web/e2e/lessons.mjs. Needs Chromium (SOARBOX_BROWSER) and the page's packages (npm ci in web/).
---or-skip: says what is missing, and exits with 77, if there is no site or it is older than the sources.
+Python's file server serves a folder below a path, as on any static host. A single file is opened from the disk. TEST: files with tests to
+run instead of site.mjs, for example web/e2e/lessons.mjs. Needs Chromium (SOARBOX_BROWSER) and the page's packages (npm ci in web/).
+--or-skip: if there is no site, or if it is older than the sources, prints the reason and exits with 77.
 """
 import argparse
 import functools
@@ -29,7 +29,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 def newest_source():
-    """The newest of the files that a site is built from."""
+    """The newest file from which a site is built."""
     listed = subprocess.run(["git", "ls-files", "src", "web/src", "lessons", "scenarios", "media", "cmake/wasm"], cwd=REPOSITORY,
                             capture_output=True, text=True, check=True).stdout.split("\n")
     files = [REPOSITORY / name for name in listed if name and not name.endswith(("_test.cpp", ".test.ts"))]
@@ -37,7 +37,7 @@ def newest_source():
 
 
 def what_is_missing(site, is_old_good):
-    """The reason why nothing can be tried; empty: there is none."""
+    """The reason why nothing can be tested; empty: there is none."""
     proof = site if site.suffix == ".html" else site / "index.html"
     if not proof.is_file():
         return f"there is no site in {site}: ./dev site writes it (it needs emscripten, docs/dev/wasm.md)"

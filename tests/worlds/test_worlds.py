@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Every world ends in the same state, wherever its minds run: in its own process, in a kernel of ours in another process,
-and in the kernel that SOARBOX_SOAR_KERNEL=HOST:PORT names, which may be one of Soar 9.6.3 (docs/official_soar.md)."""
+"""Every world ends in the same state if its minds run in its own process, in our kernel in another process, or in the
+kernel at SOARBOX_SOAR_KERNEL=HOST:PORT, which may be one of Soar 9.6.3 (docs/official_soar.md)."""
 import os
 import pathlib
 import re
@@ -31,8 +31,8 @@ LEFT_OUT = {
     "scenarios/soar_skirmish/joint_watch.toml": "it waits for another process (DIS)",
 }
 
-# In each of these, several agents draw random numbers. All agents of an official kernel share one generator, ours have one each. There, the listed
-# agents run instead, one of each, and only the last of them draws.
+# In each of these worlds, several agents draw random numbers. All agents of an official kernel share one generator; in our kernel each agent has its
+# own. For an official kernel, only the listed agents run, one of each, and only the last of them draws random numbers.
 ONE_DRAWS = {
     "scenarios/eaters/four.toml": [["greedy.soar"], ["wanderer.soar"], ["learner.soar"]],
     "scenarios/soar_ambush": [["hare", "red", "blue"]],
@@ -117,7 +117,7 @@ class Worlds(unittest.TestCase):
         cls.folder = new_folder(cls)
 
     def solved(self, lesson):
-        """A copy of a lesson in which the solution is written."""
+        """A copy of a lesson that contains the solution."""
         copy = self.folder / name_of(lesson)
         shutil.copytree(lesson, copy, dirs_exist_ok=True)
         shutil.copytree(lesson / "solution", copy, dirs_exist_ok=True)
@@ -132,7 +132,7 @@ class Worlds(unittest.TestCase):
         return copy / file.name
 
     def anew(self, world, rules):
-        """A copy of a world in which the agent asks its scene again in each moment."""
+        """A copy of a world in which the agent extracts from its scene again at each moment."""
         folder = world if world.is_dir() else world.parent
         copy = self.folder / "anew" / folder.name
         shutil.copytree(folder, copy)
@@ -142,7 +142,7 @@ class Worlds(unittest.TestCase):
         return copy / "scenario.toml"
 
     def same(self, world, seconds, kernel):
-        """Compares a world's own run with that in another kernel; returns how many commands there were."""
+        """Compares a world's own run with that in another kernel; returns the number of commands."""
         near, commands = end_of(world, seconds, "--threads", 1)
         far, far_commands = end_of(world, seconds, "--kernel", kernel)
         self.assertEqual(commands, far_commands)
