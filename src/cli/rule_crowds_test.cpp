@@ -23,7 +23,7 @@ class RuleCrowdsTest : public testing::Test {
     EXPECT_NE(rule, nullptr) << body;
     return rule;
   }
-  /// All disks in their places: each is found by its name, and the names come last.
+  /// A rule that tests all disks of a tower. The disks are distinguished by their names, which are tested last.
   static std::string Tower(int disks) {
     std::string body = "done (state <s> ^holds", disk_tests, name_tests;
     for (int n = 1; n <= disks; ++n) {

@@ -201,7 +201,7 @@ TEST(Numerics, CompilersAndProcessorsAgreeToTheBit) {
   EXPECT_EQ(floats.hash, 804262227115399895ULL);
 }
 
-// If the C library has more bits than a double, millions of values are compared with it.
+// If long double has more bits than double, millions of values are compared with the C library.
 #if __LDBL_MANT_DIG__ >= 64
 double UnitsOff(double value, long double exact) {
   const auto nearest = static_cast<double>(exact);

@@ -269,7 +269,7 @@ std::string JpegFile(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// Another program wrote these files: red grows to the right, green downwards, blue is a wave.
+/// Another program wrote these files. Red increases to the right, green downwards, and blue is a wave.
 TEST(Jpeg, ReadsBaselineProgressiveAndRestartedFiles) {
   for (const char* name : {"baseline.jpg", "progressive.jpg", "restarts.jpg"}) {
     const JpegRead read = ReadJpeg(JpegFile(name));

@@ -46,7 +46,7 @@ void Put(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// A world with one agent, whose rules source those of a neighbour.
+/// A world with one agent. Its file of rules sources a second file in a subfolder.
 class KeptFilesTest : public testing::Test, protected NotedRun {
  protected:
   using NotedRun::Run;  // Not the one of testing::Test.

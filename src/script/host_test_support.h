@@ -57,7 +57,7 @@ inline std::string ShortWav() {
   return {kBytes, sizeof kBytes - 1};
 }
 
-/// A world with scripts in a folder of its own, before our library.
+/// A world with scripts in a separate folder, which is searched before the folder of our library.
 class HostTest : public testing::Test {
  protected:
   HostTest() {

@@ -239,8 +239,8 @@ TEST_F(MachineTest, StopsEndlessLoopsAtTheSameInstructionEachTime) {
 }
 
 TEST_F(MachineTest, EachFunctionOfTheLibraryPaysForItsWorstCase) {
-  // A budget of 2 million instructions ends each loop after at most this number of calls: the price of a call is never
-  // much below its work.
+  // A budget of 2 million instructions ends each loop after at most this number of calls, because a call is charged for
+  // about as many instructions as its work takes.
   struct Case {
     const char *prepare, *call;
     int most_calls;

@@ -66,8 +66,8 @@ Outcome PlayHogs(int hogs, std::size_t limit_bytes, int threads, int ticks) {
   return outcome;
 }
 
-/// If the kernel checks all matches after each phase, growing minds take minutes and use other amounts of memory than
-/// for users.
+/// In such builds the kernel checks all matches after each phase. Growing minds then take minutes, and use other
+/// amounts of memory than in builds for users.
 #ifdef SOARBOX_CHECK_INVARIANTS
 constexpr bool kChecksInvariants = true;
 #else

@@ -38,7 +38,7 @@ TEST(WorkerPool, WhereNoThreadCanBeStartedTheOwnerDoesAllJobs) {
 
 TEST(WorkerPool, ThoseWhoLookAroundInOneTickAreSpreadOverAllThreads) {
   for (std::size_t threads = 1; threads <= 16; ++threads) {
-    // In three rounds, each thread gets one of each third.
+    // Minds with numbers n, n + 3, n + 6, ... look around in the same tick. Each thread must get one of each third.
     std::vector<std::vector<int>> of_third(threads, std::vector<int>(3));
     for (std::uint64_t number = 0; number < 3 * threads; ++number) ++of_third[ThreadOf(number, threads)][number % 3];
     EXPECT_EQ(of_third, std::vector(threads, std::vector<int>(3, 1))) << threads;

@@ -3,9 +3,9 @@
 // (sml_Client.h) and prints a transcript: every command, what the agent printed
 // while it ran, and the command's result.
 //
-//   trace_case CASE.cmd [VERSION]     (run in the folder that holds the case)
+//   trace_case CASE.cmd [VERSION]     (run in the folder of the case)
 //
-// With a version, the agent behaves like that Soar where versions differ (`soar like`, which only Soarbox has).
+// VERSION: if versions of Soar differ, the agent behaves like this one (`soar like`, which only Soarbox has).
 //
 // A line of CASE.cmd is a Soar command line, or one of these directives:
 //   !wme NAME PARENT TYPE ATTR [VALUE]   create a WME; PARENT is `il` or the NAME of an earlier id WME;
@@ -13,8 +13,8 @@
 //   !update NAME VALUE                   change the value of a string, int or float WME
 //   !destroy NAME                        remove a WME
 //   !run N                               run this agent N decision cycles (RunSelf)
-//   !run-self N STEP                     the same by STEP: decision | phase | elaboration (RunSelf with a step size)
-//   !run-all N STEP                      run all agents by STEP (RunAllAgents)
+//   !run-self N STEP                     the same with this step size: decision | phase | elaboration (RunSelf with a step size)
+//   !run-all N STEP                      run all agents with this step size (RunAllAgents)
 //   !til-output                          run this agent until it produces output (RunSelfTilOutput)
 //   !commands                            list the commands on the output link with their string parameters
 //   !complete | !error                   add ^status complete / error to every listed command
@@ -22,8 +22,8 @@
 //   !init                                init-soar through the client API
 //   !autocommit on|off                   commit every input change at once, or only on request
 //   !commit                              commit the input changes made so far
-//   !svs LINE                            give the scene of the top state a line (SendSVSInput)
-//   !svs? QUERY                          ask about that scene (SVSQuery)
+//   !svs LINE                            send a line to the scene of the top state (SendSVSInput)
+//   !svs? QUERY                          query that scene (SVSQuery)
 // Empty lines and lines that begin with # are skipped.
 #include <cstdlib>
 #include <fstream>
