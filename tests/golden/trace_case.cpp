@@ -13,8 +13,8 @@
 //   !update NAME VALUE                   change the value of a string, int or float WME
 //   !destroy NAME                        remove a WME
 //   !run N                               run this agent N decision cycles (RunSelf)
-//   !run-self N STEP                     the same with this step size: decision | phase | elaboration (RunSelf with a step size)
-//   !run-all N STEP                      run all agents with this step size (RunAllAgents)
+//   !run-self N STEP                     the same with a step size: decision | phase | elaboration (RunSelf)
+//   !run-all N STEP                      run all agents with a step size (RunAllAgents)
 //   !til-output                          run this agent until it produces output (RunSelfTilOutput)
 //   !commands                            list the commands on the output link with their string parameters
 //   !complete | !error                   add ^status complete / error to every listed command
