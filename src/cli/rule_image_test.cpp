@@ -210,7 +210,7 @@ TEST_F(RuleImageTest, ImagesWithWrongBytesEitherFailOrGiveRulesThatRun) {
 }
 
 TEST_F(RuleImageTest, NestingIsBounded) {
-  // A rule whose first condition is a negation of a negation of ...
+  // The first condition of this rule consists of 100,000 nested negations.
   std::string payload("\0\1\0\1\1x\0\0\0\0\0", 11);
   for (int i = 0; i < 100000; ++i) payload += std::string("\1\2", 2);
   kernel::SymbolTable symbols;

@@ -125,8 +125,7 @@ TEST(Threads, WaysThroughACrowdAreTheSameOnAnyNumberOfThem) {
   EXPECT_EQ(Stroll(5), one);
 }
 
-/// The events of a world whose scripts create agents with minds while others decide, and whose minds are idle, halt and
-/// write.
+/// The events of a world. Its scripts create agents with minds while others decide; minds are idle, halt and write.
 std::string Happenings(int threads) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("soarbox_beside_" + std::to_string(threads));

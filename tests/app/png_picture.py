@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""Reads the pixels of a PNG: 8 bits per channel, RGB or RGBA, not interlaced, which is what the program writes."""
+"""Reads the pixels of a PNG: 8 bits per channel, RGB or RGBA, not interlaced, as the program writes it."""
 import struct
 import zlib
 

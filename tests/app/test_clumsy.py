@@ -15,7 +15,7 @@ end
 AGENT = '[[agent]]\nname = "hero"\nrules = "hero.soar"\n'
 RULES = "sp {hero*go (state <s> ^superstate nil ^io.output-link <o>) --> (<o> ^wander <c>)}\n"
 
-# What is there instead of a file -> the message.
+# What exists instead of the file, and the message.
 OTHER_FILES = {
     "UTF-16": (lambda path: path.write_bytes(RULES.encode("utf-16")), "this file is UTF-16: save it as UTF-8"),
     "binary": (lambda path: path.write_bytes(bytes(range(256))), "this is not a text file: line 1 holds a zero byte"),

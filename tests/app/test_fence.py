@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A scenario reads below its folder and writes nothing, whatever its files say."""
+"""A scenario can read only below its folder and cannot write, whatever its files contain."""
 import os
 import pathlib
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A stranger's folder: each command of the program combined with each kind of request in a file. A cell passes if nothing is
-written, nothing outside is shown, nothing hangs, and the program ends in one of its own ways."""
+"""An untrusted folder: each command of the program is combined with each kind of request in a file. A combination passes if
+nothing is written, nothing outside of the folder is shown, nothing hangs, and the program ends with one of its exit codes."""
 import os
 import shutil
 import socket

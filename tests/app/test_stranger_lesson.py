@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A stranger's lesson folder, with each kind of request in a file: grading it, asking for a hint,
-beginning it again and running it do no more than a run does."""
+"""An untrusted lesson folder with each kind of request in a file: grading, hints, beginning again and running have only the
+permissions of a run."""
 import os
 
 import strangers_folder

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-2-Clause
-"""A stranger's sweep: its file, its results folder and the variants in it reach nothing outside of that folder."""
+"""An untrusted sweep: its file, its results folder and its variants cannot access anything outside of the folder."""
 import hashlib
 import os
 import socket
@@ -13,7 +13,7 @@ TOP = 'scenario = "folder"\nseeds = "1..2"\nseconds = 0.2\n'
 
 
 def checksum(text):
-    """The text before a row."""
+    """A row with its checksum before it."""
     value = 0xCBF29CE484222325
     for byte in text.encode():
         value = ((value ^ byte) * 0x100000001B3) & (1 << 64) - 1
@@ -34,7 +34,7 @@ class Sweeps(strangers_folder.StrangersFolder):
         (self.outside / ".keys" / "key").write_text("precious\n")
 
     def state(self):
-        """The same, with the contents of the files."""
+        """All files outside of the user's folder, with checksums of their contents."""
         return [(path, hashlib.md5(path.read_bytes()).hexdigest() if path.is_file() and not path.is_symlink() else "", path.is_symlink())
                 for root in (self.outside, self.folder) for path in sorted(root.rglob("*"))]
 

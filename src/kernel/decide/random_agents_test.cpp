@@ -37,7 +37,7 @@ class RandomCase {
       Check();
       if (change_rules_) Change();
       if (agent_.goals().depth() > 1) ++tally.substates;
-      // Agents whose elements keep multiplying are not more interesting than others.
+      // Stops agents with too many elements: their elements keep multiplying, and they test nothing more.
       if (agent_.memory().wme_count() > kMaxElements) {
         ++tally.stopped_early;
         break;
