@@ -13,7 +13,7 @@ local function Movements()
         Animation.GetAnimation(soldier, "stand_fire_one_shot");
 end
 
--- Idle at any time to reload; reload back to idle at its end; from fire no way leads on.
+-- Transitions: from idle to reload at any time, and from reload to idle at its end. There is none from fire.
 local function Machine()
     local idle, reload, fire = Movements();
     local machine = AnimationStateMachine.new();

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- For the tests of the Lua library: each is a function whose name begins with Test.
+-- For the tests of the Lua library. A test is a function in a table.
 
 function Check(condition, what)
     if (not condition) then
@@ -19,7 +19,7 @@ function CheckNear(wanted, found, tolerance)
     end
 end
 
--- Runs the functions of a table; prints each failure, then how many passed.
+-- Runs the functions of a table. Prints each failure, and then the number of passed tests.
 function RunTests(tests)
     local passed = 0;
     for name, test in pairs(tests) do

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Messages: the test goes on after the steps that deliver them.
+-- Messages. The test continues after the steps that deliver them.
 require "Check";
 require "AgentCommunications";
 

@@ -6,7 +6,7 @@ require "DecisionTree";
 require "FiniteStateMachine";
 require "BehaviorTree";
 
--- An action that notes what happens to it in userData.log and ends after some updates.
+-- An action that records its calls in userData.log and ends after some updates.
 local function Noted(userData, name, updates)
     local left;
     return Action.new(name,

@@ -5,7 +5,7 @@ require "EatersRules";
 
 local tests = {};
 
--- A game on this map, with eaters named by their colours on the digits 1, 2 ...
+-- A game on this map. Eaters, named by their colours, begin at the digits 1, 2 ...
 local function Game(map, settings)
     local colors = { "red", "blue", "yellow" };
     settings = settings or {};
@@ -124,10 +124,10 @@ function tests.OldAgentsMayWriteCapitals()
 end
 
 function tests.AnEaterBeginsWhereItCanJump()
-    -- By chance it would begin in the north-west, from where no jump leads on.
+    -- The random place would be in the north-west, from which no jump is possible.
     local game = EatersRules.new({ map = { ".##..", "##...", "##..." }, random = function() return 1; end });
     CheckPlace(game:Join("red"), 4, 1);
-    -- Where there is no such place, any will do.
+    -- If there is no place with a possible jump, any place is used.
     CheckPlace(EatersRules.new({ map = { ".." }, random = function() return 2; end }):Join("red"), 2, 1);
 end
 
@@ -220,7 +220,7 @@ function tests.TwoInOneCellShareTheirPointsAndAreThrownElsewhere()
     game:Command(red, "move", { direction = "east" });
     game:Command(blue, "move", { direction = "west" });
     game:Turn();
-    -- The first of them eats what lies there: (10 + 5 + 3) / 2.
+    -- The first of them eats the food in the cell: (10 + 5 + 3) / 2.
     CheckEqual(9, red.score);
     CheckEqual(9, blue.score);
     CheckPlace(red, 1, 1);
@@ -249,7 +249,7 @@ function tests.WhoIsThrownEatsWhereItLands()
     local game, red, blue = Game({ "1 2", ".  " }, { random = function(most) return most and 3 or 0; end });
     game:Command(red, "move", { direction = "east" });
     Play(game, blue, "move", "west");
-    -- Free were 1,1 and 3,1 and then 1,2, which the first of them gets.
+    -- The free cells are 1,1 and 3,1 and 1,2, in this order. The first eater gets the third one.
     CheckPlace(red, 1, 2);
     CheckEqual(5, red.score);
 end
@@ -297,7 +297,7 @@ function tests.AnEaterPerceivesTheCellsAroundItThroughTheirDirections()
     CheckEqual("bonusfood", here.east.content);
     CheckEqual("wall", here.east.east.content);
     CheckEqual(nil, here.east.east.east);
-    -- However it is reached, a cell is one object.
+    -- All paths to a cell lead to the same object.
     Check(rawequal(here.north.east, here.east.north));
     Check(rawequal(here.north.south, here));
 end

@@ -30,7 +30,7 @@ function tests.TheLevelIsMadeOfFixedCubesAndCanBeWalkedAlongItsPath()
         highest = math.max(highest, way[#way].y);
     end
     CheckNear(4, highest, 0.2);
-    -- Down into the basin.
+    -- There is a path down into the basin.
     Check(#Sandbox.FindPath(sandbox, "level", Vector.new(), Vector.new(45, -2, 30)) > 1);
 end
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Soldiers: the names under which scripts know their parts, and minds whose parts a scenario replaces.
+-- Soldiers: the names of their parts in scripts, and minds with parts that a scenario replaces.
 require "Check";
 require "AgentSenses";
 require "IndirectSoldierAgent";
@@ -91,14 +91,14 @@ function tests.ARandomPlaceComesWithThePathToIt()
     agent:SetPosition(Vector.new(0, 0.8, 0));
     local place, path = Soldier_PathToRandomPoint(agent);
     CheckNear(0, Vector.Distance(place, path[#path]));
-    -- From where nothing can be walked to there is none.
+    -- There is none at a place from which no path leads anywhere.
     agent:SetPosition(Vector.new(0, 500, 0));
     CheckEqual(nil, Soldier_PathToRandomPoint(agent));
     agent:SetPosition(Vector.new(0, 0.8, 0));
 end
 
--- What a scenario's own scripts may be: decision branches whose evaluators get nothing and give a number, actions whose
--- insides nobody knows.
+-- Parts that a scenario's own scripts may have: decision branches with evaluators without arguments that return a
+-- number, and actions of an unknown structure.
 function tests.AMindWorksWithAScenariosOwnParts()
     local keep = { branch = DecisionBranch, action = Action, alive = SoldierEvaluators_IsAlive, die = SoldierActions_DieUpdate };
     DecisionBranch = {

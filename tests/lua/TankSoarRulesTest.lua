@@ -9,7 +9,7 @@ local function Always(number)
     return function(most) return most and math.min(number, most) or 0.5; end;
 end
 
--- A game on this map, with tanks on the digits 1, 2 ...: all face north, and no packs appear.
+-- A game on this map. Tanks begin at the digits 1, 2 ... and face north. No packs appear.
 local function Game(map, settings)
     local colors = { "red", "blue", "yellow" };
     settings = settings or {};
@@ -130,7 +130,7 @@ function tests.WhoIsSentBackIsInTheWayOfThoseBehind()
     CheckPlace(blue, 3, 3);
     CheckPlace(yellow, 5, 3);
     CheckEqual(900, red.health);
-    -- Of the one in the middle both others were in the way.
+    -- Both other tanks were in the way of the middle one.
     CheckEqual(800, blue.health);
     CheckEqual(900, yellow.health);
 end
@@ -193,7 +193,7 @@ function tests.WhoDrivesIntoAMissileIsHit()
     CheckEqual(4, game.flying[1].y);
     Do(game, blue, "move", { direction = "backward" });
     game:Turn();
-    -- It has driven to 3, and the missile has flown there.
+    -- The tank has moved to row 3, and the missile has flown there.
     CheckEqual(600, blue.health);
     CheckEqual(0, #game.flying);
 end
@@ -359,7 +359,7 @@ function tests.RadarSeesThreeColumnsUpToWhatIsInTheWay()
     CheckEqual(1, #percepts.radar.obstacle);
     CheckEqual("center", percepts.radar.obstacle[1].position);
     CheckEqual(2, percepts.radar.obstacle[1].distance);
-    -- Right at 0, left and right at 1, and ahead at 1.
+    -- The open cells: right at distance 0, and left, right and center at distance 1.
     CheckEqual(4, #percepts.radar.open);
 end
 
@@ -414,7 +414,7 @@ function tests.SoundTellsTheWayToWhoHasMoved()
     CheckEqual("silent", game:Percepts(red).sound);
     Do(game, blue, "rotate", { direction = "left" });
     game:Turn();
-    -- Around the obstacle: ahead of a tank that faces north.
+    -- The way leads around the obstacle, so its first step is ahead of this tank, which faces north.
     CheckEqual("forward", game:Percepts(red).sound);
     CheckEqual("silent", game:Percepts(blue).sound);
     local far, one, two = Game(Wide("1       2     "));
