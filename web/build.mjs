@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Bundles the page into dist/page: index.html and assets/, nothing else; says how much a browser loads.
+// Bundles the page into dist/page, and prints the size that a browser loads.
 import { build } from "esbuild";
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
@@ -22,13 +22,15 @@ const { metafile } = await build({
   logLevel: "warning",
   metafile: true,
 });
-// The modules that draw the world are fetched at the same time as the page, because each script names its imports only after it is loaded.
+// Preloads the modules that draw the world together with the page. Otherwise a browser finds the imports of a script
+// only after it has loaded it.
 const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
   const [file, made] = Object.entries(metafile.outputs).find(([path]) => new RegExp(`/${name}(-[A-Z0-9]+)?\\.js$`).test(path));
   return [file, ...made.imports.filter((one) => one.kind === "import-statement").map((one) => one.path)];
 }));
 const preloads = [...needed].map((file) => `<link rel="modulepreload" href="${file.replace("dist/page", "")}">`).join("\n");
-// What `soarbox report` puts into one file: the page with its style, what shows the data, and what shows a recorded run in 3D.
+// The parts that `soarbox report` puts into one file: the page with its style, and the scripts for the data and for a
+// recorded run in 3D.
 const noEditor = { name: "no editor", setup: (bundle) => bundle.onResolve({ filter: /\/edit_panel$/ }, () => ({ path: `${import.meta.dirname}/src/report/no_edit_panel.ts` })) };
 const whole = await build({ plugins: [noEditor], entryPoints: { report: "src/report.ts", report_scene: "src/report_scene.ts", style: "src/styles/report_page.css" }, outdir: "dist", bundle: true, write: false, metafile: true, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;

@@ -6,7 +6,8 @@
 // ENGINE      the folder of soarbox-engine.mjs, .wasm and .data
 // EMSCRIPTEN  the folder of emscripten, and
 // SOURCES     the folder of the libraries that the engine contains: for their licences
-// TARGET      a folder that any server of files can serve, below any path; or NAME.html: one file, which a browser opens from the disk
+// TARGET      a folder, which any file server can serve below any path; or NAME.html, a file that a browser opens from
+// the disk
 import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -22,9 +23,9 @@ if (target === undefined || !Object.values(PARTS).every((name) => existsSync(joi
 }
 
 const COMMON = { bundle: true, target: "es2022", minify: true, legalComments: "none", logLevel: "warning", write: false };
-/** The worker, with what emscripten wrote in it. */
+/** The script of the worker, including emscripten's script. */
 async function worker() {
-  // What emscripten's script needs in Node.js alone.
+  // Modules that emscripten's script needs only in Node.js.
   const node = /^(node:)?(module|path|fs|url|crypto)$/;
   const noNode = { name: "no Node.js", setup(bundle) {
     bundle.onResolve({ filter: node }, ({ path }) => ({ path, namespace: "node" }));
@@ -34,7 +35,7 @@ async function worker() {
   return outputFiles[0].text;
 }
 
-/** As programs for Node.js have it (cmake/wasm/node.js). */
+/** The id of the engine's module, computed as in programs for Node.js (cmake/wasm/node.js). */
 function moduleId() {
   return createHash("sha256").update(partBytes("wasm")).digest("hex").slice(0, 40);
 }
@@ -42,7 +43,7 @@ function moduleId() {
 const partBytes = (part) => readFileSync(join(engine, PARTS[part]));
 const kB = (bytes) => `${Math.round(bytes / 1000)} kB`;
 
-/** It knows all files of the site, so it is written last. */
+/** The service worker lists all files of the site, so it is written last. */
 async function writeServiceWorker(folder) {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((one) => one.isFile()).map((one) => relative(folder, join(one.parentPath ?? one.path, one.name))).sort();
   const version = createHash("sha256");
@@ -63,7 +64,7 @@ async function writeFolder(folder) {
   writeFileSync(join(folder, "assets", "worker.js"), await worker());
   writeFileSync(join(folder, "assets", "licences.txt"), readFileSync("dist/page/assets/licences.txt", "utf8") + RULE + noticesOfEngine(sources, emscripten));
   for (const part of ["wasm", "data"]) cpSync(join(engine, PARTS[part]), join(folder, "engine", PARTS[part]));
-  // Nothing is at the root of its server.
+  // All addresses are relative, because the site may not be at the root of its server.
   writeFileSync(join(folder, "index.html"), readFileSync("dist/page/index.html", "utf8").replaceAll('="/assets/', '="assets/')
     .replace('<meta name="color-scheme"', '<meta name="soarbox-engine" content="engine">\n<link rel="manifest" href="manifest.webmanifest">\n<meta name="color-scheme"'));
   writeFileSync(join(folder, "manifest.webmanifest"), JSON.stringify({ name: "Soarbox", short_name: "Soarbox", start_url: ".", display: "standalone", icons: [{ src: "assets/icon.svg", type: "image/svg+xml", sizes: "any" }] }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// A sheet with pictures of worlds, lessons and panels in the page, to be looked at: index.html in the folder named, with one row for each
-// and one picture for each size and scheme. It ends with 1 if a page scrolls sideways or the browser complains.
+// Writes a sheet with pictures of worlds, lessons and panels in the page, to be inspected by eye: index.html in
+// FOLDER, with a row for each and a picture for each size and scheme. The exit code is 1 if a page scrolls sideways or
+// the browser reports an error.
 //   node contact_sheet.mjs FOLDER [NAME...]      without names: all worlds, lessons and panels; a panel's name is its title
 //   SOARBOX_PAGE      address of the server (default: http://127.0.0.1:8080)
 //   SOARBOX_SIZES     widths in pixels (default: 390,768,1280,1920,1280x2); 1280x2 is 1280 px at a zoom of 200 percent
@@ -20,7 +21,7 @@ const sizes = (process.env.SOARBOX_SIZES ?? "390,768,1280,1920,1280x2").split(",
 const panelWorld = process.env.SOARBOX_WORLD ?? "soar_skirmish", pausedAt_s = Number(process.env.SOARBOX_AT ?? 8);
 mkdirSync(folder, { recursive: true });
 
-/** "1280x2": what a browser of 1280 px shows at a zoom of 200 percent. */
+/** "1280x2": a browser with a width of 1280 px at a zoom of 200 percent. */
 function sizeOf(text) {
   const [width, zoom = 1] = text.split("x").map(Number), height = HEIGHTS[width] ?? Math.round(width * 0.62);
   return { text, zoom, view: [Math.round(width / zoom), Math.round(height / zoom)] };
@@ -36,7 +37,7 @@ if (unknown.length > 0) {
   process.exit(2);
 }
 
-/** Opens the world of the panels in which no panel is hidden by a narrow page. */
+/** Returns the titles of the panels, from a page that is wide enough to show all of them. */
 async function titlesOfPanels() {
   const { page, close } = await openPage(`/p/${place}/#world=${panelWorld}`, { size: [1280, 800], draws: false });
   await page.waitForSelector(".run-page:not([hidden]) [role=tab]");
@@ -60,14 +61,14 @@ async function pauseWorld(page) {
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
 }
 
-/** The picture's file name, and what is wrong with the page. */
+/** Takes a picture. Returns the file name, and the faults of the page. */
 async function picture(kind, name, size, scheme) {
   const world = kind === "panel" ? `world=${panelWorld}` : `${kind}=${name}`;
   const { page, troubles, close } = await openPage(`/p/${place}/#${world}`, { size: size.view, zoom: size.zoom, scheme });
   const file = `${name}_${size.text}_${scheme}.png`.replaceAll(" ", "_"), faults = [];
   try {
     await page.waitForSelector(".run-page:not([hidden])");
-    // The name of an agent, or a world without agents.
+    // Waits for the name of an agent, or for the empty panel of a world without agents.
     await page.waitForFunction(() => document.querySelector(".labels .name, .panel.agents") !== null);
     if (kind === "panel") {
       await pauseWorld(page);

@@ -3,10 +3,10 @@
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
-/** Between two notices. */
+/** Separates two notices. */
 export const RULE = `\n${"-".repeat(72)}\n\n`;
 
-/** Folders of the packages from which a bundle took code, by esbuild's metafile. */
+/** The folders of packages with code in a bundle, according to esbuild's metafile. */
 export function packagesIn(metafile) {
   const folders = new Set();
   for (const output of Object.values(metafile.outputs))
@@ -32,7 +32,7 @@ export function noticesFor(metafile, own = "../LICENSE") {
   return [ours, ...packagesIn(metafile).map(noticeOf)].join(RULE);
 }
 
-/** The notices of the libraries that the engine as WebAssembly contains. Throws if one is not there.
+/** The notices of the libraries that the engine as WebAssembly contains. Throws if one is missing.
  * `sources`: their folder; `emscripten`: the compiler's folder. */
 export function noticesOfEngine(sources, emscripten) {
   const debian = (name) => `/usr/share/doc/${name}/copyright`;

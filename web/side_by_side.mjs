@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Makes docs/images/side_by_side.png: the same moments, from the same places, in the window and in a browser.
+// Writes docs/images/side_by_side.png: the same moments with the same camera, in the window and in a browser.
 //   SOARBOX_COMMAND=build/release/bin/soarbox xvfb-run -a node web/side_by_side.mjs
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
@@ -11,7 +11,7 @@ import { COMMAND, startServer } from "./e2e/own_server.mjs";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const WIDTH = 720, HEIGHT = 405, TICKS_PER_S = 30;
-/** What the window has over and under its picture of the world, in pixels. */
+/** The height of the window's parts above and below its picture of the world, in pixels. */
 const MENU = 59, FOOT = 31;
 const SHOWN = 480;
 /** `from`: position of the camera; `down`: its downward angle in degrees, along -z. */
@@ -24,7 +24,7 @@ const MOMENTS = [
 function copyOf({ world, from, down }) {
   const folder = mkdtempSync(join(tmpdir(), "soarbox-"));
   cpSync(join(ROOT, "scenarios", world), folder, { recursive: true });
-  // The first order may be fitted to the page's smaller picture; those after it count as they are.
+  // Moves the camera slightly in each tick: the page may adapt a script's first view, but uses later ones unchanged.
   writeFileSync(join(folder, "Camera.lua"), `
 require "Plain"
 local tick = 0
@@ -59,7 +59,7 @@ async function ofPage(folder, at) {
   await page.keyboard.press("Space");
   await page.waitForSelector(".flow-bar button[aria-label=Run]");
   await page.addStyleTag({ content: ".stage { position: fixed !important; inset: 0; height: auto !important; z-index: 99; } .stage-tools { display: none; } .stage canvas { outline: none !important; }" });
-  // Tick by tick to the very moment.
+  // Steps tick by tick to this moment.
   for (let time = await shown(); time < at - 0.5 / TICKS_PER_S; time = await shown()) {
     const before = time;
     await page.keyboard.press(".");

@@ -53,7 +53,7 @@ export class App {
   private shown: { remark: Remark; id: number }[] = [];
   private nextRemark = 1;
   private openedGiven = false;
-  /** The state of an experiment: the run has the seed of the link, is restarted with it, and *Why* was requested. */
+  /** Of an experiment: the restart with the link's seed was requested; it has not begun yet; *Why* was requested. */
   private isSeeded = false;
   private isSeeding = false;
   private isAsked = false;
