@@ -194,12 +194,12 @@ class Worlds(ScenarioCase):
 
     def test_a_looping_update_of_the_sandbox_is_given_up(self):
         run = self.run_(update="function Sandbox_Update(s) while true do end end", seconds=0.3)
-        self.told(run, "given up")
+        self.told(run, "was stopped after")
 
     def test_many_agents_that_each_stay_below_their_limit(self):
         run = self.run_('for i = 1, 50 do Sandbox.CreateAgent(sandbox, "Bad.lua") end',
                         agent="function Agent_Update() for i = 1, 6e6 do end for i = 1, 6e6 do end end", seconds=0.3)
-        self.told(run, "given up")
+        self.told(run, "was stopped after")
 
     def test_thousands_of_panels_lights_nodes_and_callbacks(self):
         run = self.run_(update="""
@@ -222,7 +222,7 @@ class Worlds(ScenarioCase):
         run = self.run_("local floor = Sandbox.CreateBox(sandbox, 190, 1, 190) Core.SetMass(floor, 0) Core.SetPosition(floor, Vector.new(0, -0.5, 0))",
                         update="function Sandbox_Update(s) for i = 1, 1000 do Sandbox.CreateNavigationMesh(s, 'x' .. i, { CellSize = 0.2 }) "
                                "Sandbox.CreateInfluenceMap(s, 'x' .. i, { CellWidth = 1, CellHeight = 1 }) end end", seconds=0.1)
-        self.told(run, "given up")
+        self.told(run, "was stopped after")
 
     def test_callbacks_that_remove_what_they_are_about(self):
         run = self.run_("""
