@@ -64,6 +64,25 @@ std::string AdviceForUnequal(const ConditionText& condition) {
          " also matches if there is none";
 }
 
+/// In a world with turns, names a rule that proposes another operator again at each turn, if no proposal of this one
+/// does; else empty.
+std::string WhoTestsClock(const std::vector<RuleText>& rules, const std::string& name) {
+  const auto tests_clock = [](const RuleText& rule) {
+    return std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
+      const auto path = rule.paths.find(condition.id);
+      return condition.attribute == "clock" && !condition.negated && path != rule.paths.end() &&
+             path->second == std::vector<std::string>{"io", "input-link"};
+    });
+  };
+  const RuleText* other = nullptr;
+  for (const RuleText& rule : rules) {
+    if (rule.proposes.empty() || !tests_clock(rule)) continue;
+    if (rule.proposes.contains(name)) return {};
+    other = &rule;
+  }
+  return other == nullptr ? std::string() : Say(Situation::kOthersTestClock, {{"rule", other->name}});
+}
+
 /// The percept at this path from the state; null if there is none.
 const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
   constexpr std::size_t kLink = 2;  // io.input-link
@@ -83,13 +102,15 @@ std::set<std::string> AttributesOf(Inspector& inspector, const std::string& id) 
 }
 
 /// For an element that a condition requires and that is absent from this state: the attributes that its object has
-/// instead, or the places below the state that have it. Empty if nothing useful is known.
-std::string WhatIsThere(MindView& view, Inspector& inspector, const std::string& state,
-                        const ConditionText& condition) {
+/// instead, or the places below the state that have it. The text is empty if nothing useful is known.
+RuleWait::Found WhatIsThere(MindView& view, Inspector& inspector, const std::string& state,
+                            const ConditionText& condition) {
+  using enum RuleWait::Kind;
+  const RuleWait::Found nothing = {"", kAbsent};
   const std::string& attribute = condition.path.back();
-  if (!IsConstantAttribute(attribute)) return {};
+  if (!IsConstantAttribute(attribute)) return nothing;
   if (condition.path.size() == 1) {
-    if (IsArchitectureAttribute(attribute)) return {};
+    if (IsArchitectureAttribute(attribute)) return nothing;
     // The state has no such element, but one of its own objects does now, or other rules test it there.
     std::set<std::string> places;
     const auto add = [&](const std::string& object) {
@@ -105,24 +126,25 @@ std::string WhatIsThere(MindView& view, Inspector& inspector, const std::string&
         if (const std::vector<std::string> below = FromTop(path->second); below.size() == 1) add(below.front());
       }
     }
-    return places.empty() ? std::string() : "; it is " + Listed(std::vector<std::string>(places.begin(), places.end()));
+    if (places.empty()) return nothing;
+    return {"; it is " + Listed(std::vector<std::string>(places.begin(), places.end()))};
   }
   // Answers of the world and of the memories come later, and percepts come and go.
   const bool is_answer = IsArchitectureAttribute(attribute) && attribute != "name" && attribute != "value";
-  if (is_answer || condition.path.front() == "io") return {};
+  if (is_answer || condition.path.front() == "io") return nothing;
   const std::vector<std::string> above(condition.path.begin(), condition.path.end() - 1);
   const std::vector<std::string> objects = view.ValuesAt(state, above);
-  if (objects.empty()) return {};
+  if (objects.empty()) return nothing;
   std::string path;
   for (const std::string& step : above) path += (path.empty() ? "^" : ".") + step;
   std::set<std::string> found;
   for (const std::string& object : objects) {
-    if (!IsIdentifier(object)) return "; " + path + " is " + object + ", a value without attributes";
+    if (!IsIdentifier(object)) return {"; " + path + " is " + object + ", a value without attributes"};
     for (const std::string& each : AttributesOf(inspector, object)) found.insert(each);
   }
   // A state has many attributes, and operators are explained by the rules that propose them.
-  if (found.empty() || found.contains("superstate")) return {};
-  return "; " + path + " has only " + AttributeList({found.begin(), found.end()});
+  if (found.empty() || found.contains("superstate")) return nothing;
+  return {"; " + path + " has only " + AttributeList({found.begin(), found.end()}), kAbsent};
 }
 
 }  // namespace
@@ -360,18 +382,24 @@ RuleWait::Found MindReasons::ExplainAbsence(const RuleText& rule, const Conditio
   }
   if (const vocabulary::PerceptRow* row = RowAt(condition.path))
     return {Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}})};
-  if (known.contains(attribute) || IsArchitectureAttribute(attribute))
-    return {Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition), kAbsent};
+  const auto none_now = [&]() -> RuleWait::Found {
+    RuleWait::Found found = WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition);
+    found.text = Say(Situation::kNoneNow) + found.text;
+    return found;
+  };
+  if (known.contains(attribute) || IsArchitectureAttribute(attribute)) return none_now();
   if (const std::string places = PlacesOfPercept(attribute); !places.empty())
     return {Say(Situation::kWrongPlace, {{"places", places}})};
   // A rule that did not load may make it, or a rule with attributes that are known only when it fires, or a recall may
   // return it.
   if (!StillFailed().empty() || std::ranges::any_of(rules(), MakesAnyAttribute) ||
       std::ranges::any_of(rules(), TestsWhatWasRecalled)) {
-    const std::string failed = WhatFailed();
-    return {Say(Situation::kNoneNow) + WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition) +
-                (failed.empty() ? "" : "; " + failed),
-            failed.empty() ? kAbsent : kOther};
+    RuleWait::Found found = none_now();
+    if (const std::string failed = WhatFailed(); !failed.empty()) {
+      found.text += "; " + failed;
+      found.kind = kOther;
+    }
+    return found;
   }
   const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
   return {Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint)};
@@ -568,6 +596,47 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
   return texts;
 }
 
+std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Preference>& proposals) {
+  const std::vector<Preference> preferences = view_.Preferences(state);
+  // All candidates have the same unary preference.
+  for (const auto& [section, sign] : {std::pair("worst", "<"), std::pair("best", ">")}) {
+    const bool have_all = std::ranges::all_of(proposals, [&](const Preference& proposal) {
+      return std::ranges::any_of(preferences, [&](const Preference& one) {
+        return one.section == section && one.operator_id == proposal.operator_id;
+      });
+    });
+    if (have_all && proposals.size() > 1) return Say(Situation::kTieAllSigned, {{"sign", sign}});
+  }
+  // One rule proposes all of them because an attribute that rules make has several values.
+  const auto is_same = [&](const Preference& proposal) { return proposal.rule == proposals.front().rule; };
+  if (proposals.size() < 2 || !std::ranges::all_of(proposals, is_same)) return {};
+  const auto proposer = std::ranges::find(rules(), proposals.front().rule, &RuleText::name);
+  if (proposer == rules().end()) return {};
+  for (const RuleAttribute& action : proposer->actions) {
+    if (action.attribute == "operator" || !IsVariable(action.value)) continue;
+    for (const RuleAttribute& source : proposer->conditions) {
+      if (source.negated || source.value != action.value || !IsConstantAttribute(source.attribute)) continue;
+      const auto path = proposer->paths.find(source.id);
+      if (path == proposer->paths.end() || path->second.empty() || path->second.front() == "io") continue;
+      const RuleText* maker = nullptr;
+      for (const RuleText& rule : rules())
+        for (const RuleAttribute& made : rule.actions)
+          if (maker == nullptr && made.attribute == source.attribute && !made.removes && IsVariable(made.value) &&
+              !rule.applies.empty())
+            maker = &rule;
+      std::set<std::string> values;
+      for (const Preference& proposal : proposals)
+        for (const std::string& value : view_.ValuesAt(proposal.operator_id, {action.attribute})) values.insert(value);
+      if (maker == nullptr || values.size() != proposals.size()) continue;
+      return Say(Situation::kTieBySeveral, {{"attribute", action.attribute},
+                                            {"source", source.attribute},
+                                            {"values", Listed({values.begin(), values.end()})},
+                                            {"rule", maker->name}});
+    }
+  }
+  return {};
+}
+
 std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
   // The remaining candidates are the items of the impasse; other operators may be proposed and dropped.
   const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
@@ -590,6 +659,7 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
       lines.push_back(Say(Situation::kIsProposedBy,
                           {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
   }
+  const std::string alike = WhyAlike(state, proposals);
   // A proposed constant is a candidate without a name.
   for (const std::string& item : items)
     if (std::ranges::find(proposals, item, &Preference::operator_id) == proposals.end()) names.push_back(item);
@@ -597,8 +667,8 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
       names.size() == 1
           ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
           : Listed(names);
-  lines.insert(lines.begin(),
-               Say(Situation::kTieIn, {{"state", state}, {"why", Say(Situation::kTie, {{"operators", among}})}}));
+  lines.insert(lines.begin(), Say(Situation::kTieIn,
+                                  {{"state", state}, {"why", Say(Situation::kTie, {{"operators", among}}) + alike}}));
   lines.push_back(Say(Situation::kTieAdvice));
   return lines;
 }
@@ -680,7 +750,8 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
             : Say(Situation::kNotFiredYet, {{"op", shown}, {"state", state}, {"rule", pending->name}}));
   } else if (applied_by != nullptr) {
     reasons.push_back(
-        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}));
+        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}) +
+        WhoTestsClock(rules(), name));
   } else if (!candidates.empty()) {
     reasons.push_back(Say(Situation::kNoApplierMatches, op));
     for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));

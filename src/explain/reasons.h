@@ -75,6 +75,9 @@ class MindReasons {
   std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);
   /// For a condition about an operator that is not selected: "the operator selected in S1 is rest (O1)".
   std::string ExplainSelected(const RuleText& rule, const ConditionText& condition);
+  /// Why no preference decides among candidates, as the end of a sentence: they have the same preference, or one rule
+  /// proposes them because an attribute has several values. Empty if neither is so.
+  std::string WhyAlike(const std::string& state, const std::vector<Preference>& proposals);
   /// `below`: the substate of the tie.
   std::vector<std::string> ExplainTie(const std::string& state, const std::string& below);
   std::vector<std::string> ExplainConflict(const std::string& state, const StackEntry& below);

@@ -69,6 +69,10 @@ constexpr std::array kSentences = {
              "rule that says so: (<s> ^operator <better> > <other>)"},
     Sentence{kTieIn, "operator tie, in a report", "operator tie in {state}: {why}"},
     Sentence{kTieAlike, "operator tie among operators of one name", "{count} {name} operators"},
+    Sentence{kTieAllSigned, "operator tie among operators with the same preference",
+             ": each of them has the preference {sign}"},
+    Sentence{kTieBySeveral, "operator tie because an attribute that rules make has several values",
+             ": they differ in ^{attribute}, because ^{source} has several values, {values}, made by rule {rule}"},
     Sentence{kIsProposedBy, "which rule proposes an operator of a tie", "{op} is proposed by rule {rule}"},
     Sentence{kConflict, "operator conflict", "each of {operators} is worse than another one"},
     Sentence{kConflictIn, "operator conflict, in a report", "operator conflict in {state}: {why}"},
@@ -95,6 +99,8 @@ constexpr std::array kSentences = {
         "operator {op} has been applied (rule {rule}), which gave no command, and stays selected: its proposal still "
         "lasts, and an operator is applied once; let the proposal test that something is left to do, and let this rule "
         "change what the proposal tests"},
+    Sentence{kOthersTestClock, "an operator that stays selected, in a world with turns",
+             "; rule {rule} tests ^clock, which is new at each turn, so its operator is proposed again each time"},
     Sentence{kNotFiredYet, "a rule that applies it matches and has not fired",
              "operator {op} is selected in {state}, and rule {rule}, which applies it, matches but has not fired"},
     Sentence{kAnsweredOnly, "operator no-change, the rule that answers to it changes nothing",

@@ -55,6 +55,8 @@ enum class Situation : std::uint8_t {
   kTieAdvice,
   kTieIn,
   kTieAlike,
+  kTieAllSigned,
+  kTieBySeveral,
   kIsProposedBy,
   kConflict,
   kConflictIn,
@@ -70,6 +72,7 @@ enum class Situation : std::uint8_t {
   // What a selected operator waits for.
   kApplied,
   kAppliedSilently,
+  kOthersTestClock,
   kNotFiredYet,
   kAnsweredOnly,
   kNoApplierMatches,
