@@ -60,7 +60,7 @@ class JsonPrinter : public EventPrinter {
         break;
       default:
         json["text"] = event.text;
-        if (!event.reasons.empty()) json["reasons"] = event.reasons;
+        for (const explain::Reason& reason : event.reasons) json["reasons"].push_back(reason.text);
         break;
     }
     Write(json);

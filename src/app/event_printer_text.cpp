@@ -42,7 +42,7 @@ class TextPrinter : public EventPrinter {
         break;
       case sim::EventKind::kGap:
         Line(event, "no command: " + event.text);
-        for (const std::string& reason : event.reasons) out_ << fmt::format("{:27}- {}\n", "", reason);
+        for (const explain::Reason& reason : event.reasons) out_ << fmt::format("{:27}- {}\n", "", reason.text);
         break;
       case sim::EventKind::kLog:
         Line(event, event.text);

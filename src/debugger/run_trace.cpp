@@ -38,7 +38,7 @@ std::string LineOf(const sim::RunEvent& event) {
   std::string text = (is_warning ? "warning" : std::string(sim::EventName(event.kind))) + ":";
   for (const std::string* more : {&event.news, &event.text, &event.parameters})
     if (!more->empty()) text += " " + *more;
-  for (const std::string& reason : event.reasons) text += "; " + reason;
+  for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
   if (event.diagnostic.message.empty()) return text;
   text += " ";
   if (!event.diagnostic.file.empty())

@@ -64,6 +64,14 @@ std::string AdviceForUnequal(const ConditionText& condition) {
          " also matches if there is none";
 }
 
+Reason ReasonOf(const RuleWait& wait) {
+  using enum RuleWait::Kind;
+  const Reason::Kind kind = wait.found.kind == kOperator ? Reason::Kind::kAwaitsTurn
+                            : wait.found.kind == kUnmade ? Reason::Kind::kStopsAtUnmade
+                                                         : Reason::Kind::kStops;
+  return {wait.Text(), kind, wait.rule};
+}
+
 /// In a world with turns, names a rule that proposes another operator again at each turn, if no proposal of this one
 /// does; else empty.
 std::string WhoTestsClock(const std::vector<RuleText>& rules, const std::string& name) {
@@ -281,14 +289,14 @@ std::string MindReasons::WhichStateAboveHas(const std::string& state, const std:
   return {};
 }
 
-std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
+std::vector<Reason> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
   std::set<std::string> known = given;
   for (const RuleText& rule : rules()) {
     // What such a rule makes, or a memory returns, is known only when it fires.
     if (MakesAnyAttribute(rule) || TestsWhatWasRecalled(rule)) return {};
     for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
   }
-  std::vector<std::string> found;
+  std::vector<Reason> found;
   std::set<std::string> told;
   for (const RuleText& rule : rules()) {
     for (const RuleAttribute& condition : rule.conditions) {
@@ -299,8 +307,9 @@ std::vector<std::string> MindReasons::UnwrittenAttributes(const std::set<std::st
       if (known.contains(attribute) || condition.negated || !told.insert(attribute).second) continue;
       if (!view_.ValuesOf(attribute).empty()) continue;
       const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
-      found.push_back(Say(Situation::kUnwritten, {{"rule", rule.name}, {"attribute", attribute}}) +
-                      (hint.empty() ? "" : ": " + hint));
+      found.push_back({Say(Situation::kUnwritten, {{"rule", rule.name}, {"attribute", attribute}}) +
+                           (hint.empty() ? "" : ": " + hint),
+                       Reason::Kind::kUnmade, rule.name});
     }
   }
   return found;
@@ -402,7 +411,7 @@ RuleWait::Found MindReasons::ExplainAbsence(const RuleText& rule, const Conditio
     return found;
   }
   const std::string hint = DidYouMean(SimilarAttribute(attribute, known));
-  return {Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint)};
+  return {Say(Situation::kNothingMakes) + (hint.empty() ? "" : ": " + hint), kUnmade};
 }
 
 std::string MindReasons::SubstateOfSelected(const RuleText& rule) {
@@ -560,7 +569,7 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
   return waits({found});
 }
 
-std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
+std::vector<Reason> MindReasons::Nearest(const RuleList& candidates, const std::set<std::string>& known) {
   struct Near {
     double share;
     const RuleText* rule;
@@ -572,7 +581,7 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
     found.push_back({static_cast<double>(match.matched) / match.total, candidates[i]});
   }
   std::stable_sort(found.begin(), found.end(), [](const Near& a, const Near& b) { return a.share > b.share; });
-  std::vector<std::string> texts;
+  std::vector<Reason> reasons;
   std::set<const RuleText*> told;
   const auto tell = [&](const RuleText& rule) {
     if (!told.insert(&rule).second) return;
@@ -581,8 +590,8 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
                                        [](const RuleAttribute& condition) { return condition.on_state; });
     // Without a state, it is not known which object its conditions test.
     if (has_state)
-      if (const std::optional<RuleWait> wait = ExplainRule(rule, known)) texts.push_back(wait->Text());
-    for (const Slip& slip : slips) texts.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
+      if (const std::optional<RuleWait> wait = ExplainRule(rule, known)) reasons.push_back(ReasonOf(*wait));
+    for (const Slip& slip : slips) reasons.push_back(slip.message + (slip.hint.empty() ? "" : ": " + slip.hint));
   };
   for (std::size_t i = 0; i < found.size() && i < kMostRulesTold; ++i) {
     tell(*found[i].rule);
@@ -593,7 +602,7 @@ std::vector<std::string> MindReasons::Nearest(const RuleList& candidates, const 
     // A rule that applies an operator waits for its selection, which is what is being explained. So it is not reported.
     if (makers.sure != nullptr && makers.sure->applies.empty()) tell(*makers.sure);
   }
-  return texts;
+  return reasons;
 }
 
 std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Preference>& proposals) {
@@ -637,7 +646,7 @@ std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Pr
   return {};
 }
 
-std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
+std::vector<Reason> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
   // The remaining candidates are the items of the impasse; other operators may be proposed and dropped.
   const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
   std::vector<Preference> proposals;
@@ -652,7 +661,8 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
   std::ranges::sort(proposals, {}, [](const Preference& proposal) {
     return std::pair(proposal.operator_id.size(), proposal.operator_id);
   });
-  std::vector<std::string> names, lines;
+  std::vector<std::string> names;
+  std::vector<Reason> lines;
   for (const Preference& proposal : proposals) {
     if (std::ranges::find(names, proposal.name) == names.end()) names.push_back(proposal.name);
     if (lines.size() < kMostValuesShown && !proposal.rule.empty())
@@ -667,19 +677,20 @@ std::vector<std::string> MindReasons::ExplainTie(const std::string& state, const
       names.size() == 1
           ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
           : Listed(names);
-  lines.insert(lines.begin(), Say(Situation::kTieIn,
-                                  {{"state", state}, {"why", Say(Situation::kTie, {{"operators", among}}) + alike}}));
+  const std::string why = Say(Situation::kTie, {{"operators", among}}) + alike;
+  lines.insert(lines.begin(), {Say(Situation::kTieIn, {{"state", state}, {"why", why}}), Reason::Kind::kTorn});
   lines.push_back(Say(Situation::kTieAdvice));
   return lines;
 }
 
-std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, const StackEntry& below) {
+std::vector<Reason> MindReasons::ExplainConflict(const std::string& state, const StackEntry& below) {
   const bool is_conflict = below.about == "operator conflict";
   const Situation situation = is_conflict ? Situation::kConflictIn : Situation::kConstraintFailureIn;
+  const Reason::Kind kind = is_conflict ? Reason::Kind::kTorn : Reason::Kind::kOther;
   mind::Decision decision = DecisionOf(state);
   decision.selected = mind::Decision::kNoOperator;
   if (const std::string why = wording::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
-    return {Say(situation, {{"state", state}, {"why", why}})};
+    return {{Say(situation, {{"state", state}, {"why", why}}), kind}};
   // For another kernel: the preferences of that kind among the candidates.
   const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
   std::string said;
@@ -689,7 +700,7 @@ std::vector<std::string> MindReasons::ExplainConflict(const std::string& state, 
     if (!may_be_why || std::ranges::find(items, preference.operator_id) == items.end()) continue;
     said += (said.empty() ? "" : "; ") + ("rule " + preference.rule + " says " + preference.text);
   }
-  return {Say(situation, {{"state", state}, {"why", said}})};
+  return {{Say(situation, {{"state", state}, {"why", said}}), kind}};
 }
 
 std::string MindReasons::WhyAllDropped(const std::string& state) {
@@ -710,8 +721,8 @@ std::string MindReasons::WhyAllDropped(const std::string& state) {
   return is_proposed && !against.empty() ? Say(Situation::kAllDropped, {{"why", against}}) : std::string();
 }
 
-std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
-                                                    const std::set<std::string>& known) {
+std::vector<Reason> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
+                                               const std::set<std::string>& known) {
   const std::string& name = selected.about;
   const std::string shown = name.empty() ? selected.id : name;
   RuleList candidates, below;
@@ -739,7 +750,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     says |= !rule.says.empty();
     if (applied_by == nullptr) applied_by = &rule;
   }
-  std::vector<std::string> reasons;
+  std::vector<Reason> reasons;
   const std::initializer_list<wording::Slot> op = {{"op", shown}, {"state", state}};
   if (pending != nullptr) {
     const std::uint64_t firings = view_.Firings(pending->name).value_or(0);
@@ -750,11 +761,12 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
             : Say(Situation::kNotFiredYet, {{"op", shown}, {"state", state}, {"rule", pending->name}}));
   } else if (applied_by != nullptr) {
     reasons.push_back(
-        Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}) +
-        WhoTestsClock(rules(), name));
+        {Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}) +
+             WhoTestsClock(rules(), name),
+         Reason::Kind::kStalled});
   } else if (!candidates.empty()) {
     reasons.push_back(Say(Situation::kNoApplierMatches, op));
-    for (std::string& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
+    for (Reason& near : Nearest(candidates, known)) reasons.push_back(std::move(near));
     if (std::string failed = WhatFailed(); !failed.empty()) reasons.push_back(std::move(failed));
   } else if (answered_by != nullptr) {
     reasons.push_back(Say(Situation::kAnsweredOnly, {{"op", shown}, {"state", state}, {"rule", answered_by->name}}));
@@ -765,7 +777,7 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
     if (const std::string why = WhyAllDropped(substate); !why.empty())
       return {Say(Situation::kDroppedIn, {{"state", substate}, {"why", why}})};
     reasons.push_back(Say(Situation::kNothingBelow, op));
-    for (std::string& near : Nearest(below, known)) reasons.push_back(std::move(near));
+    for (Reason& near : Nearest(below, known)) reasons.push_back(std::move(near));
   } else {
     std::string failed = WhatFailed();
     reasons.push_back(
@@ -775,10 +787,10 @@ std::vector<std::string> MindReasons::WhyNotApplied(const StackEntry& selected, 
   return reasons;
 }
 
-std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known) {
+std::vector<Reason> MindReasons::WhyIdle(const std::set<std::string>& known) {
   const std::string failed = WhatFailed();
   if (rules().empty()) return {Say(Situation::kNoRules) + (failed.empty() ? "" : ": " + failed)};
-  std::vector<std::string> reasons;
+  std::vector<Reason> reasons;
   const std::vector<StackEntry> stack = view_.Stack();
   const StackEntry* selected = nullptr;
   std::string state = "S1", state_of_selected = "S1";
@@ -807,13 +819,13 @@ std::vector<std::string> MindReasons::WhyIdle(const std::set<std::string>& known
   // If rules failed to load, it is not known what they would make.
   if (failed.empty()) reasons = UnwrittenAttributes(known);
   if (reasons.size() > kMostRulesTold) reasons.resize(kMostRulesTold);
-  const auto add = [&reasons](std::vector<std::string> more) {
-    for (std::string& reason : more) {
+  const auto add = [&reasons](std::vector<Reason> more) {
+    for (Reason& reason : more) {
       // A misspelt attribute is reported once.
-      const bool repeats = reason.find("no percept and no rule makes it") != std::string::npos &&
-                           std::any_of(reasons.begin(), reasons.end(), [&](const std::string& told) {
-                             return told.starts_with(reason.substr(0, reason.find(" requires ")) + " tests ");
-                           });
+      const bool repeats =
+          reason.kind == Reason::Kind::kStopsAtUnmade && std::ranges::any_of(reasons, [&](const Reason& told) {
+            return told.kind == Reason::Kind::kUnmade && told.rule == reason.rule;
+          });
       if (!repeats) reasons.push_back(std::move(reason));
     }
   };

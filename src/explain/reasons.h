@@ -12,6 +12,7 @@
 #include "explain/failed_rule.h"
 #include "explain/mind_view.h"
 #include "explain/origin_tree.h"
+#include "explain/reason.h"
 #include "explain/why_node.h"
 #include "mind/decision_facts.h"
 
@@ -26,9 +27,9 @@ class MindReasons {
 
   /// Explains why the program does nothing; the most informative reason first. Each reason is one or two full
   /// sentences. `known`: attributes that come from elsewhere (percepts of scripts, messages of other agents).
-  std::vector<std::string> WhyIdle(const std::set<std::string>& known);
+  std::vector<Reason> WhyIdle(const std::set<std::string>& known);
   /// Attributes that the rules test but that no percept, rule or answer ever writes.
-  std::vector<std::string> UnwrittenAttributes(const std::set<std::string>& known);
+  std::vector<Reason> UnwrittenAttributes(const std::set<std::string>& known);
   /// Explains how a command was made, as recorded at that time, and why it is still on the output link. Without an
   /// origin, the answer says that it is not known.
   std::vector<WhyNode> CommandTree(const std::string& command, const DecisionTime& time);
@@ -72,17 +73,17 @@ class MindReasons {
   RuleWait::Found ExplainAbsence(const RuleText& rule, const ConditionText& condition,
                                  const std::set<std::string>& known);
   /// Explains the rules among `candidates` that are nearest to a match, and the rules that make what they require.
-  std::vector<std::string> Nearest(const RuleList& candidates, const std::set<std::string>& known);
+  std::vector<Reason> Nearest(const RuleList& candidates, const std::set<std::string>& known);
   /// For a condition about an operator that is not selected: "the operator selected in S1 is rest (O1)".
   std::string ExplainSelected(const RuleText& rule, const ConditionText& condition);
   /// Why no preference decides among candidates, as the end of a sentence: they have the same preference, or one rule
   /// proposes them because an attribute has several values. Empty if neither is so.
   std::string WhyAlike(const std::string& state, const std::vector<Preference>& proposals);
   /// `below`: the substate of the tie.
-  std::vector<std::string> ExplainTie(const std::string& state, const std::string& below);
-  std::vector<std::string> ExplainConflict(const std::string& state, const StackEntry& below);
-  std::vector<std::string> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
-                                         const std::set<std::string>& known);
+  std::vector<Reason> ExplainTie(const std::string& state, const std::string& below);
+  std::vector<Reason> ExplainConflict(const std::string& state, const StackEntry& below);
+  std::vector<Reason> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
+                                    const std::set<std::string>& known);
   /// Explains why all operators that are proposed in a state were dropped. Empty if none is proposed, or if the kernel
   /// does not report it.
   std::string WhyAllDropped(const std::string& state);

@@ -9,7 +9,8 @@ namespace soarbox::explain {
 /// The first condition of a rule that does not match, and what there is instead.
 struct RuleWait {
   enum class Kind : std::uint8_t {
-    kOther,       ///< There is another value, or nothing can make the element.
+    kOther,       ///< There is another value, or no rule can make the element now.
+    kUnmade,      ///< No percept and no rule makes such an attribute.
     kOperator,    ///< No operator is selected, or another one.
     kAbsent,      ///< There is no such element now.
     kAbsentMade,  ///< There is no such element now; rule `maker` makes it whenever it fires.

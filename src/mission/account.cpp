@@ -121,9 +121,8 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
         (idle == nullptr || each.tick < idle->tick))
       idle = &each;
   // Tied operators are not applied, so unfired rules are a consequence of the tie.
-  const bool is_torn = idle != nullptr && std::ranges::any_of(idle->reasons, [](const std::string& line) {
-                         return line.starts_with("operator tie in ") || line.starts_with("operator conflict in ");
-                       });
+  const bool is_torn = idle != nullptr && std::ranges::find(idle->reasons, explain::Reason::Kind::kTorn,
+                                                            &explain::Reason::kind) != idle->reasons.end();
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
     found.push_back({.cause = CauseOf(waiting[i], is_torn),
                      .text = NeverFired(waiting[i]),
@@ -131,10 +130,10 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
                      .topic = Topic::kUnfired});
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
-      const std::string& line = idle->reasons[i];
+      const explain::Reason& reason = idle->reasons[i];
       // The watch has better explanations of unfired rules, from the tick in which they were nearest to a match.
-      const bool is_stall = sim::CauseOfReason(line) == Cause::kStalled;
-      found.push_back({is_stall ? Cause::kStalled : Cause::kSymptom, line});
+      const bool is_stall = reason.kind == explain::Reason::Kind::kStalled;
+      found.push_back({is_stall ? Cause::kStalled : Cause::kSymptom, reason.text});
     }
     found.push_back({Cause::kSymptom, idle->symptom});
   }

@@ -41,7 +41,7 @@ Json OfEvent(const sim::RunEvent& event) {
   if (!event.agent.empty()) json["agent"] = event.agent;
   if (!event.news.empty()) json["news"] = event.news;
   if (!event.text.empty()) json["text"] = event.text;
-  if (!event.reasons.empty()) json["reasons"] = event.reasons;
+  for (const explain::Reason& reason : event.reasons) json["reasons"].push_back(reason.text);
   if (!event.parameters.empty()) json["parameters"] = event.parameters;
   if (!event.diagnostic.message.empty()) json["diagnostic"] = Format(event.diagnostic);
   return json;

@@ -46,8 +46,8 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
       for (const std::string* text : {&event.news, &event.text, &event.parameters})
         if (!text->empty()) out << ' ' << *text;
       out << '\n';
-      for (const std::string& reason : event.reasons)
-        if (!reason.empty()) out << "        " << reason << '\n';
+      for (const explain::Reason& reason : event.reasons)
+        if (!reason.text.empty()) out << "        " << reason.text << '\n';
       if (!event.diagnostic.message.empty()) out << Format(event.diagnostic);
     }
   });

@@ -53,7 +53,12 @@ void WriteEvent(ByteWriter& out, const sim::RunEvent& event) {
   out.Byte(static_cast<std::uint8_t>(event.kind));
   out.Text(event.agent);
   for (const std::string* text : {&event.text, &event.news, &event.parameters}) out.Text(*text);
-  WriteTexts(out, event.reasons);
+  out.Number(event.reasons.size());
+  for (const explain::Reason& reason : event.reasons) {
+    out.Byte(static_cast<std::uint8_t>(reason.kind));
+    out.Text(reason.text);
+    out.Text(reason.rule);
+  }
   out.Number(event.tick);
   out.Double(event.time_s);
   if (HasDiagnostic(event.kind)) WriteDiagnostic(out, event.diagnostic);
@@ -67,7 +72,14 @@ void ReadEvent(ByteReader& in, sim::RunEvent& event) {
   event.kind = static_cast<sim::EventKind>(kind);
   event.agent = in.Text();
   for (std::string* text : {&event.text, &event.news, &event.parameters}) *text = in.Text();
-  ReadTexts(in, event.reasons);
+  event.reasons.resize(in.CountOf(sizeof(explain::Reason)));
+  for (explain::Reason& reason : event.reasons) {
+    const std::uint8_t what = in.Byte();
+    if (what > static_cast<std::uint8_t>(explain::Reason::kLastKind)) return in.Fail();
+    reason.kind = static_cast<explain::Reason::Kind>(what);
+    reason.text = in.Text();
+    reason.rule = in.Text();
+  }
   event.tick = in.Number();
   event.time_s = in.Double();
   if (HasDiagnostic(event.kind)) ReadDiagnostic(in, event.diagnostic);

@@ -164,7 +164,7 @@ class Rows {
   void AddWorldEvent(const TickRecord& record, const sim::RunEvent& event) {
     std::string text = event.text;
     if (!event.parameters.empty()) text += " " + event.parameters;
-    for (const std::string& reason : event.reasons) text += "; " + reason;
+    for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
     if (!event.diagnostic.message.empty()) text = Format(event.diagnostic);
     while (!text.empty() && text.back() == '\n') text.pop_back();
     AddEvent(record, event.agent, {"world", sim::EventName(event.kind), event.news, {}, {}, std::move(text)});

@@ -220,7 +220,9 @@ class RunStory {
   }
 
   void Moment(double time_s, int rank, const std::string& agent, std::string text,
-              std::vector<std::string> reasons = {}) {
+              const std::vector<explain::Reason>& why = {}) {
+    std::vector<std::string> reasons;
+    for (const explain::Reason& reason : why) reasons.push_back(reason.text);
     Shorten(reasons);
     moments_.push_back(Json{{"time", Short(time_s)},
                             {"time_text", TimeText(time_s)},

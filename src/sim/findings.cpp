@@ -11,11 +11,6 @@ namespace {
 /// Maximum number of different diagnostics that are kept.
 constexpr std::size_t kMostReported = 500;
 
-/// Removes the indentation of a line of a tree.
-std::string WithoutIndent(const std::string& line) {
-  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
-}
-
 /// The sentence of an outcome about the wrong form of a command, without the name of the reason; empty if the form was
 /// correct.
 std::string RefusedText(const std::string& outcome) {
@@ -35,10 +30,10 @@ std::string WithoutContents(std::string text) {
 }
 
 /// Explains the failure of a command because a parameter is an identifier; empty for other reasons.
-std::string IdentifierText(const std::string& reason) {
-  const std::string text = WithoutIndent(reason);
-  if (!text.starts_with("its last command ") || text.find(" is an identifier") == std::string::npos) return {};
-  return text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
+std::string IdentifierText(const explain::Reason& reason) {
+  if (reason.kind != explain::Reason::Kind::kRefused || reason.text.find(" is an identifier") == std::string::npos)
+    return {};
+  return reason.text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
 }
 
 bool IsDiagnostic(const RunEvent& event) {
@@ -73,12 +68,20 @@ std::string SecondsText(double seconds) {
   return text.data();
 }
 
-Cause CauseOfReason(std::string_view reason) {
-  const auto has = [&](std::string_view words) { return reason.find(words) != std::string_view::npos; };
-  if (reason.starts_with("its last command ")) return Cause::kRefused;
-  if (reason.starts_with("operator ") && has(" has been applied ")) return Cause::kStalled;
-  if (!reason.starts_with("rule ") || !has(" requires ")) return Cause::kSymptom;
-  return has("no operator is selected") || has("the operator selected in") ? Cause::kWaiting : Cause::kFurthest;
+Cause CauseOf(const explain::Reason& reason) {
+  switch (reason.kind) {
+    case explain::Reason::Kind::kRefused:
+      return Cause::kRefused;
+    case explain::Reason::Kind::kStalled:
+      return Cause::kStalled;
+    case explain::Reason::Kind::kAwaitsTurn:
+      return Cause::kWaiting;
+    case explain::Reason::Kind::kStops:
+    case explain::Reason::Kind::kStopsAtUnmade:
+      return Cause::kFurthest;
+    default:
+      return Cause::kSymptom;
+  }
 }
 
 void EventFindings::SeeIdle(const RunEvent& event) {
@@ -88,12 +91,11 @@ void EventFindings::SeeIdle(const RunEvent& event) {
   idle.tick = event.tick;
   idle.time_s = event.time_s;
   idle.symptom = "At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text;
-  for (const std::string& reason : event.reasons) {
+  for (const explain::Reason& reason : event.reasons) {
     if (const std::string text = IdentifierText(reason); !text.empty())
       refused_.try_emplace(event.agent, Finding{Cause::kRefused, text, event.agent, event.tick, event.time_s});
     // Percepts contain no information about the rules.
-    if (std::string line = WithoutIndent(reason); !line.starts_with("it perceives "))
-      idle.reasons.push_back(std::move(line));
+    if (reason.kind != explain::Reason::Kind::kPercepts) idle.reasons.push_back(reason);
   }
 }
 
@@ -125,10 +127,10 @@ std::vector<Finding> EventFindings::OfAgents() const {
     Finding finding{Cause::kSymptom, idle.symptom, agent, idle.tick, idle.time_s};
     if (!idle.reasons.empty()) {
       // "no operator is proposed" is less informative than the condition at which the proposal stops.
-      const std::string& reason =
-          *std::ranges::min_element(idle.reasons, {}, [](const std::string& one) { return CauseOfReason(one); });
-      finding.cause = CauseOfReason(reason);
-      finding.text = "At " + SecondsText(idle.time_s) + " " + agent + " has nothing to do: " + reason;
+      const explain::Reason& reason =
+          *std::ranges::min_element(idle.reasons, {}, [](const explain::Reason& one) { return CauseOf(one); });
+      finding.cause = CauseOf(reason);
+      finding.text = "At " + SecondsText(idle.time_s) + " " + agent + " has nothing to do: " + reason.text;
     }
     found.push_back(std::move(finding));
   }

@@ -70,8 +70,8 @@ class EventFindings {
   };
   /// The first time that an agent had nothing to do.
   struct Idle {
-    std::vector<std::string> reasons;  ///< The most informative first, without the agent's percepts.
-    std::string symptom;               ///< "At 3.0 s anna has nothing to do: it has done nothing for 1 s".
+    std::vector<explain::Reason> reasons;  ///< The most informative first, without the agent's percepts.
+    std::string symptom;                   ///< "At 3.0 s anna has nothing to do: it has done nothing for 1 s".
     std::uint64_t tick = 0;
     double time_s = 0;  ///< Time of the report; kToldAfter_s after the agent became idle.
   };
@@ -103,6 +103,6 @@ class EventFindings {
 };
 
 /// The cause that a reason for an idle agent belongs to.
-Cause CauseOfReason(std::string_view reason);
+Cause CauseOf(const explain::Reason& reason);
 
 }  // namespace soarbox::sim

@@ -532,8 +532,9 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   event.text = std::move(text);
   event.reasons = explain::MindReasons(mind.soar.agent(), FailedIn(mind.rules)).WhyIdle(KnownAttributes());
   if (mind.last_answer.find(" failed: ") != std::string::npos)
-    event.reasons.insert(event.reasons.begin(), "its last command " + mind.last_answer);
-  const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front();
+    event.reasons.insert(event.reasons.begin(),
+                         {"its last command " + mind.last_answer, explain::Reason::Kind::kRefused});
+  const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front().text;
   if (++mind.causes[cause] > 1) return;
   std::string percepts;
   if (mind.settings.has_distance) {
@@ -546,8 +547,9 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
     percepts += (percepts.empty() ? "" : " ") + vocabulary::Describe(AllPercepts(*actor));
   if (!percepts.empty()) {
     constexpr std::size_t kShown = 600;
-    event.reasons.push_back("it perceives " +
-                            (percepts.size() > kShown ? percepts.substr(0, kShown) + " ..." : percepts));
+    event.reasons.push_back(
+        {"it perceives " + (percepts.size() > kShown ? percepts.substr(0, kShown) + " ..." : percepts),
+         explain::Reason::Kind::kPercepts});
   }
   report_(std::move(event));
 }

@@ -96,8 +96,8 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     add(std::move(halted));
   } else if (at->last_said.empty() || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
-    for (std::string& reason : reasons.WhyIdle(KnownAttributes()))
-      idle.below.push_back({std::move(reason), WhyKind::kReason, "", {}});
+    for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes()))
+      idle.below.push_back({std::move(reason.text), WhyKind::kReason, "", {}});
   }
   if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2));
   if (actor != nullptr) {

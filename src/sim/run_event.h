@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
+#include "explain/reason.h"
 #include "world/math.h"
 
 namespace soarbox::sim {
@@ -39,12 +40,12 @@ struct RunEvent {
   double time_s = 0;
   std::string agent;  ///< Name of the agent; empty for the sandbox.
   std::string text;
-  std::string news = {};                  ///< kNews, kOutcome: one word. kAnswer, and kDiagnostic of a failed command:
-                                          ///< the command line.
-  std::vector<std::string> reasons = {};  ///< kGap: reasons, the most informative first.
-  std::string parameters = {};            ///< kCommand: the parameters of the command.
-  bool has_perceived = true;              ///< kCommand: whether `perceived` is set.
-  Diagnostic diagnostic;                  ///< kDiagnostic, kAgentFailed and kMindFailed.
+  std::string news = {};  ///< kNews, kOutcome: one word. kAnswer, and kDiagnostic of a failed command:
+                          ///< the command line.
+  std::vector<explain::Reason> reasons = {};  ///< kGap: reasons, the most informative first.
+  std::string parameters = {};                ///< kCommand: the parameters of the command.
+  bool has_perceived = true;                  ///< kCommand: whether `perceived` is set.
+  Diagnostic diagnostic;                      ///< kDiagnostic, kAgentFailed and kMindFailed.
   float perceived = 0;   ///< kCommand: the ^distance that the mind perceived (squared metres, as in the thesis).
   world::Vec3 position;  ///< kCommand: position of the agent.
 };

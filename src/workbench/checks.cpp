@@ -10,8 +10,14 @@ bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks) {
   if (event.news != "check" || event.reasons.size() != kParts) return false;
   const auto known = std::ranges::find(checks, event.text, &CheckRow::name);
   CheckRow& row = known != checks.end() ? *known : checks.emplace_back();
-  row = {event.text,       event.reasons[0], event.reasons[1], event.reasons[2], !event.reasons[3].empty(),
-         event.parameters, event.tick,       event.time_s};
+  row = {event.text,
+         event.reasons[0].text,
+         event.reasons[1].text,
+         event.reasons[2].text,
+         !event.reasons[3].text.empty(),
+         event.parameters,
+         event.tick,
+         event.time_s};
   return true;
 }
 
