@@ -158,6 +158,25 @@ void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& 
   }
 }
 
+/// A template whose conditions bind only objects: all that it makes is the same rule.
+void FindEmptyTemplates(const RuleText& rule, std::vector<Slip>& slips) {
+  if (!rule.is_template) return;
+  const bool has_value = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
+    if (condition.negated) return false;
+    const std::vector<std::string> bound = VariablesIn(condition.value + " " + condition.attribute);
+    return std::ranges::any_of(bound, [&](const std::string& variable) {
+      return std::ranges::find(rule.conditions, variable, &RuleAttribute::id) == rule.conditions.end() &&
+             condition.attribute != "operator";
+    });
+  });
+  if (has_value) return;
+  slips.push_back(
+      {rule.name, "", false,
+       "template " + rule.name + " has no variable for a value, so there is nothing to make rules for",
+       "a template makes one rule for each combination of the values that its variables find: test what the "
+       "numbers depend on, such as (<o> ^name go ^to <place>)"});
+}
+
 }  // namespace
 
 bool IsMemoryAnswer(const std::vector<std::string>& path) {
@@ -170,6 +189,7 @@ std::vector<Slip> FindSlipsOfMemory(const std::vector<RuleText>& rules) {
     FindUnknownWords(rule, slips);
     FindOddRewards(rule, slips);
     FindSecondMemories(rule, slips);
+    FindEmptyTemplates(rule, slips);
   }
   FindNumbersThatStay(rules, slips);
   return slips;

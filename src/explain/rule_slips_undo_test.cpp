@@ -109,5 +109,18 @@ TEST(SlipsOfNegation, APathWhoseBeginningIsAbsent) {
   EXPECT_THAT(Negation(Rule("r", "(state <s> ^imagined yes)\n    " + group, "(<s> ^failure yes)")), IsEmpty());
 }
 
+TEST(SlipsOfMemory, ATemplateWithoutValues) {
+  const auto found = [](const std::string& conditions) {
+    std::vector<std::string> messages;
+    for (const Slip& slip : FindSlipsOfMemory(
+             ReadRules("sp {t\n    :template\n    " + conditions + "\n    -->\n    (<s> ^operator <o> = 0.)\n}\n")))
+      messages.push_back(slip.message);
+    return messages;
+  };
+  EXPECT_THAT(found("(state <s> ^operator <o> +)\n    (<o> ^name go)"),
+              ElementsAre(HasSubstr("template t has no variable for a value")));
+  EXPECT_THAT(found("(state <s> ^operator <o> +)\n    (<o> ^name go ^to <to>)"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace soarbox::explain

@@ -244,6 +244,7 @@ RuleText TextOf(const mind::RuleFacts& facts) {
   RuleText rule;
   rule.name = facts.name;
   rule.acts = facts.acts;
+  rule.is_template = facts.is_template;
   using Support = mind::RuleFacts::Support;
   if (facts.support == Support::kOSupport) rule.support = RuleSupport::kOSupport;
   if (facts.support == Support::kISupport) rule.support = RuleSupport::kISupport;

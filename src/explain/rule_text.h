@@ -52,7 +52,8 @@ struct RuleText {
   std::set<std::string> calls;
   /// These calls with their arguments, in order and with repetitions.
   std::vector<RuleCall> all_calls;
-  bool acts = false;  ///< It has at least one action.
+  bool acts = false;         ///< It has at least one action.
+  bool is_template = false;  ///< It has the flag :template.
   RuleSupport support = RuleSupport::kByConditions;
 };
 

@@ -49,7 +49,8 @@ struct RuleFacts {
   std::vector<RuleActionFact> actions;        ///< In firing order. Calls that are actions by themselves are only in
                                               ///< `calls`.
   std::vector<RuleCallFact> calls;
-  bool acts = false;  ///< It has at least one action or call.
+  bool acts = false;         ///< It has at least one action or call.
+  bool is_template = false;  ///< It has the flag :template.
 };
 
 }  // namespace soarbox::mind

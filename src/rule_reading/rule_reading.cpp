@@ -198,6 +198,7 @@ mind::RuleFacts FactsOf(const kernel::Production& rule, const kernel::SymbolTabl
   writer.facts.file = rule.file();
   writer.facts.line = rule.line;
   writer.facts.column = rule.column;
+  writer.facts.is_template = rule.type == kernel::ProductionType::kTemplate;
   if (rule.declared_support == kernel::DeclaredSupport::kOSupport) writer.facts.support = Support::kOSupport;
   if (rule.declared_support == kernel::DeclaredSupport::kISupport) writer.facts.support = Support::kISupport;
   writer.AddConditions(rule.conditions, 0);
