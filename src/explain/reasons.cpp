@@ -639,7 +639,7 @@ std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Pr
       if (maker == nullptr || values.size() != proposals.size()) continue;
       return Say(Situation::kTieBySeveral, {{"attribute", action.attribute},
                                             {"source", source.attribute},
-                                            {"values", Listed({values.begin(), values.end()})},
+                                            {"values", Listed(std::vector<std::string>(values.begin(), values.end()))},
                                             {"rule", maker->name}});
     }
   }

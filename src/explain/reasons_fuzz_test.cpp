@@ -106,10 +106,11 @@ TEST_F(ReasonsFuzz, RulesNamedAsTheReasonAreTheReason) {
       ++impasses;
       EXPECT_FALSE(wording::WhyNothing(decision).empty());
       // The report must name the same remaining operators as the decision procedure.
-      const std::vector<std::string> reasons = MindReasons(*agent_).WhyIdle({});
+      const std::vector<Reason> reasons = MindReasons(*agent_).WhyIdle({});
       ASSERT_FALSE(reasons.empty());
       for (const mind::Decision::Chance& chance : decision.left)
-        EXPECT_NE(reasons.front().find(decision.operators[chance.op].name), std::string::npos) << reasons.front();
+        EXPECT_NE(reasons.front().text.find(decision.operators[chance.op].name), std::string::npos)
+            << reasons.front().text;
     } else if (decision.selected != mind::Decision::kNoOperator) {
       EXPECT_FALSE(wording::WhySelected(decision).empty());
     }

@@ -34,7 +34,9 @@ class Reasons : public ::testing::Test {
     agent_->ExecuteCommandLine("watch 0");
     if (!setting.empty()) agent_->ExecuteCommandLine(setting.c_str());
     agent_->RunSelf(static_cast<unsigned long>(decisions));
-    return MindReasons(*agent_, failed_).WhyIdle(Known());
+    std::vector<std::string> texts;
+    for (const Reason& reason : MindReasons(*agent_, failed_).WhyIdle(Known())) texts.push_back(reason.text);
+    return texts;
   }
 
   void Load(const std::string& rules) {
@@ -147,8 +149,8 @@ TEST_F(Reasons, ARuleThatFailedToParseIsNamedInsteadOfAdvice) {
   // The rule has been loaded by an edit.
   Load(kProposeGo);
   agent_->RunSelf(1);
-  for (const std::string& reason : MindReasons(*agent_, failed_).WhyIdle(Known()))
-    EXPECT_THAT(reason, Not(HasSubstr("failed to parse")));
+  for (const Reason& reason : MindReasons(*agent_, failed_).WhyIdle(Known()))
+    EXPECT_THAT(reason.text, Not(HasSubstr("failed to parse")));
   failed_ = {{"", "hero.soar:9", "expected sp { here"}};
   EXPECT_THAT(Idle("sp {x (state <s> ^superstate nil) --> (<s> ^y 1)}"),
               ElementsAre("no rule proposes an operator: error in hero.soar:9: expected sp { here"));

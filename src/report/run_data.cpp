@@ -219,10 +219,14 @@ class RunStory {
     events_.push_back({time_s, agent, kind, CutText(std::move(text), kLargestText)});
   }
 
+  static std::vector<std::string> TextsOf(const std::vector<explain::Reason>& reasons) {
+    std::vector<std::string> texts;
+    for (const explain::Reason& reason : reasons) texts.push_back(reason.text);
+    return texts;
+  }
+
   void Moment(double time_s, int rank, const std::string& agent, std::string text,
-              const std::vector<explain::Reason>& why = {}) {
-    std::vector<std::string> reasons;
-    for (const explain::Reason& reason : why) reasons.push_back(reason.text);
+              std::vector<std::string> reasons = {}) {
     Shorten(reasons);
     moments_.push_back(Json{{"time", Short(time_s)},
                             {"time_text", TimeText(time_s)},
@@ -265,7 +269,8 @@ class RunStory {
         break;
       case sim::EventKind::kGap:
         Add(event.time_s, event.agent, "gap", event.text);
-        if (++gaps_ <= kMostGaps) Moment(event.time_s, 3, event.agent, event.agent + ": " + event.text, event.reasons);
+        if (++gaps_ <= kMostGaps)
+          Moment(event.time_s, 3, event.agent, event.agent + ": " + event.text, TextsOf(event.reasons));
         break;
       case sim::EventKind::kDiagnostic:
       case sim::EventKind::kAgentFailed:
