@@ -630,8 +630,8 @@ std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Pr
       const RuleText* maker = nullptr;
       for (const RuleText& rule : rules())
         for (const RuleAttribute& made : rule.actions)
-          if (maker == nullptr && made.attribute == source.attribute && !made.removes && IsVariable(made.value) &&
-              !rule.applies.empty())
+          if (maker == nullptr && !rule.name.starts_with("chunk*") && made.attribute == source.attribute &&
+              !made.removes && IsVariable(made.value) && !rule.applies.empty())
             maker = &rule;
       std::set<std::string> values;
       for (const Preference& proposal : proposals)

@@ -36,6 +36,7 @@ void FindAlwaysAbsent(const std::vector<RuleText>& rules, std::vector<Slip>& sli
   for (const RuleText& rule : rules) {
     const std::set<std::string> operators = OperatorsOf(rule);
     for (const RuleAttribute& action : rule.actions) {
+      if (action.removes) continue;
       if (IsVariable(action.attribute)) return;
       if (operators.contains(action.id)) made.insert(action.attribute);
     }
@@ -65,8 +66,9 @@ void FindAlwaysAbsent(const std::vector<RuleText>& rules, std::vector<Slip>& sli
 bool IsAlwaysName(const std::vector<RuleText>& rules, const std::string& attribute, const RuleText*& example) {
   for (const RuleText& rule : rules) {
     for (const RuleAttribute& action : rule.actions) {
+      if (action.removes) continue;
       if (IsVariable(action.attribute)) return false;
-      if (action.attribute != attribute || action.removes) continue;
+      if (action.attribute != attribute) continue;
       const bool is_name =
           IsVariable(action.value) && std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
             return condition.attribute == "name" && !condition.negated && condition.value == action.value;

@@ -53,7 +53,9 @@ bool RemovesAnyValue(const RuleText& rule, const RuleAttribute& removal) {
       is_tested = true;
       continue;
     }
-    if (FirstWord(condition.value) == gone) return false;
+    // The kernel may move a comparison of the value to the condition that binds the other side.
+    const std::vector<std::string> compared = VariablesIn(condition.value + " " + condition.attribute);
+    if (std::ranges::find(compared, gone) != compared.end()) return false;
     const bool is_way = IsVariable(condition.value) && needed.contains(condition.value);
     const bool is_always = condition.on_state && (condition.value == "nil" || condition.attribute == "type");
     const bool is_operator = operators.contains(condition.id) || operators.contains(condition.value);

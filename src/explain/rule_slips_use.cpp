@@ -395,7 +395,7 @@ void FindLinksBelow(const RuleText& rule, const std::vector<RuleText>& rules, st
 void FindLinksOfSubstates(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleText& rule : rules)
     for (const RuleAttribute& action : rule.actions)
-      if (action.attribute == "io" || IsVariable(action.attribute)) return;  // They may get one.
+      if (!action.removes && (action.attribute == "io" || IsVariable(action.attribute))) return;  // They may get one.
   for (const RuleText& rule : rules) {
     const std::size_t before = slips.size();
     FindLinksBelow(rule, rules, slips);
