@@ -61,14 +61,20 @@ void FindAlwaysAbsent(const std::vector<RuleText>& rules, std::vector<Slip>& sli
   }
 }
 
-/// Whether all rules that make an attribute give it a name that they perceive or know: "^danger <name>" with
+/// Whether a part of a rule is about a state.
+bool IsOfState(const RuleText& rule, const RuleAttribute& part) {
+  const auto at = rule.paths.find(part.id);
+  return at != rule.paths.end() && at->second.empty();
+}
+
+/// Whether all rules that make an attribute of a state give it a name that they perceive or know: "^danger <name>" with
 /// "(<a> ^name <name>)". `example`: one of them.
 bool IsAlwaysName(const std::vector<RuleText>& rules, const std::string& attribute, const RuleText*& example) {
   for (const RuleText& rule : rules) {
     for (const RuleAttribute& action : rule.actions) {
       if (action.removes) continue;
       if (IsVariable(action.attribute)) return false;
-      if (action.attribute != attribute) continue;
+      if (action.attribute != attribute || !IsOfState(rule, action)) continue;
       const bool is_name =
           IsVariable(action.value) && std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
             return condition.attribute == "name" && !condition.negated && condition.value == action.value;
@@ -85,7 +91,7 @@ void FindYesForNames(const std::vector<RuleText>& rules, std::vector<Slip>& slip
   for (const RuleText& rule : rules) {
     for (const RuleAttribute& condition : rule.conditions) {
       const bool is_yes = condition.value == "yes" || condition.value == "no";
-      if (!is_yes || condition.in_group || !IsConstantAttribute(condition.attribute)) continue;
+      if (!is_yes || condition.in_group || !IsOfState(rule, condition)) continue;
       const RuleText* maker = nullptr;
       if (IsArchitectureAttribute(condition.attribute) || !IsAlwaysName(rules, condition.attribute, maker)) continue;
       const std::string tested = "^" + condition.attribute + " " + condition.value;
@@ -101,24 +107,20 @@ void FindYesForNames(const std::vector<RuleText>& rules, std::vector<Slip>& slip
 
 /// "-^at.next" in one rule, and "-^at" in another: the first also holds where there is no ^at at all.
 void FindAbsentBeginnings(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
-  const auto is_of_state = [](const RuleText& rule, const RuleAttribute& condition) {
-    const auto at = rule.paths.find(condition.id);
-    return at != rule.paths.end() && at->second.empty();
-  };
   for (const RuleText& rule : rules) {
     for (const RuleAttribute& first : rule.conditions) {
       const std::string& attribute = first.attribute;
-      if (!first.negated || !first.in_group || !is_of_state(rule, first) || !IsMadeUpVariable(first.value)) continue;
+      if (!first.negated || !first.in_group || !IsOfState(rule, first) || !IsMadeUpVariable(first.value)) continue;
       if (!IsConstantAttribute(attribute) || IsArchitectureAttribute(attribute)) continue;
       const auto next = std::ranges::find(rule.conditions, first.value, &RuleAttribute::id);
       const bool is_required = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
-        return !condition.negated && condition.attribute == attribute && is_of_state(rule, condition);
+        return !condition.negated && condition.attribute == attribute && IsOfState(rule, condition);
       });
       if (next == rule.conditions.end() || is_required) continue;
       const auto expects = std::ranges::find_if(rules, [&](const RuleText& other) {
         return other.name != rule.name && std::ranges::any_of(other.conditions, [&](const RuleAttribute& condition) {
                  return condition.negated && !condition.in_group && condition.attribute == attribute &&
-                        (condition.value.empty() || IsVariable(condition.value)) && is_of_state(other, condition);
+                        (condition.value.empty() || IsVariable(condition.value)) && IsOfState(other, condition);
                });
       });
       if (expects == rules.end()) continue;
