@@ -87,7 +87,7 @@ std::vector<Slip> FindSlipsOfLogic(const std::vector<RuleText>& rules, const Kno
 /// Finds rules that take back what they or other rules of the same operator have just made, and sums without brackets.
 std::vector<Slip> FindSlipsOfUndoing(const std::vector<RuleText>& rules);
 
-/// Finds conditions about absent elements or values that always hold, never hold, or hold in more cases than meant.
+/// Finds conditions about absent elements or values that always hold or never hold.
 std::vector<Slip> FindSlipsOfNegation(const std::vector<RuleText>& rules);
 
 /// Finds slips on the links of long-term memory and reward: words that no memory accepts, rewards that are not numbers,

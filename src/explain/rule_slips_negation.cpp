@@ -105,41 +105,12 @@ void FindYesForNames(const std::vector<RuleText>& rules, std::vector<Slip>& slip
   }
 }
 
-/// "-^at.next" in one rule, and "-^at" in another: the first also holds where there is no ^at at all.
-void FindAbsentBeginnings(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
-  for (const RuleText& rule : rules) {
-    for (const RuleAttribute& first : rule.conditions) {
-      const std::string& attribute = first.attribute;
-      if (!first.negated || !first.in_group || !IsOfState(rule, first) || !IsMadeUpVariable(first.value)) continue;
-      if (!IsConstantAttribute(attribute) || IsArchitectureAttribute(attribute)) continue;
-      const auto next = std::ranges::find(rule.conditions, first.value, &RuleAttribute::id);
-      const bool is_required = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
-        return !condition.negated && condition.attribute == attribute && IsOfState(rule, condition);
-      });
-      if (next == rule.conditions.end() || is_required) continue;
-      const auto expects = std::ranges::find_if(rules, [&](const RuleText& other) {
-        return other.name != rule.name && std::ranges::any_of(other.conditions, [&](const RuleAttribute& condition) {
-                 return condition.negated && !condition.in_group && condition.attribute == attribute &&
-                        (condition.value.empty() || IsVariable(condition.value)) && IsOfState(other, condition);
-               });
-      });
-      if (expects == rules.end()) continue;
-      slips.push_back(
-          {rule.name, attribute, true,
-           "rule " + rule.name + " tests -^" + attribute + "." + next->attribute +
-               ", which also holds if there is no ^" + attribute + ", as rule " + expects->name + " expects",
-           "test first that it is there: ^" + attribute + " <x>, and then -(<x> ^" + next->attribute + ")"});
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Slip> FindSlipsOfNegation(const std::vector<RuleText>& rules) {
   std::vector<Slip> slips;
   FindAlwaysAbsent(rules, slips);
   FindYesForNames(rules, slips);
-  FindAbsentBeginnings(rules, slips);
   return slips;
 }
 

@@ -98,17 +98,6 @@ TEST(SlipsOfNegation, YesForAName) {
               IsEmpty());
 }
 
-TEST(SlipsOfNegation, APathWhoseBeginningIsAbsent) {
-  const std::string begin =
-      Rule("begin", "(state <s> ^imagined yes -^at)", "(<s> ^operator <o> +)\n    (<o> ^name go)");
-  const std::string group = "-{\n      (<s> ^at <a*1>)\n      (<a*1> ^next <n*1>)\n    }";
-  EXPECT_THAT(Negation(begin + Rule("r", "(state <s> ^imagined yes)\n    " + group, "(<s> ^failure yes)")),
-              ElementsAre(HasSubstr("tests -^at.next, which also holds if there is no ^at, as rule begin expects")));
-  EXPECT_THAT(Negation(begin + Rule("r", "(state <s> ^imagined yes ^at <a>)\n    (<a> -^next)", "(<s> ^failure yes)")),
-              IsEmpty());
-  EXPECT_THAT(Negation(Rule("r", "(state <s> ^imagined yes)\n    " + group, "(<s> ^failure yes)")), IsEmpty());
-}
-
 TEST(SlipsOfMemory, ATemplateWithoutValues) {
   const auto found = [](const std::string& conditions) {
     std::vector<std::string> messages;
