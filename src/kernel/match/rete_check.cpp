@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "kernel/match/rete_inline.h"
 
@@ -20,6 +21,11 @@ class Checker {
       }
     }
     CheckElements();
+    for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
+      if (network_.node(n).kind == NodeKind::kGuard && s_.nodes[n].first_linked == kNil) {
+        ended_.insert(BelowRoot(network_, n));
+      }
+    }
     for (std::uint32_t n = 0; n < network_.node_limit(); ++n) {
       if (network_.node(n).kind != NodeKind::kFree) {
         CheckNode(n);
@@ -165,9 +171,10 @@ class Checker {
              "score on a memory that cannot be sparse", index);
     }
     count = state.count;
-    Expect((node.kind == NodeKind::kGuard && state.first_linked == kNil) || TestsLinks(network_.node(node.parent)) ||
-               s_.emissions().Of(node.parent).size() == count,
-           "tokens of a memory differ from the pairs that reach it", index);
+      Expect(ended_.count(index) != 0
+                 ? count == 0
+                 : TestsLinks(network_.node(node.parent)) || s_.emissions().Of(node.parent).size() == count,
+             "tokens of a memory differ from the pairs that reach it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(right_linked == (count != 0), "negative node linked wrongly", index);
       s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) { CheckResults(node, token); });
@@ -308,6 +315,7 @@ class Checker {
   const ReteState& s_;
   const Network& network_;
   std::string errors_;
+  std::set<std::uint32_t> ended_;  ///< The nodes above the negations of guarded rules that never match again.
   std::size_t results_ = 0;
 };
 

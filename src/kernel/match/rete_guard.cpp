@@ -65,10 +65,12 @@ bool ReteBuilder::AddGuarded(const std::shared_ptr<RuleInfo>& info, std::uint32_
   return true;
 }
 
-/// An element that a guarded rule matched is leaving: the rule never matches again.
+/// An element that a guarded rule matched is leaving: the rule never matches again. Its nodes exist until the rule is
+/// excised, which may be much later if its results have o-support. Therefore the token at the top of its negations is
+/// removed, too: without tokens, the nodes are linked to no alpha memory, and later elements do not reach them.
 void ReteState::GuardedElementGone(std::uint32_t node) {
   FreeElementTokens(tokens, links, std::exchange(nodes[node].first_linked, kNil));
-  RemoveTokens(node);
+  RemoveTokens(BelowRoot(*network, node));
 }
 
 }  // namespace soarbox::kernel

@@ -105,9 +105,13 @@ TEST_F(GuardTest, AMatchIsRetractedWhenOneOfItsElementsGoesAndNeverComesBack) {
   EXPECT_THAT(Retract(1), IsEmpty());
   Remove(ground);
   EXPECT_EQ(rete.CheckInvariants(), "");
+  EXPECT_EQ(rete.statistics().tokens, 0u) << "elements do not reach its negated conditions any more";
   Remove(good);
   Remove(no);
   EXPECT_THAT(Retract(1), ElementsAre(0u));
+  const WmeId again = Add("S1", "no", "V1");
+  EXPECT_EQ(rete.statistics().tokens, 0u);
+  Remove(again);
   Add("S1", "x", "1");
   EXPECT_FALSE(rete.matches().HasAssertions(2, false));
   EXPECT_EQ(rete.CheckInvariants(), "");

@@ -65,6 +65,14 @@ void ForEachOfRun(const ReteState& state, std::uint32_t memory, const ParkedRun&
   }
 }
 
+/// The child of the root from which a node descends; outside of conjunctions.
+inline std::uint32_t BelowRoot(const Network& network, std::uint32_t node) {
+  while (network.node(node).parent != 0) {
+    node = network.node(node).parent;
+  }
+  return node;
+}
+
 inline std::uint32_t ConjunctiveKey(std::uint32_t parent, std::uint32_t wme) {
   return (parent * 0x85EBCA6Bu) ^ (wme * 0xC2B2AE35u);
 }
