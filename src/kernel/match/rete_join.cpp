@@ -51,6 +51,7 @@ namespace {
 
 /// Pairs of a token and the elements with a given identifier in a bucket, from `item` on.
 struct TokenAndBucket {
+  static constexpr bool kMakesTokens = false;
   const ReteState& state;
   std::uint32_t token, item, id;
 
@@ -71,6 +72,7 @@ struct TokenAndBucket {
 
 /// Pairs of a token and the elements that pass the tests of a join, from `item` on.
 struct TokenAndPassing {
+  static constexpr bool kMakesTokens = false;
   const ReteState& state;
   const RightSide& right;
   const Node& join;
@@ -90,6 +92,7 @@ struct TokenAndPassing {
 
 /// Pairs of several tokens and one element.
 struct TokensAndElement {
+  static constexpr bool kMakesTokens = false;
   const std::uint32_t* at;
   const std::uint32_t* end;
   std::uint32_t wme;
@@ -104,10 +107,116 @@ struct TokensAndElement {
   }
 };
 
+/// Creates the tokens of a memory, which is not sparse and has a join and other tokens, for the pairs of a token and
+/// the elements with an identifier in a bucket.
+class BucketTokens {
+ public:
+  [[gnu::always_inline]] BucketTokens(ReteState& state, std::uint32_t index, const TokenAndBucket& pairs)
+      : state_(state),
+        index_(index),
+        node_(state.network->node(index)),
+        memory_(state.nodes[index]),
+        pairs_(pairs),
+        id_moves_(node_.key != KeyKind::kNone && node_.key_id_levels == 0),
+        with_value_(node_.key == KeyKind::kIdValue),
+        value_moves_(node_.key_value_levels == 0),
+        scored_(memory_.score != kNil) {}
+
+  /// Creates the next token. Returns false after the last one. Call it when the previous token has been joined.
+  [[gnu::always_inline]] bool Next() {
+    if (scored_ && token_ != kNil) {
+      state_.sparse.AddToScore(memory_.score, index_, state_.tokens[token_].first_child != kNil);
+    }
+    std::uint32_t parent = kNil;
+    std::uint32_t wme = kNil;
+    if (!pairs_.Next(parent, wme)) {
+      return false;
+    }
+    if (token_ == kNil) {
+      key_ = KeyOfPair(state_, node_, parent, wme);
+    }
+    token_ = MakeToken(state_, index_, parent, wme);
+    if (id_moves_) {
+      key_.key = key_.id = BitsOf(state_.wmes.data()[wme], node_.key_id_field);
+    }
+    if (with_value_) {
+      if (value_moves_) {
+        key_.value = BitsOf(state_.wmes.data()[wme], node_.key_value_field);
+      }
+      key_.key = PairKey(key_.id, key_.value);
+    }
+    state_.nodes.Insert(state_.tokens, memory_, index_, token_, key_.key, node_.key != KeyKind::kNone, memory_.count);
+    if (!state_.signatures.empty()) [[unlikely]] {
+      state_.signatures.Add(index_, key_.id, memory_.count);
+    }
+    return true;
+  }
+  std::uint32_t token() const { return token_; }
+  const KeyParts& key() const { return key_; }
+
+ private:
+  ReteState& state_;
+  const std::uint32_t index_;
+  const Node& node_;
+  NodeState& memory_;
+  TokenAndBucket pairs_;
+  const bool id_moves_, with_value_, value_moves_, scored_;
+  KeyParts key_;
+  std::uint32_t token_ = kNil;
+};
+
+/// Pairs of such tokens and the elements that each joins with. The join has no tests.
+struct BucketTokensAndElements {
+  static constexpr bool kMakesTokens = true;
+  BucketTokens& tokens;
+  const RightSide& right;
+  std::uint32_t item = kNil;  ///< The next element of the current token.
+
+  /// Finds the first pair. Returns false if there is none.
+  [[gnu::always_inline]] bool Begin() {
+    while (item == kNil) {
+      if (!tokens.Next()) {
+        return false;
+      }
+      item = right.First(tokens.key());
+    }
+    return true;
+  }
+  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+    if (!Begin()) {
+      return false;
+    }
+    left = tokens.token();
+    element = right.Element(item);
+    item = right.Next(item, tokens.key());
+    return true;
+  }
+};
+
+/// In which of their elements the pairs of a source may differ: up to which level above the pair.
+enum class Differ : std::uint32_t {
+  kElements = 1,  ///< All pairs have the same token.
+  kSiblings = 2,  ///< Their tokens have the same parent.
+  kAll = 0xFFFFFFFFu
+};
+
+/// The next pair of a source, which may take serial numbers for tokens.
+template <typename Source>
+[[gnu::always_inline]] inline bool NextPair(ReteState& state, Source& source, std::uint64_t& serial,
+                                            std::uint32_t& parent, std::uint32_t& wme) {
+  if constexpr (!Source::kMakesTokens) {
+    return source.Next(parent, wme);
+  }
+  state.tokens.set_next_serial(serial);
+  const bool is_pair = source.Next(parent, wme);
+  serial = state.tokens.next_serial();
+  return is_pair;
+}
+
 /// Passes pairs to a sparse memory. Most pairs end here: they are parked after one look-up on the other side.
 /// Everything that is the same for all pairs is computed once. `source.Next(parent, wme)` returns the next pair, or
-/// false after the last one; there must be at least one. With `one_parent`, all pairs have the same parent.
-template <bool one_parent, RightSide::Kind kind, bool with_value, typename Source>
+/// false after the last one; there must be at least one.
+template <Differ differ, RightSide::Kind kind, bool with_value, typename Source>
 [[gnu::always_inline]] inline void AddPairsOf(ReteState& state, std::uint32_t index, const RightSide& right,
                                               Source source) {
   const Network& net = *state.network;
@@ -121,10 +230,12 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
   NodeState& memory = state.nodes[index];
   SparseState& sparse = state.sparse[memory.place];
   const bool tested = joined.test_count != 0;
+  constexpr auto kDiffering = static_cast<std::uint32_t>(differ);
+  constexpr bool kOneParent = differ == Differ::kElements;
 
   std::uint32_t parent = kNil;
   std::uint32_t wme = kNil;
-  bool more = source.Next(parent, wme);
+  source.Next(parent, wme);
   KeyParts key;
   std::uint64_t serial = state.tokens.next_serial();
   ParkedPair* log = sparse.log.data() + sparse.logged;
@@ -135,7 +246,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     const Records<Token> tokens = state.tokens.records();
     if (id_levels == 0) {
       key.id = BitsOf(wmes[wme], id_field);
-    } else if (!one_parent || first) {
+    } else if (id_levels < kDiffering || first) {
       key.id = BitsOf(wmes[ElementAt(state.tokens.read(), parent, id_levels - 1u)], id_field);
     }
     if (!with_value) {
@@ -143,13 +254,13 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     } else {
       if (value_levels == 0) {
         key.value = BitsOf(wmes[wme], value_field);
-      } else if (!one_parent || first) {
+      } else if (value_levels < kDiffering || first) {
         key.value = BitsOf(wmes[ElementAt(state.tokens.read(), parent, value_levels - 1u)], value_field);
       }
       key.key = PairKey(key.id, key.value);
     }
     first = false;
-    if (!one_parent) {
+    if (!kOneParent) {
       ++tokens[parent].pairs;
     }
     ++arrived;
@@ -168,7 +279,7 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     }
     state.tokens.set_next_serial(serial);
     memory.count += arrived;
-    if (one_parent) {
+    if (kOneParent) {
       tokens[parent].pairs += arrived;
     }
     arrived = 0;
@@ -182,36 +293,75 @@ template <bool one_parent, RightSide::Kind kind, bool with_value, typename Sourc
     serial = state.tokens.next_serial();
     log = sparse.log.data() + sparse.logged;
     end = sparse.log.data() + sparse.log_limit;
-  } while (more && (more = source.Next(parent, wme)));
+  } while (NextPair(state, source, serial, parent, wme));
   state.tokens.set_next_serial(serial);
   memory.count += arrived;
-  if (one_parent) {
+  if (kOneParent) {
     state.tokens[parent].pairs += arrived;
   }
   sparse.logged = static_cast<std::uint32_t>(log - sparse.log.data());
 }
 
-template <bool one_parent, typename Source>
-[[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, const Source& source) {
+template <Differ differ, typename Source>
+[[gnu::always_inline]] inline void AddPairs(ReteState& state, std::uint32_t index, Source source) {
   const std::uint32_t join = state.network->node(index).first_child;
   state.joins().LinkOnlyJoin(index, join);
   const RightSide right(state.alphas, state.network->node(join));
   switch (right.kind()) {
     case RightSide::kIdTable:
-      AddPairsOf<one_parent, RightSide::kIdTable, false>(state, index, right, source);
+      AddPairsOf<differ, RightSide::kIdTable, false>(state, index, right, source);
       break;
     case RightSide::kPairTable:
-      AddPairsOf<one_parent, RightSide::kPairTable, true>(state, index, right, source);
+      AddPairsOf<differ, RightSide::kPairTable, true>(state, index, right, source);
       break;
     case RightSide::kIdList:
-      AddPairsOf<one_parent, RightSide::kIdList, false>(state, index, right, source);
+      AddPairsOf<differ, RightSide::kIdList, false>(state, index, right, source);
       break;
     case RightSide::kPairList:
-      AddPairsOf<one_parent, RightSide::kPairList, true>(state, index, right, source);
+      AddPairsOf<differ, RightSide::kPairList, true>(state, index, right, source);
       break;
     case RightSide::kAll:
       break;  // The memory has a key.
   }
+}
+
+/// ReteState::JoinSparsely as a separate function: most pairs that arrive alone do not join.
+[[gnu::noinline]] void JoinSparselyOf(ReteState& state, std::uint32_t index, std::uint32_t parent, std::uint32_t wme,
+                                      std::uint64_t serial, const KeyParts& key, std::uint32_t item) {
+  state.JoinSparsely(index, parent, wme, serial, key, item);
+}
+
+/// The part of ReteState::JoinFrom for joins with tests or several children, and for tokens that join with more than
+/// one element.
+[[gnu::noinline]] void JoinMany(ReteState& state, std::uint32_t join, const Node& node, std::uint32_t token,
+                                const KeyParts& key, std::uint32_t item) {
+  const RightSide right = RightSide::OfFound(state.alphas, node);
+  const std::uint32_t parent = state.tokens[token].parent;
+  const std::uint32_t wme = state.tokens[token].wme;
+  if (node.test_count != 0) {
+    item = FirstPassing(state, right, node, key, parent, wme, item);
+    if (item == kNil) {
+      return;
+    }
+  }
+  if (state.nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
+    state.JoinSparse(node, right, token, key, item);
+    return;
+  }
+  const std::uint32_t memory = node.only_memory;
+  if (memory != kNil && node.test_count == 0 && right.kind() == RightSide::kIdTable) {
+    state.JoinBucket(memory, token, key.id, item);
+    return;
+  }
+  do {
+    const std::uint32_t element = right.Element(item);
+    if (memory != kNil) {
+      state.LeftPlain(memory, token, element);
+    } else {
+      state.Emit(join, token, element);
+    }
+    item = FirstPassing(state, right, node, key, parent, wme, right.Next(item, key));
+  } while (item != kNil);
 }
 
 }  // namespace
@@ -332,9 +482,10 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
              (alphas[node.alpha].sparse & AlphaState::kPrimed) == 0) {
     JoinHop(node.only_memory, token, key.id, item);
   } else if (node.test_count == 0) {
-    AddPairs<true>(*this, node.only_memory, TokenAndBucket{*this, token, item, key.id});
+    AddPairs<Differ::kElements>(*this, node.only_memory, TokenAndBucket{*this, token, item, key.id});
   } else {
-    AddPairs<true>(*this, node.only_memory, TokenAndPassing{*this, right, node, key, token, item, parent, wme});
+    AddPairs<Differ::kElements>(*this, node.only_memory,
+                                TokenAndPassing{*this, right, node, key, token, item, parent, wme});
   }
 }
 
@@ -342,18 +493,21 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
 void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint32_t wme) {
   const Node& node = network->node(index);
   const std::uint32_t join = node.first_child;
-  joins().LinkOnlyJoin(index, join);
+  NodeState& state = nodes[index];
+  if (state.count == 0) {
+    joins().LinkOnlyJoin(index, join);
+  }
   const Node& joined = network->node(join);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   const std::uint64_t serial = tokens.TakeSerial();
-  ++nodes[index].count;
+  ++state.count;
   ++tokens[parent].pairs;
   std::uint32_t item = FirstOffered(*this, joined, key);
   if (item != kNil && joined.test_count != 0) {
     item = FirstPassing(*this, RightSide(alphas, joined), joined, key, parent, wme, item);
   }
   if (item != kNil) {
-    JoinSparsely(index, parent, wme, serial, key, item);
+    JoinSparselyOf(*this, index, parent, wme, serial, key, item);
     return;
   }
   SparseState& memory = SparseOf(index);
@@ -367,55 +521,34 @@ void ReteState::LeftSparse(std::uint32_t index, std::uint32_t parent, std::uint3
   pair.key = key.key;
 }
 
-/// Emits the pairs of a token and the elements that it joins with, from `item` on; `item` has the token's key.
+/// Emits the pairs of a token and the elements that it joins with, from `item` on; `item` has the token's key. Most
+/// tokens join with one element, for which a small function is faster.
 void ReteState::JoinFrom(std::uint32_t join, const Node& node, std::uint32_t token, KeyParts key, std::uint32_t item) {
-  const RightSide right(alphas, node);
-  const std::uint32_t parent = tokens[token].parent;
-  const std::uint32_t wme = tokens[token].wme;
-  if (node.test_count != 0) {
-    item = FirstPassing(*this, right, node, key, parent, wme, item);
-    if (item == kNil) {
-      return;
-    }
-  }
-  if (nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
-    JoinSparse(node, right, token, key, item);
-    return;
-  }
   const std::uint32_t memory = node.only_memory;
   if (memory != kNil && node.test_count == 0) {
+    const RightSide right = RightSide::OfFound(alphas, node);
     if (right.Next(item, key) == kNil) {
-      LeftPlain(memory, token, right.Element(item));
-      return;
-    }
-    if (right.kind() == RightSide::kIdTable) {
-      JoinBucket(memory, token, key.id, item);
+      if (nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
+        LeftSparse(memory, token, right.Element(item));
+      } else {
+        LeftPlain(memory, token, right.Element(item));
+      }
       return;
     }
   }
-  do {
-    const std::uint32_t element = right.Element(item);
-    if (memory != kNil) {
-      LeftPlain(memory, token, element);
-    } else {
-      Emit(join, token, element);
-    }
-    item = FirstPassing(*this, right, node, key, parent, wme, right.Next(item, key));
-  } while (item != kNil);
+  JoinMany(*this, join, node, token, key, item);
 }
 
 /// Passes a token and the elements of a bucket with an identifier, from `item` on, to a memory that is not sparse. If
 /// the memory has tokens and only one linked join, everything that is the same for all pairs is computed once.
 void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint32_t id, std::uint32_t item) {
-  const Node& node = network->node(index);
-  NodeState& memory = nodes[index];
-  TokenAndBucket source{*this, parent, item, id};
-  std::uint32_t left = kNil;
-  std::uint32_t wme = kNil;
-  bool more = source.Next(left, wme);
-  const std::uint32_t join = memory.first_linked;
-  if (source.item == kNil || join == kNil || memory.count == 0 || nodes[join].next_left != kNil) {
-    for (; more; more = source.Next(left, wme)) {
+  TokenAndBucket pairs{*this, parent, item, id};
+  const std::uint32_t join = nodes[index].first_linked;
+  if (alphas.item(item).next_in_bucket == kNil || join == kNil || nodes[index].count == 0 ||
+      nodes[join].next_left != kNil) {
+    std::uint32_t left = kNil;
+    std::uint32_t wme = kNil;
+    while (pairs.Next(left, wme)) {
       LeftPlain(index, parent, wme);
     }
     return;
@@ -424,35 +557,20 @@ void ReteState::JoinBucket(std::uint32_t index, std::uint32_t parent, std::uint3
     only_ids[join] = 0;
   }
   const Node& joined = network->node(join);
-  const bool with_value = node.key == KeyKind::kIdValue;
-  const bool id_moves = node.key != KeyKind::kNone && node.key_id_levels == 0;
-  const bool value_moves = node.key_value_levels == 0;
-  const bool scored = memory.score != kNil;
-  KeyParts key;
-  if (more) {
-    key = KeyOfPair(*this, node, parent, wme);
+  const RightSide right(alphas, joined);
+  BucketTokens made(*this, index, pairs);
+  if (joined.test_count == 0 && nodes.marks(join).Is(NodeMarks::kFeedsSparse) &&
+      !network->node(joined.only_memory).IsHop()) {
+    BucketTokensAndElements joining{made, right};
+    if (joining.Begin()) {
+      AddPairs<Differ::kSiblings>(*this, joined.only_memory, joining);
+    }
+    return;
   }
-  for (; more; more = source.Next(left, wme)) {
-    const std::uint32_t token = MakeToken(*this, index, parent, wme);
-    if (id_moves) {
-      key.key = key.id = BitsOf(wmes.data()[wme], node.key_id_field);
-    }
-    if (with_value) {
-      if (value_moves) {
-        key.value = BitsOf(wmes.data()[wme], node.key_value_field);
-      }
-      key.key = PairKey(key.id, key.value);
-    }
-    nodes.Insert(tokens, memory, index, token, key.key, node.key != KeyKind::kNone, memory.count);
-    if (!signatures.empty()) [[unlikely]] {
-      signatures.Add(index, key.id, memory.count);
-    }
-    const std::uint32_t found = FirstOffered(*this, joined, key);
+  while (made.Next()) {
+    const std::uint32_t found = right.First(made.key());
     if (found != kNil) {
-      JoinFrom(join, joined, token, key, found);
-    }
-    if (scored) {
-      sparse.AddToScore(memory.score, index, tokens[token].first_child != kNil);
+      JoinFrom(join, joined, made.token(), made.key(), found);
     }
   }
 }
@@ -558,7 +676,8 @@ void ReteState::EmitGathered(std::uint32_t join, std::uint32_t wme) {
   }
   const Node& node = network->node(join);
   if (nodes.marks(join).Is(NodeMarks::kFeedsSparse)) {
-    AddPairs<false>(*this, node.only_memory, TokensAndElement{gathered.data(), gathered.data() + gathered.size(), wme});
+    AddPairs<Differ::kAll>(*this, node.only_memory,
+                           TokensAndElement{gathered.data(), gathered.data() + gathered.size(), wme});
   } else if (node.only_memory != kNil) {
     for (const std::uint32_t token : gathered) {
       LeftPlain(node.only_memory, token, wme);

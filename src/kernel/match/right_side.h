@@ -39,6 +39,11 @@ class [[gnu::visibility("hidden")]] RightSide {
     kind_ = by_id ? kIdTable : kPairTable;
   }
 
+  /// The same after an item has been found: creates no index.
+  [[gnu::always_inline]] static RightSide OfFound(const AlphaMemories& alphas, const Node& join) {
+    return RightSide(alphas, join, FoundTag());
+  }
+
   /// The newest item with this key, or kNil.
   template <Kind kind>
   [[gnu::always_inline]] std::uint32_t FirstOf(const KeyParts& key) const {
@@ -129,6 +134,16 @@ class [[gnu::visibility("hidden")]] RightSide {
   }
 
  private:
+  struct FoundTag {};
+  [[gnu::always_inline]] RightSide(const AlphaMemories& alphas, const Node& join, FoundTag)
+      : alphas_(alphas), alpha_(alphas[join.alpha]) {
+    if (join.key == KeyKind::kId) {
+      kind_ = alpha_.id_bits != 0 ? kIdTable : kIdList;
+    } else if (join.key == KeyKind::kIdValue) {
+      kind_ = alpha_.pair_bits != 0 ? kPairTable : kPairList;
+    }
+  }
+
   template <Kind kind, typename Visit>
   [[gnu::always_inline]] void ForEachOf(const KeyParts& key, Visit& visit) const {
     for (std::uint32_t item = FirstOf<kind>(key); item != kNil; item = NextOf<kind>(item, key)) {
