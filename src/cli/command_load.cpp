@@ -131,13 +131,6 @@ std::string TextOf(std::ifstream& in, const std::filesystem::path& path) {
   return text;
 }
 
-/// Whether a warning is about a part of a rule's text that is not in the rule, so that later checks cannot find it.
-bool IsAboutDroppedText(const Diagnostic& warning) {
-  return warning.severity == Severity::kWarning &&
-         (warning.message.ends_with("only operator takes it") || warning.message.ends_with(" is ignored") ||
-          warning.message.ends_with(" is read as 0"));
-}
-
 /// Reports problems of the loaded rules: dropped parts of their texts, numbers between the ranges of two proposals, and
 /// orders of conditions with very many partial matches.
 void ReportTraps(CommandCall& call, int loaded) {
@@ -145,7 +138,8 @@ void ReportTraps(CommandCall& call, int loaded) {
   std::vector<const kernel::Production*> rules;
   for (const kernel::ProductionId id : agent.Productions()) rules.push_back(&agent.production(id));
   std::vector<Diagnostic>& traps = call.result.traps;
-  std::ranges::copy_if(call.result.diagnostics, std::back_inserter(traps), IsAboutDroppedText);
+  std::ranges::copy_if(call.result.diagnostics, std::back_inserter(traps),
+                       [](const Diagnostic& warning) { return warning.topic == Topic::kDroppedText; });
   const auto known = static_cast<std::ptrdiff_t>(traps.size());
   for (Diagnostic& gap : kernel::FindRuleGaps(rules, static_cast<std::size_t>(loaded), agent.symbols())) {
     traps.push_back(std::move(gap));

@@ -18,8 +18,9 @@ enum class Topic : std::uint8_t {
   kRepeatedWrite,  ///< A rule writes text again at each change of a percept.
   kUnmade,         ///< A rule tests an attribute that no percept and no rule makes.
   kUnfired,        ///< A rule never fired in a run.
+  kDroppedText,    ///< A part of a rule's text is not in the rule, so that later checks cannot find it.
 };
-inline constexpr Topic kLastTopic = Topic::kUnfired;
+inline constexpr Topic kLastTopic = Topic::kDroppedText;
 
 /// An error in something that a user wrote: what is wrong, where, and what to do about it. The command line, the panels
 /// and the JSON output all show this struct.

@@ -49,6 +49,9 @@ TEST(SlipsOfUndoing, ARuleThatRemovesWhatItsOperatorAdds) {
   EXPECT_THAT(Undoing(remember + Rule("forget", "(state <s> ^operator <o> ^last <old>)\n    (<o> ^name rest)",
                                       "(<s> ^last <old> -)")),
               IsEmpty());
+  EXPECT_THAT(Undoing(remember + Rule("replace", "(state <s> ^operator <o> ^last <old>)\n    (<o> ^name move)",
+                                      "(<s> ^last <old> - ^last none)")),
+              IsEmpty());
 }
 
 TEST(SlipsOfUndoing, ACommandThatIsRemovedAtOnce) {

@@ -53,7 +53,8 @@ void RuleReader::Complain() {
              "a variable begins with <, ends with > and has no blanks");
       break;
     default:
-      Report(Severity::kWarning, token_, "the number " + text + " is too large and is read as 0", "");
+      Report(Severity::kWarning, token_, "the number " + text + " is too large and is read as 0", "",
+             Topic::kDroppedText);
       break;
   }
 }
@@ -62,10 +63,11 @@ void RuleReader::Say(std::string text, bool is_warning) {
   (out_.name.empty() ? out_.messages : out_.late_messages).push_back({std::move(text), false, is_warning});
 }
 
-void RuleReader::Report(Severity severity, const RuleToken& token, std::string message, std::string hint) {
+void RuleReader::Report(Severity severity, const RuleToken& token, std::string message, std::string hint, Topic topic) {
   const TextPlace at = places_.Find(token.offset);
   Diagnostic diagnostic;
   diagnostic.severity = severity;
+  diagnostic.topic = topic;
   diagnostic.file = place_.file.text();
   diagnostic.line = place_.line + at.line - 1;
   diagnostic.column = at.line == 1 ? place_.column + at.column - 1 : at.column;

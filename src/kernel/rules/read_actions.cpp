@@ -338,7 +338,7 @@ bool RuleReader::ReadOtherPreferences(ActionDraft& action, Actions& out) {
           DescribeAction(action) + "\n");
       Report(Severity::kWarning, sign,
              "the preference " + std::string(sign.text) + " has no meaning here: it is only for operators",
-             "to make an element, leave it out; to remove one, write - after its value");
+             "to make an element, leave it out; to remove one, write - after its value", Topic::kDroppedText);
     }
     Accept(TokenKind::kComma);
   }

@@ -412,7 +412,7 @@ void RuleReader::AddToConjunction(DraftList<TestDraft>& parts, const TestDraft& 
       Say("Soar does not support having two equality tests in one conjunctive test!\nIgnoring " + dropped +
           " in favor of " + (replace ? "constant " : "existing ") + kept + ".  Rule semantics may have changed!\n");
       Report(Severity::kWarning, token_, "two equality tests in one conjunctive test: " + dropped + " is ignored",
-             "test " + dropped + " in a condition of its own");
+             "test " + dropped + " in a condition of its own", Topic::kDroppedText);
       if (replace) {
         part.referent = test.referent;
         part.variable = test.variable;

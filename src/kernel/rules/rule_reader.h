@@ -67,7 +67,8 @@ class RuleReader {
     return true;
   }
   bool Fail(std::string_view message, std::string_view hint = {});
-  void Report(Severity severity, const RuleToken& token, std::string message, std::string hint);
+  void Report(Severity severity, const RuleToken& token, std::string message, std::string hint,
+              Topic topic = Topic::kOther);
   void Say(std::string text, bool is_warning = false);
   Term ConstantOrVariable();
   Term NewVariable(char letter);
