@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Answers that beginners might give to lessons, graded through the real command. Each was written for one
-misunderstanding, before its output was known. Those with names that begin with f, g or h were written by authors who had
+misunderstanding, before its output was known. Those with names that begin with f, g, h or i were written by authors who had
 not read the hints. Later, hints were added for misunderstandings that were not named, so these are no longer blind tests.
 A right answer must pass. For a wrong answer, the first sentence of `soarbox learn check` must name the misunderstanding."""
 import concurrent.futures
