@@ -208,6 +208,8 @@ Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint
   if (seed) seed_ = *seed;
   if (with_next_seed) ++seed_;
   on_tick_ = {};
+  // Scripts do not stop in the clean-up and the set-up.
+  sim::ObserveScripts(*simulation_, nullptr);
   simulation_->Finish();
   PrintEvents();
   const bool watches = edits_ != nullptr;
@@ -234,7 +236,11 @@ Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint
 
 void RunSession::Watch(OnTick on_tick) {
   on_tick_ = std::move(on_tick);
-  if (!on_tick_) return;
+  if (!on_tick_) {
+    // After a failed restart there is no simulation.
+    if (simulation_ != nullptr) sim::ObserveScripts(*simulation_, nullptr);
+    return;
+  }
   const bool is_begun = simulation_->tick() == 0 && unrecorded_.empty();
   record::Observe(*simulation_, is_begun ? set_up_ : unrecorded_, record::Level::kAll, seen_);
   on_tick_(seen_);
@@ -256,6 +262,7 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
     if (const Result<void> written = recorder_->Finish(); !written) std::cerr << Format(written.error());
     recorder_.reset();
   }
+  sim::ObserveScripts(*simulation_, nullptr);
   simulation_->Finish();
   simulation_->TakeEvents();
   simulation->TakeEvents();  // These were reported when they happened.
@@ -280,6 +287,7 @@ int RunSession::Finish() {
     warning.hint = "let it run longer with --seconds";
     std::cerr << Format(warning);
   }
+  sim::ObserveScripts(*simulation_, nullptr);
   simulation_->Finish();
   PrintEvents();
   if (recorder_ != nullptr) {

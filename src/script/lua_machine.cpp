@@ -211,6 +211,12 @@ void LuaMachine::SetHook(lua_State* state, int count) const {
   lua_sethook(state, OnHook, LUA_MASKCOUNT | observed_events_, count);
 }
 
+void LuaMachine::Observe(ScriptObserver* observer) {
+  setup_.observer = observer;
+  if (observer != nullptr) observer->OnMachine(*this);
+  UpdateHooks();
+}
+
 void LuaMachine::UpdateHooks() {
   const int wanted = setup_.observer == nullptr ? 0 : MaskOf(setup_.observer->WantsOf(*this));
   if (wanted == observed_events_) return;

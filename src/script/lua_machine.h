@@ -209,6 +209,7 @@ class LuaMachine {
   friend class NestedCall;
   friend class ScriptDebugger;
   friend class ScriptHost;
+  friend void ObserveScripts(ScriptHost& host, ScriptObserver* observer);
   friend void WarnIgnored(lua_State* state, const char* why);
   using RawBody = void (*)(lua_State*, void*);
 
@@ -223,6 +224,8 @@ class LuaMachine {
   static int OnError(lua_State* state);
   void SetHook(lua_State* state, int count) const;
   ScriptObserver* observer() const { return setup_.observer; }
+  /// Lets this observer observe it from now on; null: none.
+  void Observe(ScriptObserver* observer);
   /// Asks the observer again which events it wants.
   void UpdateHooks();
   void SetHookAgain();

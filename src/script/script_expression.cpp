@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/script_expression.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <lua.hpp>
 #include <optional>
 
@@ -31,8 +33,8 @@ constexpr int kUnary = 8;
 /// Parses the expression from left to right and evaluates it; the values are on the state's stack.
 class Reader {
  public:
-  Reader(lua_State* state, std::string_view text, const PushVariable& variable)
-      : state_(state), text_(text), variable_(variable) {}
+  Reader(lua_State* state, std::string_view text, const PushVariable& variable, MayCall may_call)
+      : state_(state), text_(text), variable_(variable), may_call_(may_call) {}
 
   void ReadAll() {
     Read(0);
@@ -284,8 +286,17 @@ class Reader {
       Expect(")");
     }
     if (dry_) return lua_pop(state_, count);
+    if (may_call_ == MayCall::kReading && !OnlyReads(name))
+      Fail(name + " might change the world: here, only functions can be called that read (GetPosition, tostring)");
     RefuseScripts(count, name);
     lua_call(state_, count, 1);
+  }
+
+  static bool OnlyReads(std::string_view name) {
+    constexpr std::string_view kReading[] = {"tostring", "tonumber", "type", "abs", "ceil",  "floor", "max",
+                                             "min",      "sqrt",     "len",  "sub", "upper", "lower"};
+    return name.starts_with("Get") || name.starts_with("Is") || name.starts_with("Has") ||
+           std::find(std::begin(kReading), std::end(kReading), name) != std::end(kReading);
   }
 
   bool IsScriptFunction(int index) { return lua_isfunction(state_, index) && lua_iscfunction(state_, index) == 0; }
@@ -382,6 +393,7 @@ class Reader {
   lua_State* state_;
   std::string_view text_;
   const PushVariable& variable_;
+  const MayCall may_call_;
   std::size_t at_ = 0;
   int depth_ = 0;
   bool dry_ = false;  ///< Parses without evaluation: operands that `and` and `or` skip.
@@ -390,8 +402,8 @@ class Reader {
 
 }  // namespace
 
-void EvaluateExpression(lua_State* state, std::string_view expression, const PushVariable& variable) {
-  Reader(state, expression, variable).ReadAll();
+void EvaluateExpression(lua_State* state, std::string_view expression, const PushVariable& variable, MayCall may_call) {
+  Reader(state, expression, variable, may_call).ReadAll();
 }
 
 }  // namespace soarbox::script

@@ -147,23 +147,33 @@ struct ScriptHost::AgentScript {
 
 ScriptHost::ScriptHost(world::World& world, ScriptHostSettings settings, MindFactory* minds, ScriptListener& listener)
     : world_(world),
+      observer_(ObserveNewHosts::Current()),
       settings_(std::move(settings)),
       minds_(minds),
       path_(settings_.script_folders),
       budget_(settings_.world_limits),
       reporter_(listener, budget_),
       context_{world, reporter_, *this, budget_} {
-  if (ScriptObserver* observer = ObserveNewHosts::Current()) observer->OnWorld();
+  if (observer_ != nullptr) observer_->OnWorld();
 }
 
 ScriptHost::~ScriptHost() = default;
 
 std::unique_ptr<LuaMachine> ScriptHost::MakeMachine(std::string_view script, EntityId owner, MachineLimits limits,
                                                     RandomSource& random) {
-  // The sandbox's machine is the first; those of agents may be created at any time later.
-  ScriptObserver* const observer = sandbox_ ? sandbox_->observer() : ObserveNewHosts::Current();
   return std::make_unique<LuaMachine>(MachineSetup{std::string(script), Number(owner), limits, &path_, &random,
-                                                   &reporter_, &budget_, &context_, observer});
+                                                   &reporter_, &budget_, &context_, observer_});
+}
+
+void ObserveScripts(ScriptHost& host, ScriptObserver* observer) {
+  // The previous observer must not keep machines that it no longer hears of.
+  if (host.observer_ != nullptr) host.observer_->OnWorld();
+  host.observer_ = observer;
+  if (observer != nullptr) observer->OnWorld();
+  const auto observe = [&](LuaMachine& machine) { machine.Observe(observer); };
+  if (host.sandbox_) observe(*host.sandbox_);
+  for (const auto& script : host.agents_)
+    if (script->machine) observe(*script->machine);
 }
 
 bool ScriptHost::LoadSandbox(std::string_view script) {

@@ -23,6 +23,8 @@
 
 namespace soarbox::script {
 
+class ScriptObserver;
+
 struct ScriptHostSettings {
   /// The search path of scripts: first the scenario's folder, last the library's.
   std::vector<std::filesystem::path> script_folders;
@@ -131,6 +133,7 @@ class ScriptHost final : private AgentMaker {
   ScriptPath& path() { return path_; }
 
  private:
+  friend void ObserveScripts(ScriptHost& host, ScriptObserver* observer);
   struct AgentScript;
 
   Result<world::EntityId> MakeAgent(const AgentCreationRequest& request) override;
@@ -164,6 +167,7 @@ class ScriptHost final : private AgentMaker {
   void CallSandbox(const char* function, bool with_time);
 
   world::World& world_;
+  ScriptObserver* observer_;  ///< Of all machines; null: none.
   ScriptHostSettings settings_;
   MindFactory* minds_;
   ScriptPath path_;

@@ -7,6 +7,7 @@ struct lua_Debug;
 namespace soarbox::script {
 
 class LuaMachine;
+class ScriptHost;
 
 /// Observes the execution of a world's scripts: a debugger or a profiler. Machines call it from Lua hooks, on the
 /// thread that runs the scripts. A machine without an observer, or whose observer wants no events, runs at full speed.
@@ -54,5 +55,9 @@ class ObserveNewHosts {
  private:
   ScriptObserver* before_;
 };
+
+/// Lets this observer, instead of the previous one, observe the scripts of a host from now on. Null: nobody observes
+/// them. Do not call it while a script is called.
+void ObserveScripts(ScriptHost& host, ScriptObserver* observer);
 
 }  // namespace soarbox::script

@@ -376,15 +376,16 @@ bool PushGlobal(lua_State* state, const std::string& name) {
 
 }  // namespace
 
-Result<ScriptVariable> ScriptView::Evaluate(std::size_t frame, std::string_view expression) {
+Result<ScriptVariable> ScriptView::Evaluate(std::size_t frame, std::string_view expression, MayCall may_call) {
   if (!is_paused()) return NewProblem("no script is paused");
   if (frame >= calls_->list.size()) return NewProblem("there is no such call any more");
   ScriptVariable value;
   const LuaMachine::OwnBudget budget(*machine_, kEvaluationBudget);
   const auto failed = Guarded(state_, [&](lua_State* inner) {
-    EvaluateExpression(inner, expression, [&](lua_State* state, const std::string& name) {
-      return PushVariableOf(state, LevelOf(frame), name);
-    });
+    EvaluateExpression(
+        inner, expression,
+        [&](lua_State* state, const std::string& name) { return PushVariableOf(state, LevelOf(frame), name); },
+        may_call);
     value = Take(*machine_, inner, std::string(expression));
   });
   if (failed) return NewProblem(*failed);

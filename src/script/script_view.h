@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
+#include "script/script_expression.h"
 
 struct lua_State;
 struct lua_Debug;
@@ -62,7 +63,7 @@ class ScriptView {
   /// Local variables of enclosing functions that the function of this frame uses.
   std::vector<ScriptVariable> Upvalues(std::size_t frame);
   /// The value of an expression in a frame.
-  Result<ScriptVariable> Evaluate(std::size_t frame, std::string_view expression);
+  Result<ScriptVariable> Evaluate(std::size_t frame, std::string_view expression, MayCall may_call = MayCall::kBuiltIn);
 
   // At any time:
   /// Global variables of a machine's scripts, without those of the language and the API.

@@ -692,6 +692,10 @@ std::vector<Diagnostic> Simulation::SlipsOf(std::string_view agent, const std::s
   return impl_->minds->SlipsOf(agent, rules);
 }
 
+void ObserveScripts(Simulation& simulation, script::ScriptObserver* observer) {
+  script::ObserveScripts(*simulation.impl_->scripts, observer);
+}
+
 void Simulation::Finish() {
   if (std::exchange(impl_->finished, true)) return;
   impl_->minds->TellCounts();

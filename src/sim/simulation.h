@@ -27,6 +27,9 @@
 namespace soarbox::world {
 class World;
 }
+namespace soarbox::script {
+class ScriptObserver;
+}
 
 namespace soarbox::sim {
 
@@ -159,9 +162,15 @@ class Simulation {
   void Finish();
 
  private:
+  friend void ObserveScripts(Simulation& simulation, script::ScriptObserver* observer);
   struct Impl;
   explicit Simulation(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Lets this observer, instead of the previous one, observe all scripts from now on. Null: nobody observes them. An
+/// observer does not change the run. It must exist until another one replaces it or the simulation is destroyed. Do not
+/// call it during a tick.
+void ObserveScripts(Simulation& simulation, script::ScriptObserver* observer);
 
 }  // namespace soarbox::sim

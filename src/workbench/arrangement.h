@@ -22,7 +22,7 @@ inline constexpr Arrangement kWorldArrangement{
     {PanelId::kMind, PanelId::kWhy, PanelId::kMemory, PanelId::kRules, PanelId::kLinks, PanelId::kEdit,
      PanelId::kBreakpoints, PanelId::kFutures},
     {PanelId::kTimeline, PanelId::kTrace, PanelId::kConsole, PanelId::kPlots, PanelId::kMessages, PanelId::kWatch,
-     PanelId::kMinds, PanelId::kLongTerm, PanelId::kLearning, PanelId::kImagery}};
+     PanelId::kMinds, PanelId::kLongTerm, PanelId::kLearning, PanelId::kImagery, PanelId::kScript}};
 inline constexpr Arrangement kLessonArrangement{
     "lesson",
     {PanelId::kMission, PanelId::kAgents},
@@ -30,7 +30,7 @@ inline constexpr Arrangement kLessonArrangement{
     {PanelId::kWhy, PanelId::kMind, PanelId::kMemory, PanelId::kRules, PanelId::kLinks, PanelId::kTimeline,
      PanelId::kTrace, PanelId::kMessages, PanelId::kProblems, PanelId::kConsole, PanelId::kWatch, PanelId::kPlots,
      PanelId::kLearning, PanelId::kLongTerm, PanelId::kImagery, PanelId::kBreakpoints, PanelId::kMinds,
-     PanelId::kFutures}};
+     PanelId::kFutures, PanelId::kScript}};
 inline constexpr Arrangement kReportArrangement{
     "report",
     {PanelId::kAgents, PanelId::kMission},

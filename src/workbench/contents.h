@@ -16,6 +16,7 @@
 #include "debugger/imagery_rows.h"
 #include "debugger/io_rows.h"
 #include "debugger/learning.h"
+#include "debugger/line_stops.h"
 #include "debugger/memory.h"
 #include "debugger/messages.h"
 #include "debugger/operators.h"
@@ -104,6 +105,9 @@ struct EditContents {
   bool is_changed = false, is_unsaved = false;
   int go_to_line = 0;             ///< The line to scroll to; 0: none.
   std::uint64_t go_to_count = 0;  ///< Incremented by each request to scroll.
+  bool can_stop = false;          ///< It is a script that can stop at lines.
+  std::vector<int> stops;         ///< The lines at which it stops.
+  int stopped_line = 0;           ///< The line at which it is stopped; 0: it is not.
 };
 
 /// A file that was opened in the editor, whether it is visible or not.
@@ -201,6 +205,23 @@ struct ExerciseContents {
   std::vector<Entity> entities;  ///< Sorted by id.
 };
 
+/// The lines at which the scripts of a run stop, and the script that is stopped (debugger/line_stops.h).
+struct ScriptContents {
+  bool can_stop = false;           ///< Scripts of this run can stop.
+  std::vector<std::string> files;  ///< The scripts of the run.
+  std::vector<debugger::LineStop> stops;
+  bool at_errors = false;            ///< They stop at errors, too.
+  std::vector<std::string> watches;  ///< Expressions whose values are shown while a script is stopped.
+  std::uint64_t count = 0;           ///< Number of times that a script has stopped.
+  std::optional<debugger::StoppedScript> stopped;
+  /// A line of the text around the place of the shown call.
+  struct Line {
+    int number = 0;
+    std::string text;
+  };
+  std::vector<Line> lines;
+};
+
 struct Contents {
   std::uint64_t revision = 0;  ///< Changes when anything except `moment` may have changed.
   Moment moment;
@@ -270,6 +291,7 @@ struct Contents {
   std::optional<FuturesContents> futures;
   std::vector<GhostBody> ghosts;
   std::optional<ExerciseContents> exercise;
+  ScriptContents script;
   debugger::ImageryView imagery;
   std::string imagined_state;                ///< The state whose scene is drawn; empty: what the agent created in any
                                              ///< scene.

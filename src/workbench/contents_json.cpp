@@ -121,7 +121,50 @@ Json EditJson(const EditContents& edit) {
           {"is_changed", edit.is_changed},
           {"is_unsaved", edit.is_unsaved},
           {"go_to_line", edit.go_to_line},
-          {"go_to_count", edit.go_to_count}};
+          {"go_to_count", edit.go_to_count},
+          {"can_stop", edit.can_stop},
+          {"stops", edit.stops},
+          {"stopped_line", edit.stopped_line}};
+}
+
+Json StoppedJson(const ScriptContents& script) {
+  if (!script.stopped) return {};
+  Json json{{"script", script.stopped->script}, {"reason", script.stopped->reason}, {"error", script.stopped->error}};
+  for (const script::ScriptFrame& call : script.stopped->calls) {
+    if (call.file.empty()) continue;
+    json["file"] = call.file;
+    json["line"] = call.line;
+    break;
+  }
+  json["count"] = script.count;
+  return json;
+}
+
+Json CallsJson(const ScriptContents& script) {
+  if (!script.stopped) return Json::array();
+  return ListOf(script.stopped->calls, [](const script::ScriptFrame& call) -> Json {
+    return {{"function", call.function}, {"file", call.file}, {"line", call.line}};
+  });
+}
+
+Json ScriptRowJson(const debugger::ScriptRow& row) {
+  Json json{{"key", row.key}, {"name", row.name}, {"value", row.value}, {"type", row.type}, {"folds", row.folds}};
+  if (row.is_open) json["below"] = ListOf(row.below, ScriptRowJson);
+  return json;
+}
+
+Json VariablesJson(const ScriptContents& script) {
+  if (!script.stopped) return {};
+  return {{"locals", ListOf(script.stopped->locals, ScriptRowJson)},
+          {"upvalues", ListOf(script.stopped->upvalues, ScriptRowJson)},
+          {"globals", ListOf(script.stopped->globals, ScriptRowJson)}};
+}
+
+Json ScriptWatchesJson(const ScriptContents& script) {
+  if (!script.stopped) return ListOf(script.watches, [](const std::string& what) -> Json { return {{"what", what}}; });
+  return ListOf(script.stopped->watches, [](const debugger::ScriptWatch& watch) -> Json {
+    return {{"what", watch.what}, {"value", ScriptRowJson(watch.value)}, {"fault", watch.fault}};
+  });
 }
 
 Json WatchJson(const WatchRow& row) {
@@ -326,8 +369,13 @@ constexpr ContentField kFields[] = {
      }},
     {"edit", "edit", "",
      "the file that is shown: `file` (empty: none), `text`, `version` (grows when the text comes from elsewhere), "
-     "`problems`, `notice`, `is_changed`, `is_unsaved`, `go_to_line`, `go_to_count`",
+     "`problems`, `notice`, `is_changed`, `is_unsaved`, `go_to_line`, `go_to_count`, `can_stop`: it is a script that "
+     "can "
+     "stop at lines, `stops`: these lines, `stopped_line`: the line where it is stopped, or 0",
      [](const Contents& c) { return EditJson(c.edit); }},
+    {"edit", "stopped", "",
+     "the script that is stopped: `script`, `reason`, `file`, `line`, `count` of stops so far; or null",
+     [](const Contents& c) { return StoppedJson(c.script); }},
 
     {"breakpoints", "breakpoints", "", "`number`, `kind`, `agent`, `what`, `enabled`, `hits`",
      [](const Contents& c) { return debugger::ToJson(c.breakpoints); }},
@@ -337,6 +385,26 @@ constexpr ContentField kFields[] = {
          return {{"number", hit.number}, {"agent", hit.agent}, {"tick", hit.tick}, {"why", hit.why}};
        });
      }},
+
+    {"script", "stops", "", "the lines at which scripts stop: `file`, `line`",
+     [](const Contents& c) {
+       return ListOf(c.script.stops, [](const debugger::LineStop& stop) -> Json {
+         return {{"file", stop.file}, {"line", stop.line}};
+       });
+     }},
+    {"script", "at_errors", "", "whether they stop at errors, too",
+     [](const Contents& c) -> Json { return c.script.at_errors; }},
+    {"script", "stopped", "", "as in `edit`", [](const Contents& c) { return StoppedJson(c.script); }},
+    {"script", "calls", "", "its calls, the innermost first: `function`, `file`, `line`",
+     [](const Contents& c) { return CallsJson(c.script); }},
+    {"script", "call", "", "the number of the call whose variables are shown",
+     [](const Contents& c) -> Json { return c.script.stopped ? c.script.stopped->call : 0; }},
+    {"script", "variables", "",
+     "`locals`, `upvalues` and `globals`: lists of `key`, `name`, `value`, `type`, `folds`, and `below` if it is "
+     "unfolded",
+     [](const Contents& c) { return VariablesJson(c.script); }},
+    {"script", "watches", "", "watched expressions: `what`, `value`, `fault`",
+     [](const Contents& c) { return ScriptWatchesJson(c.script); }},
 
     {"futures", "futures", "", "the old future next to the new one; null: the run never went back",
      [](const Contents& c) { return c.futures ? FuturesJson(*c.futures) : Json(); }},

@@ -51,6 +51,7 @@ Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scen
       past_(header, scenario, settings),
       common_{&run, past_, surroundings, NoteProblems()},
       files_(common_),
+      scripts_(common_, files_),
       consoles_(common_, FileOf(scenario)) {
   run.Watch([this](const record::TickRecord& tick) { OnTick(tick); });
   run.SetOnEdit([this](const Diagnostic& told) {
@@ -67,6 +68,7 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),
       common_{nullptr, past_, surroundings, NoteProblems()},
       files_(common_),
+      scripts_(common_, files_),
       consoles_(common_, std::filesystem::path(recording.header().folder) / recording.header().scenario) {}
 
 Desk::~Desk() {
@@ -79,11 +81,12 @@ Desk::~Desk() {
 
 Desk::Belongings Desk::TakeBelongings() {
   KeepDrafts(true);
-  return {files_.Take(), consoles_.Take(), breakpoints_.list(), watches_, beside_};
+  return {files_.Take(), scripts_.Take(), consoles_.Take(), breakpoints_.list(), watches_, beside_};
 }
 
 void Desk::Bring(Belongings belongings) {
   files_.Bring(std::move(belongings.files));
+  scripts_.Bring(belongings.scripts);
   consoles_.Bring(std::move(belongings.consoles));
   for (const debugger::Breakpoint& kept : belongings.breakpoints) {
     const Result<int> set = breakpoints_.Set(kept.kind, kept.agent, kept.what);
@@ -104,6 +107,7 @@ void Desk::KeepDrafts(bool at_once) {
 void Desk::Prepare() {
   hit_is_new_ = false;
   if (run_ == nullptr) return;
+  scripts_.Prepare();
   sim::Simulation& simulation = run_->simulation();
   breakpoints_.Prepare(simulation);
   if (noted_agent_ == agent_ || past_.parting() != nullptr) return;  // Minds of another future record everything.

@@ -25,6 +25,7 @@
 #include "workbench/live_run.h"
 #include "workbench/mind_change.h"
 #include "workbench/requests.h"
+#include "workbench/script_desk.h"
 #include "workbench/surroundings.h"
 #include "workbench/time_machine.h"
 #include "workbench/trail.h"
@@ -69,7 +70,9 @@ class Desk {
   /// Whether the last tick hit a breakpoint. The caller must then pause the world.
   bool WasHit() const { return !hits_.empty() && hit_is_new_; }
   /// Carries out requests and updates the contents of the visible panels. Call it in each frame, or a few times per
-  /// second, always with the same `contents`. Returns false if only `moment` may have changed.
+  /// second, always with the same `contents`. Returns false if only `moment` may have changed. While a script is
+  /// stopped, only the contents of the panels Script, Edit and Problems are updated, and requests that would read or
+  /// advance the world are refused.
   bool Serve(const std::vector<Request>& requests, Contents& contents);
   /// The name of the agent with this id in the scene that is shown; empty if there is none.
   std::string NameOf(std::uint32_t agent_id);
@@ -85,8 +88,8 @@ class Desk {
   /// an empty string.
   std::string AwaitChange() { return change_.Await(common_.Live(), agent_, past_.last_tick()); }
   MindChange& change() { return change_; }
-  /// Records details of this agent from now on, as if it were selected.
-  void Follow(const std::string& agent) { agent_ = wanted_agent_ = agent; }
+  /// The scripts of the run, one of which may be stopped in the middle of a tick.
+  ScriptDesk& scripts() { return scripts_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -114,6 +117,7 @@ class Desk {
   // Contents of the panels (desk_contents.cpp).
   /// Selects another agent if the user wants one, and clears the questions about the previous one.
   void LookAtAgent(Contents& contents);
+  bool ServeStopped(const std::vector<Request>& requests, Contents& contents);
   void Refresh(Contents& contents);
   void FillMoment(Contents& contents);
   /// Fills in the number of agents, and which of them have a mind.
@@ -151,6 +155,7 @@ class Desk {
   TimeMachine past_;
   DeskCommon common_;
   FileDesk files_;
+  ScriptDesk scripts_;
   ConsoleDesk consoles_;
   MindChange change_;
   debugger::RunModels models_;
@@ -212,6 +217,7 @@ class Desk {
 
 struct Desk::Belongings {
   FileDesk::Belongings files;
+  ScriptDesk::Belongings scripts;
   ConsoleDesk::Belongings consoles;
   std::vector<debugger::Breakpoint> breakpoints;
   std::vector<std::string> watches, beside;

@@ -67,7 +67,34 @@ void Desk::LookAtAgent(Contents& contents) {
   is_stale_ = true;
 }
 
+bool Desk::ServeStopped(const std::vector<Request>& requests, Contents& contents) {
+  for (const Request& request : requests) {
+    if (std::holds_alternative<CompleteRequest>(request)) continue;  // It would read the mind.
+    if (const std::string refusal = scripts_.Refusal(request); !refusal.empty()) {
+      surroundings_.Tell(refusal);
+    } else {
+      Obey(request);
+    }
+  }
+  KeepDrafts(!requests.empty());
+  is_stale_ |= files_.TakeNews();
+  is_stale_ |= scripts_.TakeNews();
+  is_stale_ |= visible_ != refreshed_panels_;
+  if (!is_stale_ || !scripts_.is_stopped()) return false;
+  is_stale_ = false;
+  refreshed_panels_ = visible_;
+  contents.revision = debugger::NewRevision();
+  contents.problems = RankedProblems();
+  contents.breakpoints = breakpoints_.list();
+  files_.Fill(contents);
+  scripts_.Fill(contents, visible_.Has(PanelId::kScript));
+  return true;
+}
+
 bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
+  if (scripts_.is_stopped()) return ServeStopped(requests, contents);
+  scripts_.Rest();
+  if (scripts_.TakeNews()) is_stale_ = true;
   files_.ShowDraft();
   for (const Request& request : requests) Obey(request);
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.rebuilt().Advance(kRebuildSlice_s);
@@ -162,6 +189,7 @@ void Desk::Refresh(Contents& contents) {
   contents.breakpoints = breakpoints_.list();
   contents.hits = hits_;
   files_.Fill(contents);
+  scripts_.Fill(contents, visible_.Has(PanelId::kScript));
   const record::TickRecord* shown = past_.Shown();
   sim::Simulation* world = common_.Looked();
   if (visible_.Has(PanelId::kAgents) && shown != nullptr) {

@@ -127,6 +127,15 @@ struct Desk::Visitor {
     if (const Result<int> set = desk.breakpoints_.Set(request.kind, request.agent, request.what); !set)
       desk.NoteProblem(set.error(), request.agent);
   }
+  void operator()(const LineStopRequest& request) const { desk.scripts_.Obey(request); }
+  void operator()(const ErrorStopRequest& request) const { desk.scripts_.Obey(request); }
+  void operator()(const ScriptGoRequest& request) const {
+    if (!desk.scripts_.is_stopped()) return surroundings.Tell("No script is stopped");
+    desk.scripts_.GoOn(request.how);
+  }
+  void operator()(const ScriptCallRequest& request) const { desk.scripts_.Obey(request); }
+  void operator()(const ScriptValueRequest& request) const { desk.scripts_.Obey(request); }
+  void operator()(const ScriptWatchRequest& request) const { desk.scripts_.Obey(request); }
   void operator()(const ChangeBreakRequest& request) const {
     using What = ChangeBreakRequest::What;
     if (request.what == What::kClear) {
@@ -152,6 +161,7 @@ void Desk::Resume() {
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
   if (simulation == nullptr || run_ == nullptr) return;
   run_->GoOnWith(std::move(simulation), past_.parting()->record, past_.parting()->inputs);
+  scripts_.Observe();
   noted_agent_.clear();
   hits_.clear();
   // The run continues at once, so that the user sees the result.

@@ -182,6 +182,11 @@ bool FileDesk::HasUnsaved() const {
   return std::ranges::any_of(files_, [](const auto& named) { return named.second.edit.is_unsaved(); });
 }
 
+std::optional<std::string> FileDesk::TextOf(const std::string& file) const {
+  const auto found = files_.find(file);
+  return found == files_.end() ? std::nullopt : std::optional(found->second.edit.text());
+}
+
 void FileDesk::KeepDrafts() {
   for (auto& [name, file] : files_) {
     if (!std::exchange(file.has_draft, false)) continue;

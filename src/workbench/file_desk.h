@@ -32,6 +32,8 @@ class FileDesk {
   void Change(const EditTextRequest& request);
   void SaveAll();
   bool HasUnsaved() const;
+  /// The present text of an open file.
+  std::optional<std::string> TextOf(const std::string& file) const;
   /// Call it before requests. Shows a draft after the file itself has been shown, so that the user can undo to the
   /// file.
   void ShowDraft();

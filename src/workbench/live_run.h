@@ -20,7 +20,8 @@ class LiveRun {
   virtual sim::Simulation& simulation() = 0;
   /// The minimum detail that minds must record even if no panel needs it.
   virtual sim::MindDetail LeastDetail() const { return sim::MindDetail::kNone; }
-  /// Calls the function with the present tick, and then after each tick. An empty function ends the subscription.
+  /// Calls the function with the present tick, and then after each tick. An empty function ends the subscription, and
+  /// the observation of scripts (sim::ObserveScripts).
   using OnTick = std::function<void(const record::TickRecord&)>;
   virtual void Watch(OnTick on_tick) = 0;
   /// The exercise of other simulations that the run takes part in; nothing if there is none.

@@ -32,6 +32,7 @@ enum class PanelId : std::uint8_t {
   kLearning,
   kExercise,
   kImagery,
+  kScript,
 };
 
 /// Names, description and key of a panel.
@@ -82,6 +83,8 @@ inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kImagery, "imagery", "Imagery",
      "What the agent imagines: the scene of each state, what its rules ask of it, the answers, and why they are so.",
      'V'},
+    {PanelId::kScript, "script", "Script",
+     "Stop Lua scripts at a line, and step through them: calls, variables, values that you watch.", 'F'},
 });
 inline constexpr std::size_t kPanelCount = kPanelInfos.size();
 

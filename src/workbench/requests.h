@@ -174,6 +174,35 @@ struct ChangeBreakRequest {
   enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
 };
 
+/// Let scripts stop at a line of a file, or at the next line after it that is executed; or no longer.
+struct LineStopRequest {
+  std::string file;
+  int line = 0;
+  bool is_on = true;
+};
+/// Let scripts stop at errors that they do not catch, or no longer.
+struct ErrorStopRequest {
+  bool is_on = true;
+};
+/// Let the stopped script continue: until the next stop, into a call, over the line, or out of the function.
+struct ScriptGoRequest {
+  enum class How : std::uint8_t { kOn, kInto, kOver, kOut } how = How::kOn;
+};
+/// Show the variables of a call of the stopped script; 0: of the innermost.
+struct ScriptCallRequest {
+  std::size_t call = 0;
+};
+/// Unfold or fold a variable of the stopped script.
+struct ScriptValueRequest {
+  std::string key;
+  bool is_open = true;
+};
+/// Add or remove an expression whose value is shown while a script is stopped.
+struct ScriptWatchRequest {
+  std::string what;
+  bool is_on = true;
+};
+
 /// Ask for a hint or a grade of the lesson, or open another lesson. Opening one copies its files to the learner's
 /// folder and shows it.
 struct LessonRequest {
@@ -188,6 +217,7 @@ using Request =
                  SearchMemoryRequest, RuleRequest, CoverageRequest, SearchKnownRequest, EpisodeRequest,
                  LearnedRuleRequest, CurveRequest, WhyRequest, ImagineRequest, PlotRequest, EditRequest,
                  EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest, SearchRequest,
-                 OfferRequest, BreakRequest, ChangeBreakRequest, LessonRequest>;
+                 OfferRequest, BreakRequest, ChangeBreakRequest, LineStopRequest, ErrorStopRequest, ScriptGoRequest,
+                 ScriptCallRequest, ScriptValueRequest, ScriptWatchRequest, LessonRequest>;
 
 }  // namespace soarbox::workbench

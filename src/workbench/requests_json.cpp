@@ -26,6 +26,7 @@ constexpr auto kBreakNames = [] {
   return names;
 }();
 constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
+constexpr std::string_view kScriptGo[] = {"on", "into", "over", "out"};
 constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 
 // In the order of TraceKind.
@@ -159,6 +160,28 @@ void Fields(auto& visit, BreakRequest& r) {
 void Fields(auto& visit, ChangeBreakRequest& r) {
   visit("number", r.number, "the breakpoint's", kNeeded);
   visit("what", r.what, kChangeBreak, "what to do", kNeeded);
+}
+void Fields(auto& visit, LineStopRequest& r) {
+  visit("file", r.file, "a script of the run, or its name alone", kNeeded);
+  visit("line", r.line, "the line; if nothing is executed in it, the next one", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+void Fields(auto& visit, ErrorStopRequest& r) {
+  visit("is_on", r.is_on, "false: no longer", kOptional);
+}
+void Fields(auto& visit, ScriptGoRequest& r) {
+  visit("how", r.how, kScriptGo, "to the next stop, into a call, over the line, or out of the function", kNeeded);
+}
+void Fields(auto& visit, ScriptCallRequest& r) {
+  visit("call", r.call, "its number; 0: the innermost", kNeeded);
+}
+void Fields(auto& visit, ScriptValueRequest& r) {
+  visit("key", r.key, "the path of the variable: \"locals/target\"", kNeeded);
+  visit("is_open", r.is_open, "whether it is unfolded", kOptional);
+}
+void Fields(auto& visit, ScriptWatchRequest& r) {
+  visit("what", r.what, "an expression of Lua that changes nothing: `agent:GetPosition().x > 3`", kNeeded);
+  visit("is_on", r.is_on, "false: no longer", kOptional);
 }
 void Fields(auto& visit, LessonRequest& r) {
   visit("what", r.what, kLessons, "the next hint, a grade, or another lesson", kNeeded);
@@ -380,6 +403,12 @@ constexpr Row kRows[] = {
     RowOf<OfferRequest>("offer", "List what can be opened and searched."),
     RowOf<BreakRequest>("break", "Stop the world when something happens in a mind."),
     RowOf<ChangeBreakRequest>("change-break", "Remove a breakpoint, or switch it on or off."),
+    RowOf<LineStopRequest>("line-stop", "Let scripts stop at a line, in the middle of a tick."),
+    RowOf<ErrorStopRequest>("error-stop", "Let scripts stop at errors that they do not catch."),
+    RowOf<ScriptGoRequest>("script-go", "Let the stopped script continue, or take a step in it."),
+    RowOf<ScriptCallRequest>("script-call", "Show the variables of a call of the stopped script."),
+    RowOf<ScriptValueRequest>("script-value", "Unfold a variable of the stopped script, or fold it."),
+    RowOf<ScriptWatchRequest>("script-watch", "Show the value of an expression while a script is stopped."),
     RowOf<LessonRequest>("lesson", "Get a hint or the grade of a lesson, or open another lesson."),
 };
 static_assert(std::size(kRows) == std::variant_size_v<Request>);

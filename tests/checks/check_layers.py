@@ -46,7 +46,7 @@ ALLOWED = {
     "mission": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "sim", "record"},
     "sweep": {"diagnostics", "sim", "record", "mission"},
     "report": {"diagnostics", "picture", "world", "sim", "record", "mission", "sweep"},
-    "debugger": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "sim", "record"},
+    "debugger": {"diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script", "sim", "record"},
     # Editors use the kernel's own parser; a build with an official Soar has neither module.
     "language": {"diagnostics", "kernel", "rule_reading", "cli", "vocabulary", "explain", "sim", "debugger"},
     "editors": {"bytes", "diagnostics", "mind", "wording", "vocabulary", "explain", "world", "script", "sim", "record", "debugger", "language"},

@@ -78,8 +78,7 @@ void EnginePage::ShowLife() {
   channel_.Send(serve::FrameKind::kAlive, {});
 }
 
-EnginePage::Asked EnginePage::Receive(int most_ms) {
-  Asked asked;
+void EnginePage::Receive(int most_ms, Asked& asked) {
   for (const std::string& text : channel_.Receive(most_ms)) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) {
@@ -90,7 +89,6 @@ EnginePage::Asked EnginePage::Receive(int most_ms) {
     if (!taken) Refuse(taken.error(), json.value("id", Json()));
   }
   if (asked.empty() && language_ != nullptr) SayOfLanguage(language_->Idle());
-  return asked;
 }
 
 Result<void> EnginePage::Take(const Json& json, Asked& asked) {
@@ -194,8 +192,9 @@ void EnginePage::Refuse(const Diagnostic& problem, const Json& id) {
   Say(message);
 }
 
-void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s) {
-  Json flow{{"message", "flow"}, {"paused", pace.paused()}};
+void EnginePage::ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s, bool is_stopped) {
+  Json flow{{"message", "flow"}, {"paused", pace.paused() || is_stopped}};
+  if (is_stopped) flow["stopped"] = true;
   // JSON has no infinity.
   flow["speed"] = std::isfinite(pace.speed()) ? Json(pace.speed()) : Json("unlimited");
   const std::string state = flow.dump();

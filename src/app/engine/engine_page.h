@@ -46,8 +46,8 @@ class EnginePage {
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
   /// Sends a heartbeat to the server, twice per second. Call it in each iteration of the loop.
   void ShowLife();
-  /// Waits at most `most_ms` for requests. Malformed ones are refused here.
-  Asked Receive(int most_ms);
+  /// Waits at most `most_ms` for requests, and adds them. Malformed ones are refused here.
+  void Receive(int most_ms, Asked& asked);
   bool is_open() const { return channel_.is_open(); }
   /// No page is open: the world may pause.
   bool is_alone() const { return pages_ == 0; }
@@ -58,7 +58,8 @@ class EnginePage {
   void Hello(Json about);
   void Tell(const std::string& text) { Say({{"message", "told"}, {"text", text}}); }
   void Refuse(const Diagnostic& problem, const Json& id = {});
-  void ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s);
+  /// `is_stopped`: a script is stopped in the middle of the tick.
+  void ShowFlow(const workbench::Pace& pace, std::uint64_t tick, double time_s, bool is_stopped = false);
   /// Sends the changes of the contents that these panels show.
   void ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels);
   /// Whether the next scene must be complete, because a page has no scene yet.

@@ -50,7 +50,8 @@ class PanelsOfPage {
   explicit PanelsOfPage(EnginePage& page) : page_(page) {}
 
   /// Lets the desk execute the requests, and sends the changed contents.
-  void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests) {
+  /// `at_once`: also if contents were sent a moment ago.
+  void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests, bool at_once = false) {
     bool is_told = shown_ == (panels_ | page_.watched());
     for (workbench::Request& request : requests) {
       auto* const look = std::get_if<workbench::LookRequest>(&request);
@@ -63,11 +64,13 @@ class PanelsOfPage {
       shown_ = panels_ | page_.watched();
       requests.emplace_back(workbench::LookRequest{shown_});
     }
-    if (requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
+    if (!at_once && requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
     served_ = Clock::now();
     // If no contents were filled in, only the moment may have changed.
     const bool is_new = desk.Serve(requests, contents_);
-    page_.ShowContents(contents_, is_new ? shown_ : workbench::PanelSet());
+    page_.ShowContents(contents_, !is_new                       ? workbench::PanelSet()
+                                  : desk.scripts().is_stopped() ? ShownInTick()
+                                                                : shown_);
   }
   /// After the desk was replaced, all contents are filled in again.
   std::vector<workbench::Request> BeginAgain() {
@@ -78,6 +81,15 @@ class PanelsOfPage {
   const std::string& agent() const { return contents_.agent; }
 
  private:
+  /// The visible panels that a desk fills in while a script is stopped.
+  workbench::PanelSet ShownInTick() const {
+    workbench::PanelSet panels;
+    for (const workbench::PanelId id :
+         {workbench::PanelId::kScript, workbench::PanelId::kEdit, workbench::PanelId::kProblems})
+      if (shown_.Has(id)) panels.Add(id);
+    return panels;
+  }
+
   EnginePage& page_;
   workbench::PanelSet panels_;  ///< Of the user whose run it is.
   workbench::PanelSet shown_;   ///< Including those of users who watch.
@@ -93,11 +105,13 @@ nlohmann::ordered_json NamesOf(const world::SceneSnapshot& scene) {
 
 class LiveEngine {
  public:
-  LiveEngine(RunSession& session, EnginePage& page, const WindowRun& run, const EngineOptions& options)
+  /// `may_wait`: a round may take as long as a script is stopped.
+  LiveEngine(RunSession& session, EnginePage& page, const WindowRun& run, const EngineOptions& options, bool may_wait)
       : session_(session),
         page_(page),
         run_(run),
         options_(options),
+        may_wait_(may_wait),
         lessons_(run.scenario, session.lesson()),
         surroundings_(page, pace_, &lessons_, options.home),
         panels_(page) {
@@ -106,7 +120,7 @@ class LiveEngine {
       pace_.Obey(Flow::kUnlimited);
       session.Tick();
     }
-    desk_.emplace(session, run.header, run.scenario, run.settings, surroundings_);
+    MakeDesk();
     Hello();
     // Selects an agent with a mind, so that a new user sees what the panels are for.
     for (const world::AgentSnapshot& agent : session.simulation().Snapshot().agents) {
@@ -133,7 +147,8 @@ class LiveEngine {
   /// Executes requests, executes the ticks that are due, and sends the result. An error ends the run.
   Result<void> Round(int most_ms) {
     page_.ShowLife();
-    EnginePage::Asked asked = page_.Receive(most_ms);
+    EnginePage::Asked asked = std::exchange(postponed_, {});
+    page_.Receive(asked.empty() ? most_ms : 0, asked);
     const bool was_asked = !asked.empty();
     if (Result<void> obeyed = Obey(asked); !obeyed) return obeyed;
     panels_.Serve(*desk_, std::move(asked.requests));
@@ -150,6 +165,11 @@ class LiveEngine {
 
  private:
   double Step_s() const { return static_cast<double>(std::as_const(session_.simulation()).world().settings().step_s); }
+
+  void MakeDesk() {
+    desk_.emplace(session_, run_.header, run_.scenario, run_.settings, surroundings_);
+    if (may_wait_) desk_->scripts().SetWait([this] { WaitInTick(); });
+  }
 
   void Hello() {
     sim::Simulation& simulation = session_.simulation();
@@ -205,7 +225,7 @@ class LiveEngine {
     workbench::Desk::Belongings belongings = desk_->TakeBelongings();
     desk_.reset();
     if (const Result<void> begun = session_.BeginAgain(with_next_seed, seed); !begun) return begun;
-    desk_.emplace(session_, run_.header, run_.scenario, run_.settings, surroundings_);
+    MakeDesk();
     desk_->Bring(std::move(belongings));
     Hello();
     panels_.Serve(*desk_, panels_.BeginAgain());
@@ -229,12 +249,78 @@ class LiveEngine {
         pace_.Pause();
         is_cut = true;
       }
+      if (std::exchange(was_stopped_, false) && !is_cut) {
+        is_cut = true;
+        pace_.Owe(due - i - 1);
+      }
       if (!is_cut && pace_.OutOfTime()) {
         is_cut = true;
         pace_.Owe(due - i - 1);
       }
     }
     if (due == 0) session_.Idle();
+  }
+
+  /// Serves pages while a script is stopped in the middle of a tick.
+  void WaitInTick() {
+    workbench::ScriptDesk& scripts = desk_->scripts();
+    // A page that is loaded again has this time to come back.
+    constexpr auto kPatience = std::chrono::seconds(10);
+    Clock::time_point seen = Clock::now();
+    bool is_new = true;
+    page_.Done();  // The requests that led to this tick have been executed.
+    while (scripts.is_stopped() && page_.is_open() && !WasInterrupted()) {
+      page_.ShowLife();
+      EnginePage::Asked asked;
+      page_.Receive(is_new ? 0 : kIdle_ms, asked);
+      if (!page_.is_alone()) seen = Clock::now();
+      if (Clock::now() - seen > kPatience) break;
+      const bool was_asked = !asked.empty();
+      ObeyInTick(asked);
+      panels_.Serve(*desk_, std::move(asked.requests), is_new);
+      if (scripts.is_stopped()) ShowInTick(is_new);
+      is_new = false;
+      if (was_asked) page_.Done();
+    }
+    shown_tick_ = ~std::uint64_t{0};
+    was_stopped_ = true;
+    pace_.Skip();
+  }
+
+  /// Commands for the run while a script is stopped. What must wait for the end of the tick is postponed.
+  void ObeyInTick(EnginePage::Asked& asked) {
+    workbench::ScriptDesk& scripts = desk_->scripts();
+    if (asked.pause) {
+      *asked.pause ? pace_.Pause() : pace_.Resume();
+      if (!*asked.pause) scripts.GoOn();
+    }
+    for (const Flow flow : asked.flows) {
+      if (flow == Flow::kReset || flow == Flow::kNextSeed) {
+        postponed_.flows.push_back(flow);
+        postponed_.seed = asked.seed;
+        scripts.Leave();
+      } else if (flow == Flow::kTogglePause) {
+        pace_.Resume();
+        scripts.GoOn();
+      } else if (flow == Flow::kStepTick || flow == Flow::kStepTurn) {
+        pace_.Pause();  // At the end of this tick.
+        scripts.GoOn();
+      } else if (IsStep(flow)) {
+        page_.Tell("A script is stopped in the middle of a tick. Let it continue first");
+      } else {
+        pace_.Obey(flow);
+      }
+    }
+    for (sim::InputValue& input : asked.inputs) postponed_.inputs.push_back(std::move(input));
+  }
+
+  /// `is_new`: the script has stopped just now, and may have moved what is in the picture.
+  void ShowInTick(bool is_new) {
+    if (page_.is_alone()) return;
+    page_.ShowFlow(pace_, desk_->past().shown_tick(), static_cast<double>(desk_->past().shown_tick()) * Step_s(), true);
+    if (!is_new && !page_.WantsFull()) return;
+    if (!page_.WantsScene(agents_)) return;
+    page_.ShowScene(session_.simulation().Snapshot(), nullptr);
   }
 
   void Show() {
@@ -261,11 +347,14 @@ class LiveEngine {
   EnginePage& page_;
   const WindowRun& run_;
   const EngineOptions& options_;
+  const bool may_wait_;
   workbench::Pace pace_{1};
   LessonDesk lessons_;
   EngineDesk surroundings_;
   std::optional<workbench::Desk> desk_;
   PanelsOfPage panels_;
+  EnginePage::Asked postponed_;  ///< To be done after the tick in which a script is stopped.
+  bool was_stopped_ = false;     ///< A script was stopped in the last tick.
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
   std::size_t agents_ = 0;  ///< Number of agents in the last scene sent.
   const int turn_ticks_ = sim::TurnTicks(run_.scenario);
@@ -312,7 +401,8 @@ class ReplayEngine {
   }
   void Round(int most_ms) {
     page_.ShowLife();
-    EnginePage::Asked asked = page_.Receive(most_ms);
+    EnginePage::Asked asked;
+    page_.Receive(most_ms, asked);
     const bool was_asked = !asked.empty();
     Obey(asked);
     if (page_.is_alone()) {
@@ -368,7 +458,7 @@ class EngineWindow final : public Window {
   [[nodiscard]] std::optional<std::pair<int, int>> RoomOnDisplay() const override { return std::nullopt; }
   int Run(RunSession& session, const RunOptions& asked, const sim::DataFolders&, const WindowRun& run) const override {
     if (!asked.warning.empty()) page_.Tell(asked.warning);
-    return LiveEngine(session, page_, run, options_).Run();
+    return LiveEngine(session, page_, run, options_, true).Run();
   }
   int Replay(record::Reader& recording, record::TickRange range, const sim::DataFolders& data,
              const RecordingOptions&) const override {
@@ -501,7 +591,7 @@ class SteppedLive final : public SteppedEngine {
     if (SetUpRun(*run, run_) != kOk) return false;
     what_.emplace(WindowRun{run_->scenario, run_->settings, run_->header});
     if (!run_->options.warning.empty()) window_.page().Tell(run_->options.warning);
-    engine_.emplace(*run_->session, window_.page(), *what_, options_);
+    engine_.emplace(*run_->session, window_.page(), *what_, options_, false);
     return true;
   }
   std::optional<int> Step() override {

@@ -77,7 +77,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
     pace_.Obey(workbench::Flow::kUnlimited);
     session.Tick();
   }
-  desk_.emplace(session, header_, scenario_, settings_, window_desk_);
+  MakeDesk();
   if (!options.remark.empty()) viewer.Tell(options.remark);  // The file of the recording.
   // Opens the panel of the lesson and the panel that it introduces.
   if (lessons_.HasLesson()) {
@@ -91,6 +91,11 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
   for (const world::AgentSnapshot& agent : newest_.agents) {
     if (viewer.selected_agent() == 0 && session.simulation().HasMind(agent.name)) viewer.SelectAgent(agent.id);
   }
+}
+
+void LiveWindow::MakeDesk() {
+  desk_.emplace(session_, header_, scenario_, settings_, window_desk_);
+  desk_->scripts().SetWait([this] { WaitInTick(); });
 }
 
 void LiveWindow::Draw() {
@@ -132,6 +137,10 @@ void LiveWindow::Tick(double step_s) {
       viewer_.ShowPanel(workbench::PanelId::kBreakpoints);
       is_cut = true;
     }
+    if (std::exchange(was_stopped_, false) && !is_cut) {
+      is_cut = true;
+      pace_.Owe(due - i - 1);
+    }
     if (!is_cut && pace_.OutOfTime()) {
       is_cut = true;
       pace_.Owe(due - i - 1);
@@ -143,10 +152,51 @@ void LiveWindow::Tick(double step_s) {
   if (due == 0) session_.Idle();
 }
 
+void LiveWindow::ObeyInTick(viewer::ViewerCommand command) {
+  using viewer::ViewerCommand;
+  workbench::ScriptDesk& scripts = desk_->scripts();
+  const std::optional<workbench::Flow> flow = FlowOf(command);
+  if (command == ViewerCommand::kTogglePause) {
+    pace_.Resume();
+    scripts.GoOn();
+  } else if (command == ViewerCommand::kSingleStep) {
+    pace_.Pause();  // At the end of this tick.
+    scripts.GoOn();
+  } else if (command == ViewerCommand::kReset || command == ViewerCommand::kNextSeed ||
+             command == ViewerCommand::kQuit) {
+    postponed_.push_back(command);
+    scripts.Leave();
+  } else if (command == ViewerCommand::kStepDecision || command == ViewerCommand::kStepPhase ||
+             command == ViewerCommand::kStepChange) {
+    viewer_.Tell("A script is stopped in the middle of a tick. Let it continue first");
+  } else if (flow) {
+    pace_.Obey(*flow);
+  }
+}
+
+void LiveWindow::WaitInTick() {
+  workbench::ScriptDesk& scripts = desk_->scripts();
+  // The script may have moved what is in the picture.
+  previous_ = newest_ = session_.simulation().Snapshot();
+  viewer_.ShowPanel(workbench::PanelId::kScript);
+  while (scripts.is_stopped() && !WasInterrupted() && !is_closed_ && !window_desk_.wants_run()) {
+    viewer_.SetStatus({.paused = true, .speed = pace_.speed(), .message = "a script is stopped"});
+    viewer_.Show(newest_);
+    is_closed_ = !viewer_.RenderFrame();
+    for (const viewer::ViewerCommand command : viewer_.TakeCommands()) ObeyInTick(command);
+    window_desk_.Serve(*desk_);
+    is_closed_ |= has_script_ && viewer_.ui_script().is_over;
+  }
+  was_stopped_ = true;
+  pace_.Skip();
+}
+
 Result<void> LiveWindow::Obey() {
   using viewer::ViewerCommand;
   RunCommands control;
-  for (const ViewerCommand command : viewer_.TakeCommands()) {
+  std::vector<ViewerCommand> commands = std::exchange(postponed_, {});
+  for (const ViewerCommand command : viewer_.TakeCommands()) commands.push_back(command);
+  for (const ViewerCommand command : commands) {
     // A user who looks at the past and lets the world or a mind advance returns to the present.
     const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
                          command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange;
@@ -167,7 +217,7 @@ Result<void> LiveWindow::Obey() {
   if (!control.has_begun_again) return {};
   // Keeps what the user created in panels.
   workbench::Desk::Belongings belongings = desk_->TakeBelongings();
-  desk_.emplace(session_, header_, scenario_, settings_, window_desk_);
+  MakeDesk();
   desk_->Bring(std::move(belongings));
   viewer_.SetGhosts({});
   viewer_.panel_contents() = {};
@@ -203,6 +253,7 @@ int LiveWindow::Run() {
       pace_.Skip();
     }
     was_live_ = desk_->past().is_live();
+    if (is_closed_) break;
     if (has_script_ && viewer_.ui_script().is_over) break;
   }
   return session_.Finish();

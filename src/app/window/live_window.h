@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "app/run_options.h"
 #include "app/run_session.h"
@@ -49,8 +50,12 @@ class LiveWindow {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void MakeDesk();
   void Draw();
   void Tick(double step_s);
+  /// Serves the user while a script is stopped in the middle of a tick.
+  void WaitInTick();
+  void ObeyInTick(viewer::ViewerCommand command);
   /// Executes the user's commands for the run. After an error the run cannot continue.
   Result<void> Obey();
 
@@ -65,6 +70,9 @@ class LiveWindow {
   LessonDesk lessons_;
   WindowDesk window_desk_;
   std::optional<workbench::Desk> desk_;
+  std::vector<viewer::ViewerCommand> postponed_;  ///< To be done after the tick in which a script is stopped.
+  bool was_stopped_ = false;                      ///< A script was stopped in the last tick.
+  bool is_closed_ = false;                        ///< The window was closed meanwhile.
   Deliverer deliverer_;
   SmoothTime frame_time_, tick_time_;
   Clock::time_point frame_start_ = Clock::now();

@@ -77,9 +77,9 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   while (!WasInterrupted() && simulation.time_s() < options.screenshot_at_s) {
     if (simulation.time_s() > options.screenshot_at_s - kWatched_s) viewer.Show(simulation.Snapshot());
     if (desk) {
-      // The selected agent is recorded in detail.
-      desk->Follow(options.select);
       desk->Prepare();
+      // The selected agent is recorded in detail.
+      simulation.NoteMind(options.select, sim::MindDetail::kAll);
     }
     session.Tick();
   }

@@ -24,7 +24,9 @@ class WindowDesk final : public workbench::Surroundings {
 
   /// Call it once per frame.
   void Serve(workbench::Desk& desk);
-  /// Returns the scenario or recording that the user wants to open instead, if any; resets it.
+  /// Whether the user wants to open another scenario or recording instead.
+  bool wants_run() const { return wants_run_.has_value(); }
+  /// Returns it, if any; resets it.
   std::optional<NextRun> TakeWantedRun() { return std::exchange(wants_run_, std::nullopt); }
 
   bool IsPaused() const override { return pace_.paused(); }

@@ -176,7 +176,7 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
     layout.at(Area::kBottom) = {true,
                                 280,
                                 {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm,
-                                 P::kLearning, P::kImagery},
+                                 P::kLearning, P::kImagery, P::kScript},
                                 0};
     return layout;
   }
@@ -187,7 +187,7 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
     layout.at(Area::kBottom) = {true,
                                 200,
                                 {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds,
-                                 P::kLongTerm, P::kLearning, P::kImagery},
+                                 P::kLongTerm, P::kLearning, P::kImagery, P::kScript},
                                 0};
     return layout;
   }
@@ -200,7 +200,7 @@ std::optional<Layout> ShippedLayout(std::string_view name) {
   layout.at(Area::kBottom) = {true,
                               300,
                               {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm,
-                               P::kLearning, P::kImagery},
+                               P::kLearning, P::kImagery, P::kScript},
                               0};
   return layout;
 }

@@ -236,6 +236,12 @@ class EditPanel final : public Panel {
     ImDrawList& out = *field.DrawList;
     const float top = field.InnerRect.Min.y, bottom = field.InnerRect.Max.y;
     out.PushClipRect(field.InnerRect.Min, field.InnerRect.Max, false);
+    const workbench::EditContents& edit = frame.contents.edit;
+    if (edit.stopped_line > 0) {
+      const float y = at.y + line * static_cast<float>(edit.stopped_line - 1);
+      out.AddRectFilled({field.InnerRect.Min.x, y}, {field.InnerRect.Max.x, y + line},
+                        theme::Packed(theme::kWarn, 0.35f));
+    }
     DrawPlaces(out, at, top, bottom);
     DrawSource(out, at, text_, tokens_, top, bottom);
     for (const Diagnostic& problem : frame.contents.edit.problems) {
@@ -253,10 +259,24 @@ class EditPanel final : public Panel {
       const bool is_bad = std::any_of(problems.begin(), problems.end(),
                                       [number](const Diagnostic& problem) { return problem.line == number; });
       const std::string text = Formatted("%4d", number);
-      PutText(out, {corner.x, at.y + line * static_cast<float>(number - 1)},
-              theme::Packed(is_bad ? theme::kBad : theme::kQuiet), text.c_str());
+      const float y = at.y + line * static_cast<float>(number - 1);
+      PutText(out, {corner.x, y}, theme::Packed(is_bad ? theme::kBad : theme::kQuiet), text.c_str());
+      if (std::ranges::find(edit.stops, number) != edit.stops.end())
+        out.AddCircleFilled({corner.x + line * 0.35f, y + line / 2}, line * 0.3f, theme::Packed(theme::kBad));
     }
     out.PopClipRect();
+    if (edit.can_stop) SetStop(frame, {corner.x, top}, {corner.x + gutter, bottom}, at.y);
+  }
+
+  /// A click on the number of a line sets a stop there, or removes it. The first line is at `y`.
+  static void SetStop(PanelFrame& frame, ImVec2 from, ImVec2 to, float y) {
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(from, to)) return;
+    Tooltip("Click: scripts stop at this line, or no longer");
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    const workbench::EditContents& edit = frame.contents.edit;
+    const int line = static_cast<int>((ImGui::GetMousePos().y - y) / ImGui::GetFontSize()) + 1;
+    const bool is_on = std::ranges::find(edit.stops, line) == edit.stops.end();
+    frame.Ask(workbench::LineStopRequest{edit.file, line, is_on});
   }
 
   /// Highlights the matches; the current one is brighter.

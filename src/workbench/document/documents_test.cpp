@@ -57,6 +57,9 @@ std::vector<Situation> Situations() {
     contents.exercise.reset();
     contents.breakpoints.clear();
     contents.hits.clear();
+    contents.script.stopped.reset();
+    contents.script.stops.clear();
+    contents.script.watches.clear();
   };
   return {
       {"an agent that acts", "walker", {}},
@@ -67,10 +70,14 @@ std::vector<Situation> Situations() {
        [](Contents& contents) {
          contents.has_mind = false;
          contents.soar_agents.clear();
+         contents.script.stopped.reset();
        }},
       {"the agent has no mind, others have", "walker", [](Contents& contents) { contents.has_mind = false; }},
       {"the mind cannot be looked into", "walker",
-       [](Contents& contents) { contents.not_available = "Its Soar kernel has gone."; }},
+       [](Contents& contents) {
+         contents.not_available = "Its Soar kernel has gone.";
+         contents.script.can_stop = false;
+       }},
       {"a recording", "walker",
        [](Contents& contents) {
          contents.moment.is_recording = true;

@@ -164,6 +164,7 @@ void FilledRun::Fill(const std::string& agent) {
   lesson.grade = {"  yes  anna is greeted", "  no   once per visit"};
   lesson.next = "02-operators";
   contents.lesson = lesson;
+  FillScript();
   const std::unique_ptr<explain::Inspector> mind = simulation->Inspect(agent);
   contents.has_mind = mind != nullptr;
   if (mind == nullptr) return;
@@ -188,6 +189,28 @@ void FilledRun::Fill(const std::string& agent) {
   contents.breakpoints = {{1, debugger::BreakKind::kFire, "walker", "walker*propose*flee", true, 2}};
   contents.hits = {{1, "walker", 30, "breakpoint 1: walker: rule walker*propose*flee fired"}};
   contents.plottable = debugger::Plottable(*mind);
+}
+
+void FilledRun::FillScript() {
+  const std::string file = (folder_ / "Scout.lua").string();
+  ScriptContents& script = contents.script;
+  script.can_stop = true;
+  script.files = {file, (folder_ / "Sandbox.lua").string()};
+  script.stops = {{file, 4}, {file, 12}};
+  script.watches = {"speed * 2", "nothing.x"};
+  script.count = 1;
+  debugger::StoppedScript& stopped = script.stopped.emplace();
+  stopped.script = "scout";
+  stopped.reason = "breakpoint";
+  stopped.calls = {{"Hurry", file, 4}, {"Agent_Update", file, 12}};
+  const debugger::ScriptRow inner{"locals/memory/place", "place", "\"gate\"", "string"};
+  stopped.locals = {{"locals/speed", "speed", "3", "number"},
+                    {"locals/memory", "memory", "{place = \"gate\"}", "table", true, true, {inner}},
+                    {"locals/others", "others", "{...}", "table", true}};
+  stopped.globals = {{"globals/Team", "Team", "\"red\"", "string"}};
+  stopped.watches = {{"speed * 2", {"watches/speed * 2", "speed * 2", "6", "number"}},
+                     {"nothing.x", {}, "a nil value has no fields: x is asked for"}};
+  script.lines = {{3, "local function Hurry(memory)"}, {4, "  local speed = 3"}, {5, ""}};
 }
 
 void FilledRun::Write(const char* file, const char* text) const {

@@ -36,6 +36,7 @@ class FilledRun {
 
  private:
   void Write(const char* file, const char* text) const;
+  void FillScript();
 
   std::filesystem::path folder_;
   std::optional<debugger::Console> console_;

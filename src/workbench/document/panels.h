@@ -37,6 +37,7 @@ Nodes LongTermDocument(const Contents& contents);
 Nodes LearningDocument(const Contents& contents);
 Nodes ExerciseDocument(const Contents& contents);
 Nodes ImageryDocument(const Contents& contents);
+Nodes ScriptDocument(const Contents& contents);
 
 struct PanelDocument {
   PanelId panel;
@@ -51,7 +52,7 @@ inline constexpr PanelDocument kPanelDocuments[] = {
     {PanelId::kFutures, FuturesDocument},   {PanelId::kWatch, WatchDocument},
     {PanelId::kMinds, MindsDocument},       {PanelId::kLongTerm, LongTermDocument},
     {PanelId::kLearning, LearningDocument}, {PanelId::kExercise, ExerciseDocument},
-    {PanelId::kImagery, ImageryDocument},
+    {PanelId::kImagery, ImageryDocument},   {PanelId::kScript, ScriptDocument},
 };
 
 }  // namespace soarbox::workbench::document

@@ -31,6 +31,8 @@ export const KEYS: readonly Key[] = [
   { keys: "Ctrl+Enter, Ctrl+S", does: "Save the rules and put them into effect", group: "Rules" },
   { keys: "Ctrl+Space", does: "Complete the word", group: "Rules" },
   { keys: "F8", does: "Go to the next problem", group: "Rules" },
+  { keys: "F9", does: "In a script: stop at this line, or no longer", group: "Rules" },
+  { keys: "F8, F10, F11, Shift+F11", does: "A stopped script: continue, step over, into, out", group: "Rules" },
   { keys: "F2", does: "Rename what is at the caret, in all files", group: "Rules" },
   { keys: "F12", does: "Go to where the name at the caret is made", group: "Rules" },
   { keys: "Shift+Alt+F", does: "Lay the rules out", group: "Rules" },

@@ -19,6 +19,8 @@ import { protagonist } from "./protagonist";
 import { splitter } from "./splitter";
 import { Stage } from "./stage";
 
+/** Keys of a stopped script, and how it continues. */
+const STEP_KEYS: Readonly<Record<string, string>> = { F8: "on", F10: "over", F11: "into", "Shift+F11": "out" };
 const NARROW = "(max-width: 900px)";
 
 /** All panels in one row of tabs: the task and the rules first. */
@@ -59,6 +61,8 @@ export class RunPage {
   /** The agent that was selected automatically. */
   private chosen = "";
   private isFronted = false;
+  /** Number of the script's stop that was shown last. */
+  private stopCount = 0;
   private readonly attempt = new Attempt(localStorage);
 
   /**
@@ -186,8 +190,20 @@ export class RunPage {
     this.run.look([...shown, "mission", "problems", "edit", "timeline"]);
   }
 
+  /** A script has stopped: shows its text and its variables. */
+  private noteStop(): void {
+    const stopped = this.run.contents.edit?.stopped ?? null;
+    if (stopped === null || stopped.count === this.stopCount) return;
+    this.stopCount = stopped.count;
+    this.reveal("script");
+    this.reveal("edit");
+  }
+
   private take(names: readonly ContentName[]): void {
-    if (names.includes("edit")) this.edit.take(this.run.contents);
+    if (names.includes("edit")) {
+      this.edit.take(this.run.contents);
+      this.noteStop();
+    }
     this.choose();
     for (const dock of this.docks) dock.note(names);
     if (names.includes("moment")) this.drawFlow();
@@ -240,6 +256,8 @@ export class RunPage {
       return true;
     }
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const step = this.run.flow.stopped === true ? STEP_KEYS[(event.shiftKey ? "Shift+" : "") + event.key] : undefined;
+    if (step !== undefined) return this.run.ask("script-go", { how: step });
     if (event.key === "Escape") return this.stage.closeMenu();
     if (isTyping(event.target)) return false;
     const isButton = event.target instanceof HTMLElement && event.target.closest("button, summary, [role=tab], a") !== null;

@@ -28,6 +28,7 @@ export class EditPanel implements Panel {
   private version = -1;
   private goCount = -1;
   private problems = "";
+  private stops = "";
   private asked = "";
   private loading = false;
   private what = "";
@@ -245,11 +246,15 @@ export class EditPanel implements Panel {
         }, ANSWERED_AFTER_MS);
       },
       command: (what) => this.command(what),
+      stop: (line, isOn) => {
+        if (this.file !== "") this.context.run.ask("line-stop", { file: this.file, line, is_on: isOn });
+      },
       apply: (text) => {
         void this.client.tell(text);
         if (!this.context.run.ask("edit-text", { what: "save", text })) return;
         this.isApplying = true;
         this.context.run.ask("edit-text", { what: "apply", text });
+        this.moveStops();
         // Unchanged contents are not sent again.
         setTimeout(() => this.noteApplied(), ANSWERED_AFTER_MS);
       },
@@ -257,6 +262,25 @@ export class EditPanel implements Panel {
     this.editor.setReadOnly(!this.mayType);
     this.file = "";
     this.take(this.context.run.contents);
+  }
+
+  /** The run's stops follow the lines that typing has moved. */
+  private moveStops(): void {
+    const { editor } = this, edit = this.context.run.contents.edit?.edit;
+    if (editor === null || edit === undefined || edit.file !== this.file || edit.can_stop !== true) return;
+    const before = edit.stops ?? [], now = editor.stopLines;
+    for (const line of before) if (!now.includes(line)) this.context.run.ask("line-stop", { file: this.file, line, is_on: false });
+    for (const line of now) if (!before.includes(line)) this.context.run.ask("line-stop", { file: this.file, line });
+  }
+
+  /** Shows stops again only if they or the text have changed, because typing moves them. */
+  private markStops(isNew: boolean): void {
+    const edit = this.context.run.contents.edit?.edit;
+    if (this.editor === null || edit === undefined) return;
+    const stops = { can: edit.can_stop === true, lines: edit.stops ?? [], stoppedLine: edit.stopped_line ?? 0 }, told = JSON.stringify(stops);
+    if (told === this.stops && !isNew) return;
+    this.stops = told;
+    this.editor.showStops(stops);
   }
 
   /** Whether the editor's text differs from the text that the run uses. */
@@ -327,6 +351,7 @@ export class EditPanel implements Panel {
     this.context.run.kept.confirm(edit.file, edit.text);
     this.takeOffered();
     this.mark();
+    this.markStops(isNew || !this.isOwn);
     if (edit.go_to_count !== this.goCount) {
       this.goCount = edit.go_to_count;
       if (edit.go_to_line > 0) editor.goTo(edit.go_to_line);

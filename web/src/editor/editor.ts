@@ -6,6 +6,7 @@ import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Diagnos
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
+import { lineStops, showStops, stopLines, type ShownStops } from "./line_stops";
 import { completeWith, hoverWith, type LanguageClient } from "./language_client";
 import { placeOf, remedyOf, type PlacedProblem } from "./problem_place";
 import { soarColors, soarLanguage } from "./soar_language";
@@ -20,6 +21,8 @@ export interface EditorEvents {
   apply(text: string): void;
   /** Keys of further actions: format, rename, go to the definition. */
   command(what: EditorCommand): void;
+  /** A stop at a line is wanted, or no longer. */
+  stop(line: number, isOn: boolean): void;
 }
 export type EditorCommand = "format" | "rename" | "definition";
 
@@ -36,7 +39,7 @@ export class Editor {
       parent: place,
       state: EditorState.create({
         extensions: [
-          lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history(), drawSelection(), indentOnInput(), indentUnit.of("   "), bracketMatching(), closeBrackets(),
+          lineStops((line, isOn) => this.events.stop(line, isOn)), lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history(), drawSelection(), indentOnInput(), indentUnit.of("   "), bracketMatching(), closeBrackets(),
           highlightActiveLine(), highlightSelectionMatches(), EditorView.lineWrapping, EditorState.tabSize.of(3),
           hoverWith(client), autocompletion({ override: [completeWith(client)], activateOnTyping: true }),
           this.language.of([soarLanguage, soarColors]), this.readOnly.of([]),
@@ -100,6 +103,15 @@ export class Editor {
     forEachDiagnostic(this.view.state, (one, from, to) => there.push(`${from}-${to} ${one.message}`));
     if (there.sort().join() === shown.map((one) => `${one.from}-${one.to} ${one.message}`).sort().join()) return;
     this.view.dispatch(setDiagnostics(this.view.state, shown));
+  }
+
+  showStops(stops: ShownStops): void {
+    showStops(this.view, stops);
+  }
+
+  /** The lines of the stops; typing above a stop has moved it. */
+  get stopLines(): number[] {
+    return stopLines(this.view);
   }
 
   /** The line of the caret, from 1. */

@@ -44,8 +44,14 @@ export interface EditText {
   is_unsaved: boolean;
   go_to_line: number;
   go_to_count: number;
+  /** It is a script that can stop at lines: at these lines, and it is stopped at this one (0: it is not). */
+  can_stop?: boolean;
+  stops?: readonly number[];
+  stopped_line?: number;
 }
-export interface Edit { files: readonly { agent: string; file: string; is_rules: boolean }[]; open_files: readonly OpenFile[]; edit: EditText }
+/** The script that is stopped in the middle of a tick. */
+export interface StoppedScript { script: string; reason: string; error: string; file?: string; line?: number; count: number }
+export interface Edit { files: readonly { agent: string; file: string; is_rules: boolean }[]; open_files: readonly OpenFile[]; edit: EditText; stopped?: StoppedScript | null }
 
 export interface Problems { problems: readonly (Problem & { agent: string; tick: number; time_s: number; cause: string })[] }
 export interface Check { name: string; expected: string; was: string; agent: string; is_marker: boolean; state: string; tick: number; time_s: number }
@@ -99,5 +105,5 @@ export interface Contents extends Partial<Record<DocumentName, DocumentContent>>
   ghosts?: Ghosts;
 }
 type DocumentName = "agents" | "mind" | "memory" | "rules" | "why" | "links" | "messages" | "plots" | "trace" | "breakpoints" | "futures" | "watch" | "minds" |
-  "longterm" | "learning" | "exercise" | "imagery";
+  "longterm" | "learning" | "exercise" | "imagery" | "script";
 export type ContentName = keyof Contents;

@@ -36,7 +36,8 @@ export interface Hello {
   /** The run takes part in an exercise with other simulations. */
   has_exercise?: boolean;
 }
-export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number }
+/** `stopped`: a script is stopped in the middle of a tick. */
+export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number; stopped?: boolean }
 
 /** A request of a page: an object with its name and fields (docs/workbench.md and docs/serve.md). */
 export type Request = { readonly request: string; readonly id?: number } & Readonly<Record<string, unknown>>;

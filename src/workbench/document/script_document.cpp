@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// Script: the lines at which scripts stop; of a stopped script its calls, its text, its variables and watched values.
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "workbench/document/build.h"
+#include "workbench/document/panels.h"
+
+namespace soarbox::workbench::document {
+namespace {
+
+using debugger::LineStop;
+using debugger::ScriptRow;
+using debugger::StoppedScript;
+using How = ScriptGoRequest::How;
+
+const char* const kRemove = "\xc3\x97";
+
+std::string NameOf(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+std::string PlaceOf(const std::string& file, int line) {
+  return NameOf(file) + ":" + std::to_string(line);
+}
+
+Line Steps() {
+  Line line;
+  const auto add = [&](const char* label, How how, const char* hint) {
+    line.nodes.push_back(Button{label, Action{ScriptGoRequest{how}}, hint});
+  };
+  add("Continue", How::kOn, "To the next stop");
+  add("Step over", How::kOver, "Execute this line");
+  add("Step into", How::kInto, "Into the function that this line calls");
+  add("Step out", How::kOut, "To the end of this function");
+  return line;
+}
+
+Table Calls(const Contents& contents, const StoppedScript& stopped) {
+  Table table;
+  table.key = "calls";
+  table.columns = {{"Call", false, false, true}, {"Line", false, false, true}};
+  table.press = RowAction{{ScriptCallRequest{}}, "call"};
+  for (std::size_t i = 0; i < stopped.calls.size(); ++i) {
+    const script::ScriptFrame& call = stopped.calls[i];
+    TableRow row;
+    row.key = std::to_string(i);
+    row.is_chosen = i == stopped.call;
+    row.cells = {TextCell(call.function, Role::kName), {}};
+    if (!call.file.empty())
+      row.cells.back().spans.push_back(FileLink(contents, call.file, call.line, PlaceOf(call.file, call.line)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The lines around the place, each with a button that sets or removes a stop.
+Table Source(const ScriptContents& script, const script::ScriptFrame& call) {
+  Table table;
+  table.key = "source";
+  table.has_heads = false;
+  table.columns = {{""}, {"", true}, {"", false, false, true}};
+  for (const ScriptContents::Line& line : script.lines) {
+    const bool stops = std::ranges::find(script.stops, LineStop{call.file, line.number}) != script.stops.end();
+    TableRow row;
+    row.key = std::to_string(line.number);
+    row.is_chosen = line.number == call.line;
+    row.cells = {{{Span{stops ? "\xe2\x97\x8f" : "\xe2\x97\x8b", stops ? Role::kBad : Role::kQuiet,
+                        Action{LineStopRequest{call.file, line.number, !stops}},
+                        stops ? "Remove the stop at this line" : "Stop at this line"}}},
+                 TextCell(std::to_string(line.number), Role::kQuiet),
+                 TextCell(line.text.empty() ? " " : line.text, Role::kCode)};
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+TreeRow RowOf(const ScriptRow& variable) {
+  TreeRow row;
+  row.key = variable.key;
+  row.spans = {{variable.name, Role::kName},
+               {" = " + variable.value, variable.type == "number" ? Role::kNumber : Role::kCode}};
+  row.folds = variable.folds;
+  row.is_open = variable.is_open;
+  if (variable.folds) row.arguments = {variable.key};
+  for (const ScriptRow& below : variable.below) row.below.push_back(RowOf(below));
+  return row;
+}
+
+void AddVariables(const char* key, const char* title, const std::vector<ScriptRow>& variables, Nodes& nodes) {
+  if (variables.empty()) return;
+  nodes.push_back(Heading(title));
+  Tree tree{key, title, {}};
+  tree.unfold = RowAction{{ScriptValueRequest{}}, "key", 1};
+  for (const ScriptRow& variable : variables) tree.rows.push_back(RowOf(variable));
+  nodes.push_back(std::move(tree));
+}
+
+void AddWatches(const ScriptContents& script, Nodes& nodes) {
+  nodes.push_back(Heading("Watch"));
+  Form form;
+  form.key = "watch";
+  form.action.request = ScriptWatchRequest{};
+  form.fields.push_back({Field::Kind::kLine, "what",
+                         "An expression of Lua that changes nothing: variables, fields, operators, functions that read",
+                         "agent:GetPosition().x > 3"});
+  form.fields.back().is_needed = true;
+  form.button = "Watch";
+  form.clears = form.repeats = true;
+  nodes.push_back(std::move(form));
+  if (script.watches.empty()) return;
+  Tree tree{"watches", "Watch", {}};
+  tree.unfold = RowAction{{ScriptValueRequest{}}, "key", 1};
+  for (std::size_t i = 0; i < script.watches.size(); ++i) {
+    const std::string& what = script.watches[i];
+    TreeRow row;
+    if (script.stopped && i < script.stopped->watches.size()) {
+      const debugger::ScriptWatch& watch = script.stopped->watches[i];
+      if (watch.fault.empty()) {
+        row = RowOf(watch.value);
+      } else {
+        row.spans = {{what, Role::kName}, {"  " + watch.fault, Role::kBad}};
+      }
+    } else {
+      row.spans = {{what, Role::kName}};
+    }
+    row.key = "watches/" + what;
+    row.spans.insert(row.spans.begin(),
+                     {Span{kRemove, Role::kTag, Action{ScriptWatchRequest{what, false}}, "No longer watch it"}, {" "}});
+    tree.rows.push_back(std::move(row));
+  }
+  nodes.push_back(std::move(tree));
+}
+
+void AddStops(const Contents& contents, Nodes& nodes) {
+  const ScriptContents& script = contents.script;
+  nodes.push_back(Heading("Stop scripts at"));
+  if (!script.files.empty()) {
+    Form form;
+    form.key = "stop";
+    form.action.request = LineStopRequest{};
+    Field file{Field::Kind::kChoice, "file", "Script"};
+    for (const std::string& each : script.files) file.options.emplace_back(each, NameOf(each));
+    form.fields.push_back(std::move(file));
+    form.fields.push_back({Field::Kind::kLine, "line", "The number of a line", "line"});
+    form.fields.back().is_needed = true;
+    form.button = "Add";
+    form.clears = true;
+    nodes.push_back(std::move(form));
+  }
+  Button errors{"Errors", Action{ErrorStopRequest{!script.at_errors}},
+                "Stop where a script fails and does not catch it"};
+  errors.is_on = script.at_errors;
+  nodes.push_back(Line{{std::move(errors)}});
+  if (script.stops.empty()) {
+    nodes.push_back(Text("No lines yet. On a page, click to the left of a line in Edit.", Role::kQuiet));
+    return;
+  }
+  Table table;
+  table.key = "stops";
+  table.has_heads = false;
+  table.columns = {{"Line", false, false, true}, {""}};
+  for (const LineStop& stop : script.stops) {
+    TableRow row;
+    row.key = PlaceOf(stop.file, stop.line);
+    row.cells = {{{FileLink(contents, stop.file, stop.line, row.key)}},
+                 {{Span{kRemove, Role::kTag, Action{LineStopRequest{stop.file, stop.line, false}}, "Remove"}}}};
+    table.rows.push_back(std::move(row));
+  }
+  nodes.push_back(std::move(table));
+}
+
+}  // namespace
+
+Nodes ScriptDocument(const Contents& contents) {
+  const ScriptContents& script = contents.script;
+  Nodes nodes;
+  if (contents.moment.is_recording) {
+    nodes.push_back(Empty("Scripts stop in a run, not in a recording.",
+                          "Open the recording in your editor: its debugger (soarbox dap) runs the scripts again."));
+    return nodes;
+  }
+  if (!script.can_stop) {
+    nodes.push_back(Empty("Scripts cannot stop here.",
+                          "They stop in a run in a window, on a server's page, and in an editor (soarbox dap)."));
+    return nodes;
+  }
+  if (script.stopped) {
+    const StoppedScript& stopped = *script.stopped;
+    const script::ScriptFrame call =
+        stopped.calls.empty() ? script::ScriptFrame() : stopped.calls[std::min(stopped.call, stopped.calls.size() - 1)];
+    nodes.push_back(Text(Spans{{"stopped", Role::kTag},
+                               {" "},
+                               {stopped.script, Role::kStrong},
+                               {" in " + call.function + ", "},
+                               FileLink(contents, call.file, call.line, PlaceOf(call.file, call.line))}));
+    if (!stopped.error.empty()) nodes.push_back(Text(stopped.error, Role::kBad));
+    nodes.push_back(Steps());
+    if (!script.lines.empty()) nodes.push_back(Source(script, call));
+    AddVariables("locals", "Local variables", stopped.locals, nodes);
+    AddVariables("upvalues", "Variables of enclosing functions", stopped.upvalues, nodes);
+    nodes.push_back(Heading("Calls"));
+    nodes.push_back(Calls(contents, stopped));
+    AddVariables("globals", "Global variables", stopped.globals, nodes);
+  }
+  AddWatches(script, nodes);
+  AddStops(contents, nodes);
+  return nodes;
+}
+
+}  // namespace soarbox::workbench::document

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "workbench/script_desk.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "diagnostics/problem.h"
+
+namespace soarbox::workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOpen = 200, kMostWatches = 40;
+constexpr int kLinesAround = 6;  ///< Lines of the text that are shown before and after the place of a stop.
+
+bool IsScript(const fs::path& file) {
+  return file.extension() == ".lua";
+}
+
+fs::path Plain(const fs::path& file) {
+  std::error_code failed;
+  fs::path plain = fs::weakly_canonical(file, failed);
+  return failed ? file.lexically_normal() : plain;
+}
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+script::ScriptStep StepOf(ScriptGoRequest::How how) {
+  using How = ScriptGoRequest::How;
+  return how == How::kInto   ? script::ScriptStep::kInto
+         : how == How::kOver ? script::ScriptStep::kOver
+         : how == How::kOut  ? script::ScriptStep::kOut
+                             : script::ScriptStep::kGo;
+}
+
+std::vector<ScriptContents::Line> LinesAround(const std::string& text, int line) {
+  std::vector<ScriptContents::Line> lines;
+  std::istringstream in(text);
+  std::string one;
+  for (int number = 1; number <= line + kLinesAround && std::getline(in, one); ++number)
+    if (number >= line - kLinesAround) lines.push_back({number, one});
+  return lines;
+}
+
+}  // namespace
+
+void ScriptDesk::SetWait(std::function<void()> wait) {
+  wait_ = std::move(wait);
+  Observe();
+}
+
+void ScriptDesk::Observe() {
+  if (CanStop()) sim::ObserveScripts(common_.run->simulation(), &stops_.observer());
+}
+
+void ScriptDesk::Bring(const Belongings& belongings) {
+  stops_.Bring(belongings.stops);
+  stops_.SetAtErrors(belongings.at_errors);
+  watches_ = belongings.watches;
+}
+
+std::string ScriptDesk::FileOf(const std::string& file) const {
+  sim::Simulation* const live = common_.Live();
+  if (live == nullptr) return file;
+  const bool is_name = fs::path(file).filename() == file;
+  const fs::path plain = Plain(file);
+  for (const sim::WatchedFile& each : live->Files())
+    if (!each.is_rules && (is_name ? each.file.filename() == file : Plain(each.file) == plain))
+      return each.file.string();
+  return file;
+}
+
+void ScriptDesk::Wait() {
+  ++count_;
+  call_ = 0;
+  has_news_ = true;
+  place_ = stops_.Place();
+  place_.file = FileOf(place_.file);
+  files_.Edit(EditRequest{place_.file, place_.line}, {});
+  wait_();
+  // A program that cannot wait any longer lets the script continue.
+  if (is_stopped()) Leave();
+  has_news_ = true;
+}
+
+std::string ScriptDesk::Refusal(const Request& request) {
+  const bool is_refused = std::holds_alternative<ConsoleRequest>(request) ||
+                          std::holds_alternative<SeekRequest>(request) ||
+                          std::holds_alternative<ResumeRequest>(request);
+  if (!is_refused) return {};
+  return "A script is stopped at " + fs::path(place_.file).filename().string() + ":" + std::to_string(place_.line) +
+         ", in the middle of a tick. Let it continue first";
+}
+
+void ScriptDesk::GoOn(ScriptGoRequest::How how) {
+  stops_.GoOn(StepOf(how));
+}
+
+void ScriptDesk::Obey(const LineStopRequest& request) {
+  if (!CanStop())
+    return common_.surroundings.Tell("Scripts cannot stop here: they stop in a run in a window or on a server's page");
+  const std::string file = FileOf(request.file);
+  if (!request.is_on) return stops_.Clear(file, request.line);
+  if (!IsScript(file))
+    return common_.note_problem(ProblemIn(file, "this is not a script", "name a file in Lua that the run uses"), {});
+  const std::optional<std::string> text = files_.TextOf(file);
+  const Result<int> set = stops_.Set(file, text ? *text : TextOf(file), request.line);
+  if (!set) {
+    common_.surroundings.Tell("No stop at line " + std::to_string(request.line) + ": " + set.error().hint);
+    return common_.note_problem(set.error(), {});
+  }
+  if (*set != request.line)
+    common_.surroundings.Tell("Nothing is executed in line " + std::to_string(request.line) + ": the stop is at line " +
+                              std::to_string(*set));
+}
+
+void ScriptDesk::Obey(const ScriptCallRequest& request) {
+  call_ = request.call;
+}
+
+void ScriptDesk::Obey(const ScriptValueRequest& request) {
+  if (!request.is_open) {
+    open_.erase(request.key);
+  } else if (open_.size() < kMostOpen) {
+    open_.insert(request.key);
+  }
+}
+
+void ScriptDesk::Obey(const ScriptWatchRequest& request) {
+  const auto found = std::ranges::find(watches_, request.what);
+  if (!request.is_on && found != watches_.end()) watches_.erase(found);
+  if (request.is_on && found == watches_.end() && !request.what.empty() && watches_.size() < kMostWatches)
+    watches_.push_back(request.what);
+}
+
+void ScriptDesk::Fill(Contents& contents, bool is_visible) {
+  ScriptContents& shown = contents.script;
+  shown = {};
+  shown.can_stop = CanStop();
+  EditContents& edit = contents.edit;
+  edit.can_stop = shown.can_stop && IsScript(edit.file);
+  edit.stops.clear();
+  edit.stopped_line = 0;
+  if (!shown.can_stop) return;
+  shown.stops.assign(stops_.list().begin(), stops_.list().end());
+  for (const debugger::LineStop& stop : shown.stops)
+    if (stop.file == edit.file) edit.stops.push_back(stop.line);
+  shown.at_errors = stops_.at_errors();
+  shown.watches = watches_;
+  shown.count = count_;
+  if (is_visible) {
+    std::set<std::string> files;
+    for (const sim::WatchedFile& file : common_.Live()->Files())
+      if (!file.is_rules && IsScript(file.file)) files.insert(file.file.string());
+    shown.files.assign(files.begin(), files.end());
+  }
+  if (!is_stopped()) return;
+  shown.stopped = stops_.Look(call_, open_, watches_);
+  for (script::ScriptFrame& call : shown.stopped->calls) call.file = call.file.empty() ? "" : FileOf(call.file);
+  if (shown.stopped->calls.empty()) return;
+  const script::ScriptFrame& call = shown.stopped->calls[shown.stopped->call];
+  if (!call.file.empty()) {
+    const std::optional<std::string> text = files_.TextOf(call.file);
+    shown.lines = LinesAround(text ? *text : TextOf(call.file), call.line);
+  }
+  if (call.file == edit.file) edit.stopped_line = call.line;
+}
+
+}  // namespace soarbox::workbench

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-2-Clause
+"""Lua scripts that stop at lines, in the middle of a tick, while their page goes on working."""
+import json
+import pathlib
+import time
+import unittest
+
+from web_client import ServeCase
+
+WORLD = "scenario:thesis"
+SCRIPT = "SeekingLuaAgent.lua"
+PATIENCE_ALONE_S = 10
+LINES = (pathlib.Path(__file__).resolve().parents[2] / "scenarios" / "thesis" / SCRIPT).read_text(encoding="utf-8").split("\n")
+
+
+def line_of(text):
+    return next(number for number, line in enumerate(LINES, 1) if text in line)
+
+
+UPDATE, BLANK = line_of("Steering_WalkToTarget("), line_of("function Agent_Update") - 1
+
+
+class Scripts(ServeCase):
+    def stopped_page(self, server, place, line=UPDATE):
+        page = self.opened(server, place, WORLD, "edit", "script", "problems")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        page.ask(request="line-stop", file=SCRIPT, line=line)
+        page.until_contents("edit", lambda edit: edit["stopped"])
+        return page
+
+    def stop(self, page, count):
+        """The stop with this number."""
+        return page.until_contents("edit", lambda edit: edit["stopped"] and edit["stopped"]["count"] >= count)
+
+    def panel(self, page, text):
+        return page.until_contents("script", lambda script: text in json.dumps(script["document"]))
+
+    def test_a_script_stops_shows_its_variables_and_takes_steps(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        edit = page.contents["edit"]
+        self.assertEqual(edit["stopped"]["line"], UPDATE)
+        self.assertTrue(edit["stopped"]["file"].endswith("/thesis/" + SCRIPT))
+        self.assertEqual((edit["edit"]["stops"], edit["edit"]["stopped_line"], edit["edit"]["can_stop"]), ([UPDATE], UPDATE, True))
+        self.assertEqual(edit["edit"]["file"], edit["stopped"]["file"], "the editor shows the place")
+        self.panel(page, "deltaTimeInMillis")
+        tick = page.until(lambda message: message["message"] == "flow" and message.get("stopped"))["tick"]
+        page.ask(request="script-go", how="over")
+        self.assertEqual(self.stop(page, 2)["stopped"]["line"], UPDATE + 1)
+        page.ask(request="script-go", how="over")
+        self.assertEqual(self.stop(page, 3)["stopped"]["line"], UPDATE + 2)
+        page.ask(request="script-value", key="locals/target")
+        page.ask(request="script-watch", what="agent:GetPosition().x < 1000")
+        self.panel(page, "GetPosition().x < 1000")
+        page.ask(request="script-watch", what="agent:SetHealth(3)")
+        self.panel(page, "might change the world")
+        page.ask(request="script-go", how="on")
+        self.assertEqual(self.stop(page, 4)["stopped"]["line"], UPDATE, "in the next tick")
+        flow = page.until(lambda message: message["message"] == "flow" and message.get("stopped"))
+        self.assertEqual(flow["tick"], tick + 1)
+        page.ask(request="script-go", how="into")
+        inside = self.stop(page, 5)["stopped"]
+        self.assertTrue(inside["file"].endswith("Steering.lua"), inside)
+        page.ask(request="script-go", how="out")
+        self.assertTrue(self.stop(page, 6)["stopped"]["file"].endswith(SCRIPT))
+        page.ask(request="line-stop", file=edit["edit"]["file"], line=UPDATE, is_on=False)
+        page.ask(request="flow", what="go-on")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 5 and not message["paused"])
+        self.assertEqual(page.contents["edit"]["stopped"], None)
+
+    def test_what_would_advance_the_world_is_refused_and_the_rest_is_answered(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        for request in ({"request": "seek", "tick": 1}, {"request": "resume"}, {"request": "flow", "what": "step-decision"},
+                        {"request": "console", "agent": "any", "line": "print s1"}):
+            page.ask(**request)
+            page.until(lambda message: message["message"] == "told" and "in the middle of a tick" in message["text"])
+        page.ask(request="edit", file="FollowerAgent.lua")
+        page.until_contents("edit", lambda edit: edit["edit"]["file"].endswith("FollowerAgent.lua"))
+        page.ask(request="watch", nothing=True)
+        self.assertIn("request watch", page.until_message("error")["error"])
+        page.ask(request="flow", what="step-tick")
+        page.until(lambda message: message["message"] == "flow" and message["paused"] and not message.get("stopped"))
+
+    def test_a_line_without_code_moves_the_stop_or_says_so(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        page.ask(request="line-stop", file=SCRIPT, line=BLANK)
+        page.until(lambda message: message["message"] == "told" and f"Nothing is executed in line {BLANK}" in message["text"])
+        page.ask(request="line-stop", file=SCRIPT, line=4000)
+        page.until(lambda message: message["message"] == "told" and "No stop at line 4000" in message["text"])
+        page.ask(request="line-stop", file="followeragent.soar", line=1)
+        page.until_contents("problems", lambda problems: "not a script" in json.dumps(problems))
+
+    def test_a_changed_script_is_reloaded_after_the_tick_in_which_it_is_stopped(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        text = page.contents["edit"]["edit"]["text"].replace("Steering_WalkToTarget(", "local answer = 42; Steering_WalkToTarget(")
+        page.ask(request="edit-text", what="save", text=text)
+        page.ask(request="edit-text", what="apply", text=text)
+        page.until_contents("edit", lambda edit: edit["edit"]["notice"].startswith("Reloaded"))
+        self.assertTrue(page.contents["edit"]["stopped"], "it is still stopped")
+        page.ask(request="script-go", how="on")
+        self.stop(page, 2)
+        page.ask(request="script-go", how="over")
+        self.stop(page, 3)
+        self.panel(page, "answer")
+
+    def test_a_run_begins_again_although_a_script_is_stopped(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        page.ask(request="flow", what="begin-again")
+        page.until_message("hello")
+        page.until_contents("edit", lambda edit: edit["edit"]["stops"] == [UPDATE])
+        self.stop(page, 1)
+
+    def test_a_page_that_closes_lets_the_world_go_on_and_nothing_hangs(self):
+        server = self.serve()
+        place = server.new_place()
+        self.stopped_page(server, place).close()
+        again = self.page(server, place)
+        again.until(lambda message: message["message"] == "flow" and message.get("stopped"))
+        again.close()
+        time.sleep(PATIENCE_ALONE_S + 2)
+        last = self.page(server, place)
+        last.ask(request="look", panels=["edit", "script"])
+        self.stop(last, 2)
+        self.assertEqual(server.stop(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
