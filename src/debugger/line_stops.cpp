@@ -9,18 +9,19 @@ namespace soarbox::debugger {
 namespace {
 
 constexpr std::size_t kMostStops = 200;
-constexpr int kDeepest = 12;  ///< Maximum depth of unfolded fields.
+constexpr int kDeepestField = 12;  ///< Maximum depth of unfolded fields.
 
 }  // namespace
 
 Result<int> LineStops::Set(const std::string& file, std::string_view text, int line) {
-  const std::vector<int> lines = script::LinesOfScript(text);
+  const std::vector<int> lines = script::LinesOfScript(text, script::ScriptLines::kInFunctions);
   if (lines.empty())
-    return ProblemIn(file, "scripts cannot stop in this file", "it cannot be read, or it does not compile");
+    return ProblemIn(file, "scripts cannot stop in this file",
+                     "it cannot be read, it does not compile, or it has no function");
   const auto found = std::ranges::lower_bound(lines, line);
   if (found == lines.end()) {
     Diagnostic problem = ProblemIn(file, "scripts cannot stop at line " + std::to_string(line),
-                                   "nothing is executed in this line or after it");
+                                   "no function executes this line or a line after it");
     problem.line = line;
     return problem;
   }
@@ -74,7 +75,7 @@ LineStop LineStops::Place() {
 ScriptRow LineStops::RowOf(const script::ScriptVariable& variable, const std::string& parent,
                            const std::set<std::string>& open, int depth) {
   ScriptRow row{parent + "/" + variable.name, variable.name, variable.value, variable.type};
-  row.folds = variable.reference > 0 && depth < kDeepest;
+  row.folds = variable.reference > 0 && depth < kDeepestField;
   row.is_open = row.folds && open.contains(row.key);
   if (row.is_open) row.below = RowsOf(debugger_.view().Fields(variable.reference), row.key, open, depth + 1);
   return row;

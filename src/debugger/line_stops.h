@@ -62,8 +62,8 @@ class LineStops {
   /// Whether scripts stop. Initially they do not.
   void SetEnabled(bool enabled) { debugger_.SetEnabled(enabled); }
 
-  /// Sets a stop at this line of a file with this text, or at the next line that is executed. Returns the line. Fails
-  /// if nothing is executed there or after it.
+  /// Sets a stop at this line of a file with this text, or at the next line that a function executes. Returns the line.
+  /// Fails if there is none. Lines outside of functions are executed only when a script is loaded.
   Result<int> Set(const std::string& file, std::string_view text, int line);
   void Clear(const std::string& file, int line);
   /// Sets stops that Set has accepted before.

@@ -90,7 +90,7 @@ class LineStopsTest : public testing::Test {
 
 TEST_F(LineStopsTest, AScriptStopsInEachTickAtTheNextLineThatIsExecuted) {
   Begin();
-  EXPECT_EQ(stops_.Set(Walker(), kWalker, 6).value(), 8) << "lines 6 and 7 execute nothing in a call";
+  EXPECT_EQ(stops_.Set(Walker(), kWalker, 6).value(), 8) << "lines 6 and 7 are in no function";
   EXPECT_THAT(stops_.list(), ElementsAre(LineStop{Walker(), 8}));
   simulation_->Tick();
   simulation_->Tick();
@@ -103,7 +103,7 @@ TEST_F(LineStopsTest, AScriptStopsInEachTickAtTheNextLineThatIsExecuted) {
 TEST_F(LineStopsTest, LinesWithoutCodeAreRefusedWithAReason) {
   const Result<int> behind = stops_.Set(Walker(), kWalker, 400);
   ASSERT_FALSE(behind);
-  EXPECT_THAT(behind.error().hint, HasSubstr("nothing is executed in this line or after it"));
+  EXPECT_THAT(behind.error().hint, HasSubstr("no function executes this line or a line after it"));
   EXPECT_THAT(stops_.Set(Walker(), "function (", 1).error().hint, HasSubstr("does not compile"));
   EXPECT_THAT(stops_.list(), IsEmpty());
 }

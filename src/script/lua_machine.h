@@ -22,6 +22,7 @@ struct lua_Debug;
 
 namespace soarbox::script {
 
+class ScriptHost;
 class ScriptObserver;
 class ScriptPath;
 struct ScriptContext;

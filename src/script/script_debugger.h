@@ -25,8 +25,14 @@ struct ScriptBreakpoint {
 /// How a script continues after a pause.
 enum class ScriptStep : std::uint8_t { kGo, kInto, kOver, kOut };
 
+/// Which lines of a script are meant.
+enum class ScriptLines : std::uint8_t {
+  kAll,
+  kInFunctions,  ///< Without those that are executed only when the script is loaded.
+};
+
 /// Returns the lines of a script at which it can pause, in order; empty if the text does not compile.
-std::vector<int> LinesOfScript(std::string_view text);
+std::vector<int> LinesOfScript(std::string_view text, ScriptLines which = ScriptLines::kAll);
 
 /// A debugger of the scripts of a world: breakpoints and steps.
 ///

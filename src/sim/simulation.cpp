@@ -10,6 +10,7 @@
 #include "diagnostics/problem.h"
 #include "script/lua_machine.h"
 #include "script/script_host.h"
+#include "script/script_observer.h"
 #include "sim/apply_input.h"
 #include "sim/arena.h"
 #include "sim/foreign_bodies.h"

@@ -92,7 +92,7 @@ bool Desk::ServeStopped(const std::vector<Request>& requests, Contents& contents
 }
 
 bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
-  if (scripts_.is_stopped()) return ServeStopped(requests, contents);
+  if (scripts_.is_in_tick()) return ServeStopped(requests, contents);
   scripts_.Rest();
   if (scripts_.TakeNews()) is_stale_ = true;
   files_.ShowDraft();

@@ -174,7 +174,7 @@ struct ChangeBreakRequest {
   enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
 };
 
-/// Let scripts stop at a line of a file, or at the next line after it that is executed; or no longer.
+/// Let scripts stop at a line of a file, or at the next line after it that a function executes; or no longer.
 struct LineStopRequest {
   std::string file;
   int line = 0;

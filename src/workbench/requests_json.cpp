@@ -163,7 +163,7 @@ void Fields(auto& visit, ChangeBreakRequest& r) {
 }
 void Fields(auto& visit, LineStopRequest& r) {
   visit("file", r.file, "a script of the run, or its name alone", kNeeded);
-  visit("line", r.line, "the line; if nothing is executed in it, the next one", kNeeded);
+  visit("line", r.line, "the line; if no function executes it, the next one that a function executes", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
 }
 void Fields(auto& visit, ErrorStopRequest& r) {

@@ -66,14 +66,16 @@ void ScriptDesk::Bring(const Belongings& belongings) {
   watches_ = belongings.watches;
 }
 
-std::string ScriptDesk::FileOf(const std::string& file) const {
+std::string ScriptDesk::FileOf(const std::string& file) {
   sim::Simulation* const live = common_.Live();
   if (live == nullptr) return file;
-  const bool is_name = fs::path(file).filename() == file;
-  const fs::path plain = Plain(file);
-  for (const sim::WatchedFile& each : live->Files())
-    if (!each.is_rules && (is_name ? each.file.filename() == file : Plain(each.file) == plain))
-      return each.file.string();
+  if (const auto known = names_.find(file); known != names_.end()) return known->second;
+  const fs::path wanted(file), name = wanted.filename();
+  for (const sim::WatchedFile& each : live->Files()) {
+    if (each.is_rules || each.file.filename() != name) continue;
+    if (wanted == name || each.file == wanted || Plain(each.file) == Plain(wanted))
+      return names_[file] = each.file.string();
+  }
   return file;
 }
 
@@ -84,7 +86,9 @@ void ScriptDesk::Wait() {
   place_ = stops_.Place();
   place_.file = FileOf(place_.file);
   files_.Edit(EditRequest{place_.file, place_.line}, {});
+  is_in_tick_ = true;
   wait_();
+  is_in_tick_ = false;
   // A program that cannot wait any longer lets the script continue.
   if (is_stopped()) Leave();
   has_news_ = true;
@@ -117,7 +121,7 @@ void ScriptDesk::Obey(const LineStopRequest& request) {
     return common_.note_problem(set.error(), {});
   }
   if (*set != request.line)
-    common_.surroundings.Tell("Nothing is executed in line " + std::to_string(request.line) + ": the stop is at line " +
+    common_.surroundings.Tell("No function executes line " + std::to_string(request.line) + ": the stop is at line " +
                               std::to_string(*set));
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -20,8 +21,8 @@ namespace soarbox::workbench {
 
 /// The lines at which scripts of the run stop, and the script that is stopped in the middle of a tick.
 ///
-/// While a script is stopped, the program around the desk serves the user inside the tick.
-/// Scripts stop only in ticks for which Prepare was called.
+/// While a script is stopped, the program around the desk serves the user inside the tick. Scripts stop only in ticks
+/// for which Prepare was called.
 class ScriptDesk {
  public:
   ScriptDesk(const DeskCommon& common, FileDesk& files) : common_(common), files_(files) {}
@@ -46,6 +47,8 @@ class ScriptDesk {
   /// Scripts do not stop until Prepare.
   void Rest() { stops_.SetEnabled(false); }
   bool is_stopped() const { return stops_.is_stopped(); }
+  /// Whether the user is served inside a tick: a script is stopped, or is about to continue.
+  bool is_in_tick() const { return is_in_tick_; }
   /// Why the request cannot be carried out while a script is stopped; empty if it can.
   std::string Refusal(const Request& request);
   /// Lets the stopped script continue.
@@ -68,7 +71,7 @@ class ScriptDesk {
   /// A script has stopped.
   void Wait();
   /// The name that the run uses for a file: of the file with this path, or with this name if it is no path.
-  std::string FileOf(const std::string& file) const;
+  std::string FileOf(const std::string& file);
 
   const DeskCommon& common_;
   FileDesk& files_;
@@ -79,7 +82,8 @@ class ScriptDesk {
   std::size_t call_ = 0;
   std::uint64_t count_ = 0;   ///< Number of stops.
   debugger::LineStop place_;  ///< Of the present stop.
-  bool has_news_ = false;
+  bool has_news_ = false, is_in_tick_ = false;
+  std::map<std::string, std::string> names_;  ///< Answers of FileOf.
 };
 
 }  // namespace soarbox::workbench

@@ -86,7 +86,7 @@ class Scripts(ServeCase):
         server = self.serve()
         page = self.stopped_page(server, server.new_place())
         page.ask(request="line-stop", file=SCRIPT, line=BLANK)
-        page.until(lambda message: message["message"] == "told" and f"Nothing is executed in line {BLANK}" in message["text"])
+        page.until(lambda message: message["message"] == "told" and f"No function executes line {BLANK}" in message["text"])
         page.ask(request="line-stop", file=SCRIPT, line=4000)
         page.until(lambda message: message["message"] == "told" and "No stop at line 4000" in message["text"])
         page.ask(request="line-stop", file="followeragent.soar", line=1)

@@ -79,12 +79,12 @@ class Sessions : public testing::Test {
   ~Sessions() override { unsetenv("XDG_STATE_HOME"); }
 
   /// A recorded run of soldiers with Soar minds.
-  void Begin(record::Level level = record::Level::kDecisions) {
-    scenario = sim::FindScenario("soar_skirmish", record::Data()).value();
+  void Begin(record::Level level = record::Level::kDecisions, const char* name = "soar_skirmish") {
+    scenario = sim::FindScenario(name, record::Data()).value();
     settings.seed = settings.soar.seed = 4;
     settings.soar.threads = 1;
     settings.mind_detail = sim::MindDetail::kDecisions;
-    options.scenario = "soar_skirmish";
+    options.scenario = name;
     options.record = scratch.path() / "fight.soarrec";
     session.emplace(std::move(sim::Simulation::Create(scenario, settings).value()),
                     app::EventPrinter::MakeText(out, out), options);
@@ -266,6 +266,73 @@ TEST_F(Sessions, OnlyFilesOfTheRunAreEditedAndDraftsOutliveTheSession) {
   user.Ask(R"({"request": "edit-text", "what": "revert", "text": ""})");
   user.Serve();
   EXPECT_THAT(user.See("edit")["edit"]["text"].get<std::string>(), Not(HasSubstr("broken")));
+}
+
+TEST_F(Sessions, AScriptStopsInsideATickWhileItsUserIsServed) {
+  Begin(record::Level::kDecisions, "thesis");
+  const std::uint64_t hash_alone = [&] {
+    auto alone = std::move(sim::Simulation::Create(scenario, settings).value());
+    for (int i = 0; i < 12; ++i) alone->Tick();
+    return alone->StateHash();
+  }();
+  std::optional<workbench::Desk> desk(std::in_place, *session, header, scenario, settings, room);
+  std::optional<Watcher> user(std::in_place, *desk);
+  constexpr const char* kStop = R"({"request": "line-stop", "file": "SeekingLuaAgent.lua", "line": 14})";
+  user->Ask(kStop);
+  user->Serve();
+  EXPECT_THAT(room.told.back(), HasSubstr("Scripts cannot stop here"));
+
+  int waits = 0;
+  std::function<void()> at_stop;
+  const auto wait = [&] {
+    ++waits;
+    if (at_stop) at_stop();
+    if (desk->scripts().is_stopped()) desk->scripts().GoOn();
+  };
+  desk->scripts().SetWait(wait);
+  user->Ask(kStop);
+  user->Ask(R"({"request": "look", "panels": ["script", "edit", "agents"]})");
+  user->Serve();
+  EXPECT_EQ(user->See("script")["stops"].size(), 1U);
+  at_stop = [&] {
+    if (waits > 1) return;
+    for (const char* request : {R"({"request": "seek", "tick": 1})", R"({"request": "resume"})",
+                                R"({"request": "console", "agent": "x", "line": "print s1"})"}) {
+      room.told.clear();
+      user->Ask(request);
+      user->Serve();
+      EXPECT_THAT(room.told, testing::ElementsAre(HasSubstr("stopped at SeekingLuaAgent.lua:14"))) << request;
+    }
+    EXPECT_EQ(user->See("edit")["edit"]["stopped_line"], 14) << "the editor shows the place";
+    EXPECT_EQ(user->See("edit")["edit"]["stops"], Json({14}));
+    EXPECT_EQ(user->See("script")["stopped"]["line"], 14);
+    EXPECT_THAT(user->See("script")["variables"]["locals"].dump(), HasSubstr("deltaTimeInMillis"));
+    user->Ask(R"({"request": "script-go", "how": "over"})");
+    EXPECT_FALSE(user->Serve());
+    EXPECT_FALSE(desk->scripts().is_stopped());
+    EXPECT_TRUE(desk->scripts().is_in_tick());
+  };
+  Tick(*desk, 2);
+  EXPECT_EQ(waits, 3) << "a stop, a step, a stop";
+  at_stop = [&] { desk->scripts().Leave(); };
+  Tick(*desk, 9);
+  session->Tick();  // Without Prepare.
+  EXPECT_EQ(waits, 12);
+  EXPECT_EQ(session->simulation().StateHash(), hash_alone) << "stops change nothing";
+  user->Serve();
+  EXPECT_EQ(user->See("edit")["edit"]["stopped_line"], 0);
+  EXPECT_TRUE(user->See("script")["stopped"].is_null());
+
+  // The next desk has the same stops.
+  workbench::Desk::Belongings belongings = desk->TakeBelongings();
+  user.reset();
+  desk.reset();
+  session->Tick();
+  desk.emplace(*session, header, scenario, settings, room);
+  desk->scripts().SetWait(wait);
+  desk->Bring(std::move(belongings));
+  Tick(*desk, 1);
+  EXPECT_EQ(waits, 13);
 }
 
 TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {

@@ -267,7 +267,7 @@ class LiveEngine {
     // A page that is loaded again has this time to come back.
     constexpr auto kPatience = std::chrono::seconds(10);
     Clock::time_point seen = Clock::now();
-    bool is_new = true;
+    bool is_new = true, is_shown = false;
     page_.Done();  // The requests that led to this tick have been executed.
     while (scripts.is_stopped() && page_.is_open() && !WasInterrupted()) {
       page_.ShowLife();
@@ -278,7 +278,7 @@ class LiveEngine {
       const bool was_asked = !asked.empty();
       ObeyInTick(asked);
       panels_.Serve(*desk_, std::move(asked.requests), is_new);
-      if (scripts.is_stopped()) ShowInTick(is_new);
+      if (scripts.is_stopped()) is_shown = ShowInTick(is_shown);
       is_new = false;
       if (was_asked) page_.Done();
     }
@@ -314,13 +314,16 @@ class LiveEngine {
     for (sim::InputValue& input : asked.inputs) postponed_.inputs.push_back(std::move(input));
   }
 
-  /// `is_new`: the script has stopped just now, and may have moved what is in the picture.
-  void ShowInTick(bool is_new) {
-    if (page_.is_alone()) return;
-    page_.ShowFlow(pace_, desk_->past().shown_tick(), static_cast<double>(desk_->past().shown_tick()) * Step_s(), true);
-    if (!is_new && !page_.WantsFull()) return;
-    if (!page_.WantsScene(agents_)) return;
+  /// `is_shown`: the scene was sent after the script had stopped, which may have moved something. Returns whether it
+  /// is sent now.
+  bool ShowInTick(bool is_shown) {
+    if (page_.is_alone()) return false;
+    const std::uint64_t tick = desk_->past().shown_tick();
+    page_.ShowFlow(pace_, tick, static_cast<double>(tick) * Step_s(), true);
+    if (is_shown && !page_.WantsFull()) return true;
+    if (!page_.WantsScene(agents_)) return false;
     page_.ShowScene(session_.simulation().Snapshot(), nullptr);
+    return true;
   }
 
   void Show() {

@@ -133,8 +133,9 @@ TEST_F(Documents, HoldRequestsThatCanBeReadAndPanelsThatExist) {
     }
   }
   for (const char* request :
-       {"select", "seek", "ask", "rule", "object", "element", "search-memory", "break", "change-break", "watch",
-        "beside", "plot", "imagine", "coverage", "state", "edit", "search-known"})
+       {"select",       "seek",      "ask",        "rule",      "object",      "element",      "search-memory", "break",
+        "change-break", "watch",     "beside",     "plot",      "imagine",     "coverage",     "state",         "edit",
+        "search-known", "line-stop", "error-stop", "script-go", "script-call", "script-value", "script-watch"})
     EXPECT_TRUE(requests.contains(request)) << request;
 }
 

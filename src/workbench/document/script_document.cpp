@@ -154,7 +154,7 @@ void AddStops(const Contents& contents, Nodes& nodes) {
   errors.is_on = script.at_errors;
   nodes.push_back(Line{{std::move(errors)}});
   if (script.stops.empty()) {
-    nodes.push_back(Text("No lines yet. On a page, click to the left of a line in Edit.", Role::kQuiet));
+    nodes.push_back(Text("No lines yet. Add one here, or click beside a line in Edit.", Role::kQuiet));
     return;
   }
   Table table;

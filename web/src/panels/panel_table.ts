@@ -120,6 +120,11 @@ export const PANELS: readonly PanelInfo[] = [
     about: "What the agent imagines: the scene of each state, what its rules ask of it, the answers, and why they are so.",
     hasDocument: true,
   },
+  {
+    word: "script", title: "Script",
+    about: "Stop Lua scripts at a line, and step through them: calls, variables, values that you watch.",
+    hasDocument: true,
+  },
 ];
 
 /** The initial positions of panels. The page adds its own panel for the output of agents. */
@@ -128,14 +133,14 @@ export const ARRANGEMENTS = {
     left: ["agents", "mission", "problems"],
     right: ["mind", "why", "memory", "rules", "links", "edit", "breakpoints", "futures"],
     bottom: ["timeline", "output", "trace", "console", "plots", "messages", "watch", "minds", "longterm",
-      "learning", "imagery"],
+      "learning", "imagery", "script"],
   },
   lesson: {
     left: ["mission", "agents"],
     right: ["edit"],
     bottom: ["why", "mind", "output", "memory", "rules", "links", "timeline", "trace", "messages",
       "problems", "console", "watch", "plots", "learning", "longterm", "imagery", "breakpoints",
-      "minds", "futures"],
+      "minds", "futures", "script"],
   },
   report: {
     left: ["agents", "mission"],
