@@ -99,6 +99,7 @@ export class RunPage {
     run.on("hello", ({ what }) => {
       this.isChosen = false;
       this.chosen = "";
+      this.stopCount = 0;
       // When the run begins again, the panels stay as they are.
       if (!this.attempt.begin(what)) this.isFronted = false;
       this.arrange();

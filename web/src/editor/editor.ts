@@ -6,7 +6,7 @@ import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Diagnos
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
-import { lineStops, showStops, stopLines, type ShownStops } from "./line_stops";
+import { lineStops, showing, stopLines, type ShownStops } from "./line_stops";
 import { completeWith, hoverWith, type LanguageClient } from "./language_client";
 import { placeOf, remedyOf, type PlacedProblem } from "./problem_place";
 import { soarColors, soarLanguage } from "./soar_language";
@@ -106,12 +106,12 @@ export class Editor {
   }
 
   showStops(stops: ShownStops): void {
-    showStops(this.view, stops);
+    this.view.dispatch({ effects: showing(stops) });
   }
 
   /** The lines of the stops; typing above a stop has moved it. */
   get stopLines(): number[] {
-    return stopLines(this.view);
+    return stopLines(this.view.state);
   }
 
   /** The line of the caret, from 1. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { RangeSet, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
+import { MapMode, RangeSet, StateEffect, StateField, type EditorState, type Extension, type Text } from "@codemirror/state";
 import { Decoration, EditorView, gutter, GutterMarker, keymap, type DecorationSet } from "@codemirror/view";
 
 /** The stops of the text that is shown. Lines count from 1. */
@@ -12,6 +12,8 @@ export interface ShownStops {
 }
 
 class StopMarker extends GutterMarker {
+  /** A stop stays when text around it is removed. */
+  override mapMode = MapMode.Simple;
   constructor(private readonly isStopped: boolean, private readonly isStop: boolean) {
     super();
   }
@@ -56,22 +58,21 @@ function stopsOf({ can, lines, stoppedLine }: ShownStops, doc: Text): Stops {
 }
 
 /** The lines of the stops in the text as it is now. */
-export function stopLines(view: EditorView): number[] {
-  const lines = new Set<number>(), { doc } = view.state;
-  for (const cursor = view.state.field(field).stops.iter(); cursor.value !== null; cursor.next()) lines.add(doc.lineAt(cursor.from).number);
+export function stopLines(state: EditorState): number[] {
+  const lines = new Set<number>(), { doc } = state;
+  for (const cursor = state.field(field).stops.iter(); cursor.value !== null; cursor.next()) lines.add(doc.lineAt(cursor.from).number);
   return [...lines].sort((a, b) => a - b);
 }
 
-export function showStops(view: EditorView, stops: ShownStops): void {
-  view.dispatch({ effects: shown.of(stops) });
-}
+/** The change of a state after which these stops are shown. */
+export const showing = (stops: ShownStops): StateEffect<ShownStops> => shown.of(stops);
 
 /** A column to the left of the text: a click sets a stop, another click removes it. F9 does the same at the caret. */
 export function lineStops(toggle: (line: number, isOn: boolean) => void): Extension {
   const toggleAt = (view: EditorView, position: number): boolean => {
     if (!view.state.field(field).can) return false;
     const line = view.state.doc.lineAt(position).number;
-    toggle(line, !stopLines(view).includes(line));
+    toggle(line, !stopLines(view.state).includes(line));
     return true;
   };
   return [
