@@ -82,6 +82,14 @@ class Scripts(ServeCase):
         page.ask(request="flow", what="step-tick")
         page.until(lambda message: message["message"] == "flow" and message["paused"] and not message.get("stopped"))
 
+    def test_a_long_stop_is_no_hang(self):
+        server = self.serve("--hang", "2")
+        page = self.stopped_page(server, server.new_place())
+        time.sleep(5)
+        page.ask(request="script-go", how="over")
+        self.stop(page, 2)
+        self.assertFalse([message for message in page.messages if message["message"] in ("ended", "busy")])
+
     def test_a_line_without_code_moves_the_stop_or_says_so(self):
         server = self.serve()
         page = self.stopped_page(server, server.new_place())

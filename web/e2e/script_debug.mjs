@@ -15,13 +15,23 @@ const stoppedText = (page) => page.locator(".cm-line.stopped-line").innerText();
 const lineBox = (page, text) => page.locator(".cm-line", { hasText: text }).first().boundingBox();
 
 async function clickBeside(page, text) {
-  const line = await lineBox(page, text), gutter = await page.locator(".cm-stops").boundingBox();
+  let line = await lineBox(page, text);
+  // The text moves while the panel is laid out.
+  await until(async () => {
+    const before = line;
+    await page.waitForTimeout(300);
+    line = await lineBox(page, text);
+    return line !== null && before !== null && line.y === before.y;
+  }, "the text rests");
+  const gutter = await page.locator(".cm-stops").boundingBox();
   await page.mouse.click(gutter.x + gutter.width / 2, line.y + line.height / 2);
 }
 
 test("a script stops where its user clicked, shows its variables, takes steps and goes on", async () => {
   const { page, troubles, close } = await openPage("/", { size: [1440, 900] });
   await openWorld(page, "thesis");
+  // The files in the editor are those of the selected agent.
+  await page.locator(".panel.agents tr", { hasText: "SeekingLuaAgent-1" }).getByRole("button").first().click();
   await show(page, "Edit");
   await until(async () => (await page.locator(".panel.edit select option").allInnerTexts()).some((name) => name.startsWith(SCRIPT)), "the script is among the files");
   await page.locator(".panel.edit select").selectOption({ label: SCRIPT });

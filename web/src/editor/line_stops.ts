@@ -79,7 +79,6 @@ export function lineStops(toggle: (line: number, isOn: boolean) => void): Extens
     field,
     gutter({
       class: "cm-stops", markers: (view) => view.state.field(field).all,
-      initialSpacer: () => STOP_HERE,
       domEventHandlers: { mousedown: (view, block) => toggleAt(view, block.from) },
     }),
     EditorView.editorAttributes.of((view) => (view.state.field(field, false)?.can === true ? { class: "can-stop" } : null)),
