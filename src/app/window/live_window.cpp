@@ -178,6 +178,7 @@ void LiveWindow::WaitInTick() {
   workbench::ScriptDesk& scripts = desk_->scripts();
   // The script may have moved what is in the picture.
   previous_ = newest_ = session_.simulation().Snapshot();
+  viewer_.ShowPanel(workbench::PanelId::kEdit);
   viewer_.ShowPanel(workbench::PanelId::kScript);
   while (scripts.is_stopped() && !WasInterrupted() && !is_closed_ && !window_desk_.wants_run()) {
     viewer_.SetStatus({.paused = true, .speed = pace_.speed(), .message = "a script is stopped"});

@@ -197,14 +197,19 @@ Nodes ScriptDocument(const Contents& contents) {
                                FileLink(contents, call.file, call.line, PlaceOf(call.file, call.line))}));
     if (!stopped.error.empty()) nodes.push_back(Text(stopped.error, Role::kBad));
     nodes.push_back(Steps());
-    if (!script.lines.empty()) nodes.push_back(Source(script, call));
     AddVariables("locals", "Local variables", stopped.locals, nodes);
     AddVariables("upvalues", "Variables of enclosing functions", stopped.upvalues, nodes);
+    AddWatches(script, nodes);
     nodes.push_back(Heading("Calls"));
     nodes.push_back(Calls(contents, stopped));
+    if (!script.lines.empty()) {
+      nodes.push_back(Heading("Text"));
+      nodes.push_back(Source(script, call));
+    }
     AddVariables("globals", "Global variables", stopped.globals, nodes);
+  } else {
+    AddWatches(script, nodes);
   }
-  AddWatches(script, nodes);
   AddStops(contents, nodes);
   return nodes;
 }
