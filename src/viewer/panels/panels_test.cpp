@@ -76,8 +76,7 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
        {"Exercise 3", "239.1.2.3:3000", "machine only", "1:7", "120", "12 too short", "visitor", "2 entities"}},
       {workbench::PanelId::kImagery,
        {"made up", "all of S1", "distance", "X7", "walker*ask", "1.4", "self, wall", "1 more"}},
-      {workbench::PanelId::kScript,
-       {"stopped", "scout", "Continue", "Step over", "local speed = 3", "Local variables", "speed", "Agent_Update"}},
+      {workbench::PanelId::kScript, {"Local variables", "speed = 3", "memory", "gate", "others"}},
   };
   ASSERT_EQ(wanted.size(), workbench::kPanelCount);
   for (const auto& [panel, texts] : wanted) ExpectShown(panel, texts);
