@@ -39,7 +39,7 @@ test("a script stops where its user clicked, shows its variables, takes steps an
   await clickBeside(page, "local target = agent:GetTarget()");
   await page.waitForSelector(".cm-line.stopped-line");
   assert.match(await stoppedText(page), /local target = agent:GetTarget\(\)/);
-  await page.waitForSelector(".cm-stops .stop");
+  await page.waitForSelector(".cm-stops .stop-set");
 
   const panel = page.locator(".panel.script");
   await panel.locator("text=deltaTimeInMillis").first().waitFor();
@@ -62,7 +62,7 @@ test("a script stops where its user clicked, shows its variables, takes steps an
 
   // Without the stop the run goes on.
   await clickBeside(page, "local target = agent:GetTarget()");
-  await until(async () => (await page.locator(".cm-stops .stop").count()) === 0, "the stop is gone");
+  await until(async () => (await page.locator(".cm-stops .stop-set").count()) === 0, "the stop is gone");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await until(async () => (await page.locator(".cm-line.stopped-line").count()) === 0, "no line is marked");
   const clock = () => page.locator(".scrubber .moment").innerText(), before = await clock();

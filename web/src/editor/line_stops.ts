@@ -22,7 +22,7 @@ class StopMarker extends GutterMarker {
   }
   override toDOM(): Node {
     const mark = document.createElement("span");
-    mark.className = `${this.isStop ? "stop" : ""} ${this.isStopped ? "here" : ""}`.trim();
+    mark.className = `${this.isStop ? "stop-set" : ""} ${this.isStopped ? "stop-here" : ""}`.trim();
     mark.textContent = this.isStopped ? "▶" : "●";
     return mark;
   }
