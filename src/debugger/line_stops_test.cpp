@@ -67,7 +67,6 @@ class LineStopsTest : public testing::Test {
   static std::string Shown(const std::vector<ScriptRow>& rows) {
     std::string text;
     for (const ScriptRow& row : rows) {
-      if (row.name == "agent") continue;
       text += (text.empty() ? "" : ", ") + row.name + "=" + row.value;
       if (row.is_open) text += "[" + Shown(row.below) + "]";
     }
@@ -127,7 +126,8 @@ TEST_F(LineStopsTest, ShowsCallsVariablesAndWatchesAndTakesSteps) {
     const StoppedScript shown =
         stops_.Look(0, {"locals/place", "locals/place/inner"},
                     {"place.x + 1", "nothing.x", "agent:GetPosition().x", "agent:SetHealth(0)", "Twice(1)"});
-    EXPECT_EQ(Shown(shown.locals), "ms=33, place={inner = {...}, x = 2}[inner={deep = \"yes\"}[deep=\"yes\"], x=2]");
+    EXPECT_EQ(Shown(shown.locals),
+              "agent=Walker-1, ms=33, place={inner = {...}, x = 2}[inner={deep = \"yes\"}[deep=\"yes\"], x=2]");
     ASSERT_EQ(shown.watches.size(), 5u);
     EXPECT_EQ(shown.watches[0].value.value, "3");
     EXPECT_NE(shown.watches[1].fault, "");

@@ -13,6 +13,7 @@
 #include "script/lua_function_names.h"
 #include "script/lua_machine.h"
 #include "script/lua_protected.h"
+#include "script/lua_values.h"
 #include "script/script_context.h"
 #include "script/script_expression.h"
 #include "script/script_path.h"
@@ -123,6 +124,31 @@ std::string DescribedFunction(lua_State* state, int index) {
   return "function " + file + ":" + std::to_string(info.linedefined);
 }
 
+/// The thing of the world that a handle refers to: "scout", "object 4".
+std::string DescribedHandle(lua_State* state, Handle handle) {
+  const std::string number = " " + std::to_string(handle.number);
+  switch (handle.kind) {
+    case ValueKind::kAgent: {
+      const ScriptContext* const context = LuaMachine::Of(state).context();
+      const world::Agent* const agent =
+          context == nullptr ? nullptr : std::as_const(context->world).FindAgent(world::EntityId{handle.number});
+      return agent == nullptr ? "agent" + number : agent->name();
+    }
+    case ValueKind::kSandbox:
+      return "sandbox";
+    case ValueKind::kObject:
+      return "object" + number;
+    case ValueKind::kNode:
+      return "scene node" + number;
+    case ValueKind::kUi:
+      return "panel" + number;
+    case ValueKind::kAnimation:
+      return "animation" + number;
+    default:
+      return "userdata";
+  }
+}
+
 /// Formats the value at `index` (not relative to the top) for a debugger. Calls no script.
 std::string Described(lua_State* state, int index, bool is_inner) {
   switch (lua_type(state, index)) {
@@ -142,6 +168,7 @@ std::string Described(lua_State* state, int index, bool is_inner) {
     case LUA_TFUNCTION:
       return DescribedFunction(state, index);
     case LUA_TUSERDATA: {
+      if (const Handle* handle = ToHandle(state, index)) return DescribedHandle(state, *handle);
       std::string text = "userdata";
       if (luaL_getmetafield(state, index, "__tostring") == 0) return text;
       if (lua_iscfunction(state, -1) != 0) {
