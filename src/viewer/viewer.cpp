@@ -137,7 +137,7 @@ void Viewer::Impl::Show(const world::SceneSnapshot& newest, const world::SceneSn
   lights->SetSkyRotation(newest.sky_rotation_deg);
   if (!sky->Show(newest.sky)) things->WarnOnce("sky", newest.sky, "clouds over water are shown instead");
 
-  if (!options.hidden) sounds.Take(newest, camera.pose(), !status.paused);
+  if (!options.hidden) sounds.Take(newest, camera.pose(), !status.paused && !IsOn(ViewerCommand::kMute));
   // Simulated time since the last call. The camera of a hidden window advances by it.
   const auto passed_s = static_cast<float>(newest.time_s - scene.time_s);
   scene.tick = newest.tick;

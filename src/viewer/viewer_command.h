@@ -43,6 +43,7 @@ enum class ViewerCommand : std::uint8_t {
   kScaleFull,
   kScaleThreeQuarters,
   kScaleHalf,
+  kMute,  ///< On: the sounds of the world are silent.
   // Overlays over the scene; each is on or off.
   kLabels,
   kTrails,
@@ -61,7 +62,7 @@ enum class ViewerCommand : std::uint8_t {
 
 inline constexpr int kViewerCommands = static_cast<int>(ViewerCommand::kHelp) + 1;
 
-enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kScale, kOverlay, kHelp };
+enum class CommandGroup : std::uint8_t { kRun, kCamera, kSelection, kScale, kSound, kOverlay, kHelp };
 
 /// The description of a command for menus and the list of keys.
 struct CommandInfo {

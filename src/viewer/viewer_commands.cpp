@@ -131,6 +131,7 @@ void Viewer::Impl::Do(ViewerCommand command) {
       selection.clear();
       break;
     case ViewerCommand::kHelp:
+    case ViewerCommand::kMute:
       on.flip(static_cast<std::size_t>(command));
       break;
     case ViewerCommand::kScaleAuto:

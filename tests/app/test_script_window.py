@@ -40,6 +40,7 @@ class ScriptsInTheWindow(WindowUser):
             click "Step over"
             expect "Amble.lua:6"
             expect "answer = 42"
+            expect "agent = Amble-1"
             picture {self.folder}/stopped.png
             audit "panel Script"
             click "Continue"
@@ -49,6 +50,9 @@ class ScriptsInTheWindow(WindowUser):
             click "Continue"
             expect-not "Step over"
             expect "0:01"
+            click "View"
+            click "Sounds off"
+            key U
             key Ctrl+Q
             """)
 

@@ -51,6 +51,7 @@ void Workspace::DrawMenus(PanelFrame& frame) {
     ImGui::Separator();
     CommandItems(frame, CommandGroup::kOverlay);
     ImGui::Separator();
+    CommandItems(frame, CommandGroup::kSound);
     if (ImGui::BeginMenu("Sharpness of the scene")) {
       CommandItems(frame, CommandGroup::kScale);
       ImGui::EndMenu();
@@ -397,6 +398,7 @@ void Workspace::DrawHelp(PanelFrame& frame, int width, int height) {
   group("The run", CommandGroup::kRun);
   group("The camera", CommandGroup::kCamera);
   group("The selection", CommandGroup::kSelection);
+  group("Sound", CommandGroup::kSound);
   ImGui::NextColumn();
   group("Drawn over the scene", CommandGroup::kOverlay);
   table("Panels", kPanelRows);
