@@ -56,6 +56,23 @@ class ScriptsInTheWindow(WindowUser):
             key Ctrl+Q
             """)
 
+    def test_a_run_begins_again_and_ends_although_a_script_is_stopped(self):
+        done = self.play("""
+            key Alt+F
+            expect "Stop scripts at"
+            click "line"
+            type "5"
+            click "Add"
+            expect "Step over"
+            key Ctrl+R
+            expect "From the beginning"
+            expect "Step over"
+            click "Step over"
+            expect "Amble.lua:6"
+            key Ctrl+Q
+            """)
+        self.assertNotIn("Traceback", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
