@@ -171,10 +171,10 @@ class Checker {
              "score on a memory that cannot be sparse", index);
     }
     count = state.count;
-      Expect(ended_.count(index) != 0
-                 ? count == 0
-                 : TestsLinks(network_.node(node.parent)) || s_.emissions().Of(node.parent).size() == count,
-             "tokens of a memory differ from the pairs that reach it", index);
+    Expect(ended_.count(index) != 0
+               ? count == 0
+               : TestsLinks(network_.node(node.parent)) || s_.emissions().Of(node.parent).size() == count,
+           "tokens of a memory differ from the pairs that reach it", index);
     if (node.kind == NodeKind::kNegative) {
       Expect(right_linked == (count != 0), "negative node linked wrongly", index);
       s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) { CheckResults(node, token); });
