@@ -149,6 +149,7 @@ class Minds final : public script::MindFactory {
     std::map<std::string, int> causes = {};        ///< How often each cause prevented an action; reported the first
                                                    ///< time.
     std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and its outcome.
+    bool last_failed = false;                      ///< The last outcome is an error.
     double last_said_s = 0;
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.
