@@ -325,7 +325,7 @@ class Trace(Case):
             taken = len(watcher.heard("print"))
             user.line("hal", "run -d 1")
             watcher.listen(1)
-            told = [text for document in watcher.heard("print") for text in document.itertext() if "were left out" in text]
+            told = [text for document in watcher.heard("print") for text in document.itertext() if "were dropped here" in text]
             self.assertEqual(len(told), 1)
             dropped = int(told[0].split("--- ")[1].split()[0])
             self.assertAlmostEqual(taken + dropped, 1500, delta=3)
