@@ -125,7 +125,7 @@ class Recorded(Case):
         self.file.write_text("soarbox-client\t1\t9.6.3\nagent\ta\nnonsense\ta\t1\nadd\ta\nline\tb\tprint\ngo\ta\tx\ty\n", encoding="utf-8")
         odd = soarbox("replay", self.file, "--headless")
         self.assertEqual(odd.returncode, 0, odd.stderr)
-        self.assertIn("does not know: nonsense", odd.stdout)
+        self.assertIn("has an unknown line: nonsense", odd.stdout)
         self.assertIn("no agent 'b'", odd.stdout)
 
     def test_a_file_that_cannot_be_written_is_named(self):
