@@ -166,7 +166,7 @@ TEST(Scene, ALineThatIsRefusedTellsWhereAndWhy) {
   EXPECT_EQ(refused("add x nobody b 1"), "\"add x nobody b 1\", word 3: there is no node nobody: add it first");
   EXPECT_EQ(refused("add x world b"), "\"add x world b\", word 5: expected a radius: a number follows b");
   EXPECT_EQ(refused("delete world"),
-            "\"delete world\", word 2: world stays: delete what is in it, or type svs STATE.scene.clear");
+            "\"delete world\", word 2: world cannot be deleted: delete the nodes in it, or type svs STATE.scene.clear");
   EXPECT_EQ(refused("hello"), "\"hello\": expected add, change, delete or tag as the first word");
   EXPECT_EQ(refused("add x world p 1 nan 1"),
             "\"add x world p 1 nan 1\", word 6: expected a number: three follow p, r and s");

@@ -205,7 +205,7 @@ TEST_F(ImageryTest, WhatCannotBeDoneIsToldAndNothingElseHappens) {
   Send("delete world\nadd a\nhello\nadd a world b nan\nadd b world b 1");
   Cycle();
   EXPECT_EQ(agent_.imagery().TakeRefused(),
-            "\"delete world\", word 2: world stays: delete what is in it, or type svs STATE.scene.clear\n"
+            "\"delete world\", word 2: world cannot be deleted: delete the nodes in it, or type svs STATE.scene.clear\n"
             "\"add a\", word 3: expected the id of the parent: world, or another group\n"
             "\"hello\": expected add, change, delete or tag as the first word\n"
             "\"add a world b nan\", word 5: expected a radius: a number follows b\n");
