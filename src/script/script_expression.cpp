@@ -9,6 +9,7 @@
 #include <lua.hpp>
 #include <optional>
 
+#include "diagnostics/number_from_chars.h"
 #include "script/lua_text.h"
 
 namespace soarbox::script {
@@ -232,7 +233,7 @@ class Reader {
       read = std::from_chars(begin + 2, end, whole, 16);
       value = static_cast<double>(whole);
     } else {
-      read = std::from_chars(begin, end, value);
+      read = NumberFromChars(text_.substr(at_), value);
     }
     if (read.ec != std::errc{}) Fail("a number is wrong");
     at_ += static_cast<std::size_t>(read.ptr - begin);
