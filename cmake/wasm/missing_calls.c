@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Calls that emscripten's C library declares and does not define. There is one process, so nobody else can hold a lock,
+// Calls that emscripten's C library declares and does not define. There is one process with one thread, so nobody else can hold a lock,
 // and no other program can be started.
 #include <errno.h>
+#include <pthread.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/file.h>
 #include <sys/random.h>
@@ -26,4 +28,9 @@ int syncfs(int file) {
 ssize_t getrandom(void* bytes, size_t count, unsigned flags) {
   (void)flags;
   return getentropy(bytes, count) == 0 ? (ssize_t)count : -1;
+}
+
+int pthread_kill(pthread_t thread, int signal) {
+  (void)thread, (void)signal;
+  return ENOSYS;
 }

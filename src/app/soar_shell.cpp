@@ -10,6 +10,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "app/diagnostic_json.h"
@@ -30,7 +31,7 @@ constexpr const char* kRed = "\033[31m";
 constexpr const char* kPlain = "\033[0m";
 
 /// Converts Ctrl-C to a request to stop while commands run. The signal is blocked in all threads and awaited by a
-/// thread of its own, so that no signal handler runs.
+/// thread of its own, so that no signal handler runs. Without threads, Ctrl-C ends the program.
 class InterruptWatch {
  public:
   explicit InterruptWatch(kernel::Agent& agent) : agent_(agent) {
@@ -38,9 +39,14 @@ class InterruptWatch {
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGUSR1);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    thread_ = std::thread([this] { Watch(); });
+    try {
+      thread_ = std::thread([this] { Watch(); });
+    } catch (const std::system_error&) {
+      pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
+    }
   }
   ~InterruptWatch() {
+    if (!thread_.joinable()) return;
     ending_ = true;
     pthread_kill(thread_.native_handle(), SIGUSR1);
     thread_.join();
