@@ -172,7 +172,7 @@ void FindEmptyTemplates(const RuleText& rule, std::vector<Slip>& slips) {
   if (has_value) return;
   slips.push_back(
       {rule.name, "", false,
-       "template " + rule.name + " has no variable for a value, so there is nothing to make rules for",
+       "template " + rule.name + " has no variable for a value, so there are no values to make rules for",
        "a template makes one rule for each combination of the values that its variables find: test what the "
        "numbers depend on, such as (<o> ^name go ^to <place>)"});
 }

@@ -17,7 +17,8 @@ std::set<std::string> OperatorsOf(const RuleText& rule) {
   std::set<std::string> operators;
   for (const auto* parts : {&rule.conditions, &rule.actions})
     for (const RuleAttribute& part : *parts)
-      if (part.attribute == "operator") operators.insert(FirstWord(part.value));
+      if (part.attribute == "operator")
+        for (std::string& variable : VariablesIn(part.value)) operators.insert(std::move(variable));
   return operators;
 }
 

@@ -154,8 +154,8 @@ std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords
   std::set<std::pair<std::string, std::string>> told;  // Rule and variable.
   for (const std::vector<Slip>& some :
        {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfLogic(rules, known),
-        FindSlipsOfUndoing(rules), FindSlipsOfNegation(rules), FindSlipsOfMemory(rules),
-        FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)}) {
+        FindSlipsOfUndoing(rules), known.complete ? FindSlipsOfNegation(rules) : std::vector<Slip>(),
+        FindSlipsOfMemory(rules), FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)}) {
     // The first search with a slip about a variable says what is wrong with it.
     std::set<std::pair<std::string, std::string>> variables;
     for (const Slip& slip : some) {

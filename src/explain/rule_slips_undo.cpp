@@ -30,6 +30,17 @@ bool ApplyTheSame(const RuleText& one, const RuleText& other) {
   return std::ranges::any_of(one.applies, [&](const std::string& name) { return other.applies.contains(name); });
 }
 
+/// The attributes and constants of its operator that a rule tests, other than the name: "switch on".
+std::set<std::string> OperatorTests(const RuleText& rule) {
+  std::set<std::string> operators, tests;
+  for (const RuleAttribute& condition : rule.conditions)
+    if (condition.attribute == "operator" && condition.on_state) operators.insert(FirstWord(condition.value));
+  for (const RuleAttribute& condition : rule.conditions)
+    if (operators.contains(condition.id) && condition.attribute != "name" && !IsVariable(condition.value))
+      tests.insert(condition.attribute + " " + condition.value);
+  return tests;
+}
+
 /// Whether a rule removes any value at the place of `removal` as soon as its operator is selected: it only tests the
 /// operator, the objects on the way to the value, and that there is a value.
 bool RemovesAnyValue(const RuleText& rule, const RuleAttribute& removal) {
@@ -77,6 +88,8 @@ void FindRemovedAdditions(const RuleText& rule, const std::vector<RuleText>& rul
     if (replaces) continue;
     for (const RuleText& other : rules) {
       if (other.name == rule.name || IsElaboration(other) || !ApplyTheSame(rule, other)) continue;
+      // They may belong to operators with different parameters.
+      if (!std::ranges::includes(OperatorTests(other), OperatorTests(rule))) continue;
       const PathMap made = MadePaths(other);
       const auto adds = std::ranges::find_if(other.actions, [&](const RuleAttribute& action) {
         return !action.removes && PlaceOf(made, action) == place;
@@ -117,7 +130,7 @@ void FindSumsWithoutBrackets(const RuleText& rule, std::vector<Slip>& slips) {
     slips.push_back({rule.name, removal.attribute, true,
                      "rule " + rule.name + " removes ^" + removal.attribute + " " + gone + " and adds it again, with " +
                          number + " as a second value",
-                     "a sum stands in brackets, with the sign first: ^" + removal.attribute + " " + gone + " - (+ " +
+                     "write a sum in brackets, with the sign first: ^" + removal.attribute + " " + gone + " - (+ " +
                          gone + " " + number + ")",
                      true});
     return;

@@ -49,6 +49,11 @@ TEST(SlipsOfUndoing, ARuleThatRemovesWhatItsOperatorAdds) {
   EXPECT_THAT(Undoing(remember + Rule("forget", "(state <s> ^operator <o> ^last <old>)\n    (<o> ^name rest)",
                                       "(<s> ^last <old> -)")),
               IsEmpty());
+  // The rules belong to operators with different parameters.
+  EXPECT_THAT(Undoing(Rule("on", "(state <s> ^operator <o>)\n    (<o> ^name radio ^switch on)", "(<s> ^playing yes)") +
+                      Rule("off", "(state <s> ^operator <o> ^playing <old>)\n    (<o> ^name radio ^switch off)",
+                           "(<s> ^playing <old> -)")),
+              IsEmpty());
   EXPECT_THAT(Undoing(remember + Rule("replace", "(state <s> ^operator <o> ^last <old>)\n    (<o> ^name move)",
                                       "(<s> ^last <old> - ^last none)")),
               IsEmpty());

@@ -59,11 +59,15 @@ Result<RunResult> FromJsonLine(const std::string& line) {
     result.ticks = json.value("ticks", std::uint64_t{0});
     result.state_hash = std::stoull(json.value("state_hash", "0"));
     result.recording = json.value("recording", "");
-    for (const Json& each : json.value("account", Json::array()))
-      result.account.push_back({.cause = static_cast<Cause>(each.value("cause", 0)),
+    for (const Json& each : json.value("account", Json::array())) {
+      const int cause = each.value("cause", 0), topic = each.value("topic", 0);
+      if (cause < 0 || cause > static_cast<int>(sim::kLastCause) || topic < 0 || topic > static_cast<int>(kLastTopic))
+        return problem;
+      result.account.push_back({.cause = static_cast<Cause>(cause),
                                 .text = each.value("text", ""),
                                 .rule = each.value("rule", ""),
-                                .topic = static_cast<Topic>(each.value("topic", 0))});
+                                .topic = static_cast<Topic>(topic)});
+    }
     result.problems = json.value("problems", std::vector<std::string>{});
     result.has_errors = json.value("has_errors", false);
     result.is_faulty = json.value("faulty", false);

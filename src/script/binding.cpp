@@ -125,7 +125,7 @@ void WarnAtCaller(lua_State* state, std::string message) {
 
 void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view subject) {
   ScriptContext* context = LuaMachine::Of(state).context();
-  if (!context) return;
+  if (!context || LuaMachine::Of(state).is_paused_) return;
   LuaMachine::Of(state).Charge(kWarningPrice);
   Diagnostic warning;
   warning.severity = Severity::kWarning;
@@ -138,6 +138,7 @@ void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view su
 }
 
 void WarnIgnored(lua_State* state, const char* why) {
+  if (LuaMachine::Of(state).is_paused_) return;
   auto& [file, line] = LuaMachine::Of(state).ignored_;
   LocateCaller(state, file, line);
   WarnAtCaller(state, std::string(why) + ": the call is ignored");

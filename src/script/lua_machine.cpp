@@ -232,7 +232,10 @@ void LuaMachine::SetHookAgain() {
 }
 
 LuaMachine::OwnBudget::OwnBudget(LuaMachine& machine, std::uint64_t instructions)
-    : machine_(machine), left_(machine.instructions_left_), armed_(machine.armed_) {
+    : machine_(machine),
+      left_(machine.instructions_left_),
+      armed_(machine.armed_),
+      was_paused_(std::exchange(machine.is_paused_, true)) {
   machine.instructions_left_ = machine.armed_ = instructions;
 }
 
@@ -240,6 +243,7 @@ LuaMachine::OwnBudget::~OwnBudget() {
   const bool ran_out = machine_.instructions_left_ == 0;
   machine_.instructions_left_ = left_;
   machine_.armed_ = armed_;
+  machine_.is_paused_ = was_paused_;
   if (ran_out) machine_.SetHookAgain();
 }
 

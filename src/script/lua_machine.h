@@ -161,6 +161,7 @@ class LuaMachine {
 
   /// While such an object exists, built-in functions may be called from a Lua hook, where instructions are not counted.
   /// The budget of the current call is not changed; these functions use at most `instructions` of their own.
+  /// Wrong arguments of API functions are not reported, because they are the user's, not the script's.
   class OwnBudget {
    public:
     OwnBudget(LuaMachine& machine, std::uint64_t instructions);
@@ -171,6 +172,7 @@ class LuaMachine {
    private:
     LuaMachine& machine_;
     std::uint64_t left_, armed_;
+    bool was_paused_;
   };
 
   /// Makes all current and later calls in all machines end with an error as soon as possible, because the process is
@@ -211,6 +213,7 @@ class LuaMachine {
   friend class ScriptDebugger;
   friend class ScriptHost;
   friend void ObserveScripts(ScriptHost& host, ScriptObserver* observer);
+  friend void WarnAtCallerOnce(lua_State* state, std::string message, std::string_view subject);
   friend void WarnIgnored(lua_State* state, const char* why);
   using RawBody = void (*)(lua_State*, void*);
 
@@ -253,6 +256,7 @@ class LuaMachine {
   std::size_t collect_at_bytes_ = 0;    // Used memory at which the next collection is due; 0: not set yet.
   std::uint64_t collection_price_ = 0;  // In instructions.
   bool collection_due_ = false;         // It runs at the next instruction.
+  bool is_paused_ = false;              // A debugger evaluates an expression (OwnBudget).
   bool world_bound_ = false;            // The world's budget allowed less than its own limit.
   RawBody body_ = nullptr;
   void* body_data_ = nullptr;

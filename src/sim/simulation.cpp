@@ -694,7 +694,11 @@ std::vector<Diagnostic> Simulation::SlipsOf(std::string_view agent, const std::s
 }
 
 void ObserveScripts(Simulation& simulation, script::ScriptObserver* observer) {
-  script::ObserveScripts(*simulation.impl_->scripts, observer);
+  if (MayObserveScripts()) script::ObserveScripts(*simulation.impl_->scripts, observer);
+}
+
+bool MayObserveScripts() {
+  return script::ObserveNewHosts::Current() == nullptr;
 }
 
 void Simulation::Finish() {

@@ -170,7 +170,9 @@ class Simulation {
 
 /// Lets this observer, instead of the previous one, observe all scripts from now on. Null: nobody observes them. An
 /// observer does not change the run. It must exist until another one replaces it or the simulation is destroyed. Do not
-/// call it during a tick.
+/// call it during a tick. Has no effect if MayObserveScripts() is false.
 void ObserveScripts(Simulation& simulation, script::ScriptObserver* observer);
+/// False while another observer, such as a profiler, observes all scripts of this thread.
+bool MayObserveScripts();
 
 }  // namespace soarbox::sim

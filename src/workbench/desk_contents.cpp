@@ -68,6 +68,7 @@ void Desk::LookAtAgent(Contents& contents) {
 }
 
 bool Desk::ServeStopped(const std::vector<Request>& requests, Contents& contents) {
+  files_.ShowDraft();
   for (const Request& request : requests) {
     if (std::holds_alternative<CompleteRequest>(request)) continue;  // It would read the mind.
     if (const std::string refusal = scripts_.Refusal(request); !refusal.empty()) {

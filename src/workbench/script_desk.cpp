@@ -8,13 +8,14 @@
 #include <sstream>
 
 #include "diagnostics/problem.h"
+#include "sim/simulation.h"
 
 namespace soarbox::workbench {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOpen = 200, kMostWatches = 40;
+constexpr std::size_t kMostOpen = 200, kMostWatches = 40, kMostNames = 1000;
 constexpr int kLinesAround = 6;  ///< Lines of the text that are shown before and after the place of a stop.
 
 bool IsScript(const fs::path& file) {
@@ -56,6 +57,10 @@ void ScriptDesk::SetWait(std::function<void()> wait) {
   Observe();
 }
 
+bool ScriptDesk::CanStop() const {
+  return common_.run != nullptr && wait_ != nullptr && sim::MayObserveScripts();
+}
+
 void ScriptDesk::Observe() {
   if (CanStop()) sim::ObserveScripts(common_.run->simulation(), &stops_.observer());
 }
@@ -70,6 +75,7 @@ std::string ScriptDesk::FileOf(const std::string& file) {
   sim::Simulation* const live = common_.Live();
   if (live == nullptr) return file;
   if (const auto known = names_.find(file); known != names_.end()) return known->second;
+  if (names_.size() > kMostNames) names_.clear();
   const fs::path wanted(file), name = wanted.filename();
   for (const sim::WatchedFile& each : live->Files()) {
     if (each.is_rules || each.file.filename() != name) continue;
@@ -79,13 +85,20 @@ std::string ScriptDesk::FileOf(const std::string& file) {
   return file;
 }
 
+bool ScriptDesk::IsOfRun(const std::string& file) {
+  sim::Simulation* const live = common_.Live();
+  if (live == nullptr) return false;
+  const std::vector<sim::WatchedFile> files = live->Files();
+  return std::ranges::any_of(files, [&](const auto& each) { return !each.is_rules && each.file.string() == file; });
+}
+
 void ScriptDesk::Wait() {
   ++count_;
   call_ = 0;
   has_news_ = true;
   place_ = stops_.Place();
   place_.file = FileOf(place_.file);
-  files_.Edit(EditRequest{place_.file, place_.line}, {});
+  if (IsOfRun(place_.file)) files_.Edit(EditRequest{place_.file, place_.line}, {});
   is_in_tick_ = true;
   wait_();
   is_in_tick_ = false;
@@ -115,6 +128,8 @@ void ScriptDesk::Obey(const LineStopRequest& request) {
   if (!IsScript(file))
     return common_.note_problem(ProblemIn(file, "this is not a script", "name a file in Lua that the run uses"), {});
   const std::optional<std::string> text = files_.TextOf(file);
+  if (!text && !IsOfRun(file))
+    return common_.note_problem(ProblemIn(file, "the run does not use this script", "name one of its scripts"), {});
   const Result<int> set = stops_.Set(file, text ? *text : TextOf(file), request.line);
   if (!set) {
     common_.surroundings.Tell("No stop at line " + std::to_string(request.line) + ": " + set.error().hint);
@@ -170,7 +185,7 @@ void ScriptDesk::Fill(Contents& contents, bool is_visible) {
   for (script::ScriptFrame& call : shown.stopped->calls) call.file = call.file.empty() ? "" : FileOf(call.file);
   if (shown.stopped->calls.empty()) return;
   const script::ScriptFrame& call = shown.stopped->calls[shown.stopped->call];
-  if (!call.file.empty()) {
+  if (IsOfRun(call.file)) {
     const std::optional<std::string> text = files_.TextOf(call.file);
     shown.lines = LinesAround(text ? *text : TextOf(call.file), call.line);
   }

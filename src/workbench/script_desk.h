@@ -67,11 +67,15 @@ class ScriptDesk {
   void Fill(Contents& contents, bool is_visible);
 
  private:
-  bool CanStop() const { return common_.run != nullptr && wait_ != nullptr; }
+  /// False if somebody else observes the scripts, for example a profiler.
+  bool CanStop() const;
   /// A script has stopped.
   void Wait();
   /// The name that the run uses for a file: of the file with this path, or with this name if it is no path.
   std::string FileOf(const std::string& file);
+  /// Whether this is the name of a script of the run. Scripts choose the names of the chunks that they load, so a name
+  /// may be that of any file.
+  bool IsOfRun(const std::string& file);
 
   const DeskCommon& common_;
   FileDesk& files_;

@@ -114,6 +114,34 @@ class Scripts(ServeCase):
         self.stop(page, 3)
         self.panel(page, "answer")
 
+    def test_the_name_of_a_chunk_opens_no_file(self):
+        """A script chooses the names of the chunks that it loads: they may be those of any file."""
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        code = "loadstring('local seen = 1\\nerror(\"x\")', '@/proc/self/status')()"
+        text = page.contents["edit"]["edit"]["text"].replace("Steering_WalkToTarget(", code + " Steering_WalkToTarget(")
+        page.ask(request="edit-text", what="save", text=text)
+        page.ask(request="edit-text", what="apply", text=text)
+        page.until_contents("edit", lambda edit: edit["edit"]["notice"].startswith("Reloaded"))
+        page.ask(request="line-stop", file=SCRIPT, line=UPDATE, is_on=False)
+        page.ask(request="error-stop", is_on=True)
+        page.ask(request="script-go", how="on")
+        shown = json.dumps(self.panel(page, "seen")["document"])
+        self.assertIn("/proc/self/status", shown, "the place is named")
+        self.assertNotIn("VmPeak", shown)
+        self.assertNotIn("/proc", json.dumps(page.contents["problems"]), "the editor does not try to open it")
+        page.ask(request="line-stop", file="/proc/self/status.lua", line=1)
+        page.until_contents("problems", lambda problems: "does not use this script" in json.dumps(problems))
+
+    def test_a_wrong_call_in_a_watch_is_no_news_of_the_run(self):
+        server = self.serve()
+        page = self.stopped_page(server, server.new_place())
+        page.ask(request="script-watch", what="agent:GetPosition(1, 2, 3)")
+        self.panel(page, "GetPosition(1, 2, 3)")
+        page.ask(request="script-go", how="on")
+        self.stop(page, 2)
+        self.assertNotIn("expected 1 arguments", json.dumps(page.contents["problems"]))
+
     def test_a_run_begins_again_although_a_script_is_stopped(self):
         server = self.serve()
         page = self.stopped_page(server, server.new_place())

@@ -311,7 +311,8 @@ class LiveEngine {
         pace_.Obey(flow);
       }
     }
-    for (sim::InputValue& input : asked.inputs) postponed_.inputs.push_back(std::move(input));
+    // They wait for the next tick.
+    for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
   }
 
   /// `is_shown`: the scene was sent after the script had stopped, which may have moved something. Returns whether it

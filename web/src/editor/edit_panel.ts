@@ -247,7 +247,9 @@ export class EditPanel implements Panel {
       },
       command: (what) => this.command(what),
       stop: (line, isOn) => {
-        if (this.file !== "") this.context.run.ask("line-stop", { file: this.file, line, is_on: isOn });
+        if (this.file === "") return;
+        this.moveStops();
+        this.context.run.ask("line-stop", { file: this.file, line, is_on: isOn });
       },
       apply: (text) => {
         void this.client.tell(text);
