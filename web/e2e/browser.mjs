@@ -45,11 +45,18 @@ export async function openWorld(page, name) {
   await page.waitForSelector(".start h1");
   await page.locator("button.card", { has: page.locator("b", { hasText: new RegExp(`^${name}$`) }) }).click();
   await page.waitForSelector(".run-page:not([hidden])");
+  await untilMade(page);
+}
+
+/** Until the world is made, the page shows the run before. */
+async function untilMade(page) {
+  await page.locator(".pill", { hasText: "The world is made" }).waitFor({ state: "hidden" });
 }
 
 export async function openLesson(page, number) {
   await page.waitForSelector(".start h1");
   await page.locator("ol.cards button.card").nth(number - 1).click();
+  await untilMade(page);
   await page.waitForSelector(".panel.mission h2");
   await page.waitForSelector(".cm-content .tok-keyword");
 }

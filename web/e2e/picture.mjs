@@ -59,7 +59,6 @@ test("the camera keeps everybody in the picture until it is moved, and again on 
   }
   await openWorld(page, "soar_flee");
   await page.waitForSelector(".stage button[aria-label='Show everybody'][aria-pressed=true]");
-  await until(async () => (await shownSeconds(page)) > 0.1, "the world runs");
   // Pauses, because a running agent could come back into the picture before the button is clicked.
   await page.locator("button[aria-label=Pause]").first().click();
   await page.waitForSelector("button[aria-label=Run]");
