@@ -608,14 +608,15 @@ std::vector<Reason> MindReasons::Nearest(const RuleList& candidates, const std::
 std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Preference>& proposals) {
   const std::vector<Preference> preferences = view_.Preferences(state);
   // All candidates have the same unary preference.
-  for (const auto& [section, sign] : {std::pair("worst", "<"), std::pair("best", ">")}) {
-    const bool have_all = std::ranges::all_of(proposals, [&](const Preference& proposal) {
-      return std::ranges::any_of(preferences, [&](const Preference& one) {
-        return one.section == section && one.operator_id == proposal.operator_id;
-      });
-    });
-    if (have_all && proposals.size() > 1) return Say(Situation::kTieAllSigned, {{"sign", sign}});
-  }
+  const auto have_all = [&](std::string_view section) {
+    return proposals.size() > 1 && std::ranges::all_of(proposals, [&](const Preference& proposal) {
+             return std::ranges::any_of(preferences, [&](const Preference& one) {
+               return one.section == section && one.operator_id == proposal.operator_id;
+             });
+           });
+  };
+  if (have_all("worst")) return Say(Situation::kTieAllSigned, {{"sign", "<"}});
+  if (have_all("best")) return Say(Situation::kTieAllSigned, {{"sign", ">"}});
   // One rule proposes all of them because an attribute that rules make has several values.
   const auto is_same = [&](const Preference& proposal) { return proposal.rule == proposals.front().rule; };
   if (proposals.size() < 2 || !std::ranges::all_of(proposals, is_same)) return {};
