@@ -36,6 +36,8 @@ EMSCRIPTEN_KEEPALIVE void soarbox_take(const char* text) {
 
 EngineChannel::EngineChannel(int socket) : socket_(socket), is_open_(SoarboxHasListener()) {
   Taken().clear();
+  // What a server says: there is one page, which draws documents.
+  Taken().emplace_back(R"({"request":"presence","pages":1})");
 }
 
 EngineChannel::~EngineChannel() = default;
