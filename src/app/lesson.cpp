@@ -258,11 +258,11 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
         findings.push_back(std::move(finding));
   }
   // A warning about a rule that never fires is not useful here.
-  const std::vector<sim::Finding> all = findings;
+  std::set<std::string> unfired;
+  for (const sim::Finding& finding : findings)
+    if (finding.topic == Topic::kUnfired) unfired.insert(finding.rule);
   std::erase_if(findings, [&](const sim::Finding& finding) {
-    return finding.topic == Topic::kRepeatedWrite && std::ranges::any_of(all, [&](const auto& one) {
-             return one.topic == Topic::kUnfired && one.rule == finding.rule;
-           });
+    return finding.topic == Topic::kRepeatedWrite && unfired.contains(finding.rule);
   });
   const auto is_told = [&](Cause cause) {
     return std::ranges::find(findings, cause, &sim::Finding::cause) != findings.end();

@@ -158,7 +158,7 @@ void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& 
   }
 }
 
-/// A template whose conditions bind only objects: all that it makes is the same rule.
+/// Finds templates whose conditions bind only objects. Such a template has no values to make different rules for.
 void FindEmptyTemplates(const RuleText& rule, std::vector<Slip>& slips) {
   if (!rule.is_template) return;
   const bool has_value = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {

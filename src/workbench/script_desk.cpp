@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "diagnostics/problem.h"
+#include "diagnostics/read_text.h"
 #include "sim/simulation.h"
 
 namespace soarbox::workbench {
@@ -26,11 +25,6 @@ fs::path Plain(const fs::path& file) {
   std::error_code failed;
   fs::path plain = fs::weakly_canonical(file, failed);
   return failed ? file.lexically_normal() : plain;
-}
-
-std::string TextOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 script::ScriptStep StepOf(ScriptGoRequest::How how) {
@@ -130,7 +124,7 @@ void ScriptDesk::Obey(const LineStopRequest& request) {
   const std::optional<std::string> text = files_.TextOf(file);
   if (!text && !IsOfRun(file))
     return common_.note_problem(ProblemIn(file, "the run does not use this script", "name one of its scripts"), {});
-  const Result<int> set = stops_.Set(file, text ? *text : TextOf(file), request.line);
+  const Result<int> set = stops_.Set(file, text ? *text : ReadText(file).value_or(""), request.line);
   if (!set) {
     common_.surroundings.Tell("No stop at line " + std::to_string(request.line) + ": " + set.error().hint);
     return common_.note_problem(set.error(), {});
@@ -187,7 +181,7 @@ void ScriptDesk::Fill(Contents& contents, bool is_visible) {
   const script::ScriptFrame& call = shown.stopped->calls[shown.stopped->call];
   if (IsOfRun(call.file)) {
     const std::optional<std::string> text = files_.TextOf(call.file);
-    shown.lines = LinesAround(text ? *text : TextOf(call.file), call.line);
+    shown.lines = LinesAround(text ? *text : ReadText(call.file).value_or(""), call.line);
   }
   if (call.file == edit.file) edit.stopped_line = call.line;
 }
