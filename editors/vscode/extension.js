@@ -4,17 +4,22 @@
 
 const vscode = require('vscode');
 const {LanguageClient} = require('vscode-languageclient/node');
+const {findProgram} = require('./program');
 const tests = require('./tests');
 const trees = require('./trees');
 
 let client;
 
-function command() {
-  return vscode.workspace.getConfiguration('soarbox').get('command') || 'soarbox';
+/// The command to start, with some arguments, as {command, args, env}.
+function program(...words) {
+  const folders = [__dirname, ...(vscode.workspace.workspaceFolders || []).map((folder) => folder.uri.fsPath)];
+  const found = findProgram(vscode.workspace.getConfiguration('soarbox').get('command'), process.env.PATH, folders);
+  return {...found, args: [...found.args, ...words]};
 }
 
 async function startClient() {
-  client = new LanguageClient('soarbox', 'Soarbox', {command: command(), args: ['lsp']}, {
+  const {command, args, env} = program('lsp');
+  client = new LanguageClient('soarbox', 'Soarbox', {command, args, options: {env: {...process.env, ...env}}}, {
     documentSelector: [{scheme: 'file', language: 'soar'}],
     synchronize: {fileEvents: vscode.workspace.createFileSystemWatcher('**/*.{soar,vsa,json,toml,soarrec}')},
     middleware: {
@@ -33,13 +38,16 @@ async function startClient() {
     await client.start();
   } catch (problem) {
     client = undefined;
-    vscode.window.showErrorMessage(`Soarbox: ${command()} lsp does not start: set soarbox.command to the command's path`);
+    vscode.window.showErrorMessage(`Soarbox: ${command} ${args.join(' ')} does not start: set soarbox.command to the command's path, or call npm install soarbox in the folder of your rules`);
   }
 }
 
 function task(action, file) {
+  const {command, args, env, isPackage} = program(action, ...(file ? [file] : []));
+  // The package has no window.
+  if (isPackage && action === 'run') args.push('--headless');
   const made = new vscode.Task({type: 'soarbox', action, file}, vscode.TaskScope.Workspace, file ? `${action} ${file}` : action, 'soarbox',
-      new vscode.ProcessExecution(command(), file ? [action, file] : [action]), '$soarbox');
+      new vscode.ProcessExecution(command, args, {env}), '$soarbox');
   if (action === 'test') made.group = vscode.TaskGroup.Test;
   return made;
 }
@@ -68,9 +76,12 @@ async function activate(context) {
     resolveTask: (given) => task(given.definition.action, given.definition.file),
   }));
   context.subscriptions.push(vscode.debug.registerDebugAdapterDescriptorFactory('soarbox', {
-    createDebugAdapterDescriptor: () => new vscode.DebugAdapterExecutable(command(), ['dap']),
+    createDebugAdapterDescriptor: () => {
+      const {command, args, env} = program('dap');
+      return new vscode.DebugAdapterExecutable(command, args, {env});
+    },
   }));
-  tests.register(context, command);
+  tests.register(context, program);
   const refresh = trees.register(context, (request, given) => client && client.sendRequest(request, given).catch(() => undefined));
   await startClient();
   refresh();

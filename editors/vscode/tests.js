@@ -5,10 +5,11 @@
 const childProcess = require('child_process');
 const vscode = require('vscode');
 
-/// The run of one mission, as a promise of the lines that it printed.
-function runMission(command, file, token) {
+/// The run of one mission, as a promise of the lines that it printed. `program`: returns the command with these arguments.
+function runMission(program, file, token) {
   return new Promise((resolve) => {
-    const child = childProcess.spawn(command, ['test', file, '--json', '--no-keep']);
+    const {command, args, env} = program('test', file, '--json', '--no-keep');
+    const child = childProcess.spawn(command, args, {env: {...process.env, ...env}});
     let out = '', err = '';
     child.stdout.on('data', (data) => out += data);
     child.stderr.on('data', (data) => err += data);
@@ -18,7 +19,7 @@ function runMission(command, file, token) {
   });
 }
 
-function register(context, command) {
+function register(context, program) {
   const controller = vscode.tests.createTestController('soarbox', 'Soarbox missions');
   context.subscriptions.push(controller);
   const pattern = '**/*mission*.toml';
@@ -40,7 +41,7 @@ function register(context, command) {
       if (token.isCancellationRequested) break;
       run.started(item);
       const begun = Date.now();
-      const done = await runMission(command(), item.uri.fsPath, token);
+      const done = await runMission(program, item.uri.fsPath, token);
       run.appendOutput((done.out + done.err).replace(/\r?\n/g, '\r\n'), undefined, item);
       if (done.code === 0) {
         run.passed(item, Date.now() - begun);

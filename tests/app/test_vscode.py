@@ -54,7 +54,7 @@ class Extension(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("node"), "node is not installed")
     def test_its_scripts_are_sound(self):
-        for script in ("extension.js", "tests.js", "trees.js"):
+        for script in ("extension.js", "program.js", "tests.js", "trees.js"):
             subprocess.run(["node", "--check", FOLDER / script], check=True)
 
     @unittest.skipUnless(shutil.which("node"), "node is not installed")
@@ -76,6 +76,33 @@ class Extension(unittest.TestCase):
         self.assertEqual(operators, [["Rules without an operator", ["e"]], ["b", ["p"], ["a", ["c"]]]])
         self.assertEqual(circle, [["x", ["y"]], ["y", ["x"]]])
         self.assertEqual(datamap, [["^io", ["^output-link"]]])
+
+    @unittest.skipUnless(shutil.which("node"), "node is not installed")
+    def test_it_finds_the_native_program_first_and_then_the_npm_package(self):
+        code = """
+            const {findProgram} = require(process.argv[1]), [configured, searched, folder] = process.argv.slice(2);
+            console.log(JSON.stringify(findProgram(configured, searched, [folder])));
+        """
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            script = folder / "node_modules" / "soarbox" / "soarbox.js"
+            script.parent.mkdir(parents=True)
+            script.write_text("console.log(process.argv.slice(2).join(' '));")
+            (folder / "bin").mkdir()
+            (folder / "bin" / "soarbox").write_text("")
+
+            def found(configured, searched):
+                done = subprocess.run(["node", "-e", code, FOLDER / "program.js", configured, searched, folder], check=True, capture_output=True, text=True)
+                return json.loads(done.stdout)
+
+            self.assertEqual(found("soarbox", str(folder / "bin"))["command"], str(folder / "bin" / "soarbox"))
+            self.assertEqual(found("/some/where", str(folder / "bin"))["command"], "/some/where")
+            package = found("soarbox", str(folder / "empty"))
+            self.assertTrue(package["isPackage"])
+            done = subprocess.run([package["command"], *package["args"], "check", "x"], env={**package["env"]}, check=True, capture_output=True, text=True)
+            self.assertEqual(done.stdout, "check x\n")
+            shutil.rmtree(folder / "node_modules")
+            self.assertEqual(found("soarbox", str(folder / "empty")), {"args": [], "env": {}, "isPackage": False, "command": "soarbox"})
 
     def test_its_page_has_no_link_into_the_source(self):
         # vsce refuses to pack it: it does not know where the source is.
