@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Tests a site that `./dev site` has written, in a browser.
 
-usage: run_site.py [--site FOLDER|NAME.html] [--or-skip] [TEST...]
+usage: run_site.py [--site FOLDER|NAME.html] [--firefox] [--or-skip] [TEST...]
 
 Python's file server serves a folder below a path, as on any static host. A single file is opened from the disk. TEST: files with tests to
 run instead of site.mjs, for example web/e2e/lessons.mjs. Needs Chromium (SOARBOX_BROWSER) and the page's packages (npm ci in web/).
+--firefox: runs firefox.mjs in Firefox (SOARBOX_FIREFOX), on a display of its own (xvfb-run).
 --or-skip: if there is no site, or if it is older than the sources, prints the reason and exits with 77.
 """
 import argparse
@@ -36,43 +37,49 @@ def newest_source():
     return max((file for file in files if file.is_file()), key=lambda file: file.stat().st_mtime)
 
 
-def what_is_missing(site, is_old_good):
+def what_is_missing(site, is_old_good, browser):
     """The reason why nothing can be tested; empty: there is none."""
     proof = site if site.suffix == ".html" else site / "index.html"
     if not proof.is_file():
         return f"there is no site in {site}: ./dev site writes it (it needs emscripten, docs/dev/wasm.md)"
     if not is_old_good and (newest := newest_source()).stat().st_mtime > proof.stat().st_mtime:
         return f"the site in {site} is older than {newest.relative_to(REPOSITORY)}: ./dev site writes it again"
-    if not (REPOSITORY / "web" / "node_modules" / "playwright-core").is_dir():
+    if not all((REPOSITORY / "web" / "node_modules" / name).is_dir() for name in ("playwright-core", "puppeteer-core")):
         return "the page's packages are not there: npm ci in web/"
-    if not shutil.which(os.environ.get("SOARBOX_BROWSER", "/usr/bin/chromium")):
-        return "there is no browser: install chromium, or name one in SOARBOX_BROWSER"
+    variable, program = browser
+    if not shutil.which(os.environ.get(variable, program)):
+        return f"there is no {program}: install it, or name a browser in {variable}"
     return ""
 
 
-def run(tests, address):
-    return subprocess.run(["node", "--test", "--test-concurrency=1", *map(str, tests)], check=False,
+def run(tests, address, with_display):
+    """The exit status of the tests. with_display: on a display of its own if there is a program for that."""
+    virtual = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1400x1000x24"] if with_display and shutil.which("xvfb-run") else []
+    return subprocess.run([*virtual, "node", "--test", "--test-concurrency=1", *map(str, tests)], check=False,
                           env={**os.environ, "SOARBOX_PAGE": address}).returncode
 
 
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--site", type=pathlib.Path, default=REPOSITORY / "build" / "site")
+    parser.add_argument("--firefox", action="store_true")
     parser.add_argument("--or-skip", action="store_true")
-    parser.add_argument("tests", nargs="*", default=[REPOSITORY / "tests" / "wasm" / "site.mjs"])
+    parser.add_argument("tests", nargs="*")
     arguments = parser.parse_args()
     site = arguments.site.resolve()
-    if missing := what_is_missing(site, not arguments.or_skip):
+    tests = arguments.tests or [REPOSITORY / "tests" / "wasm" / ("firefox.mjs" if arguments.firefox else "site.mjs")]
+    browser = ("SOARBOX_FIREFOX", "/usr/bin/firefox-esr") if arguments.firefox else ("SOARBOX_BROWSER", "/usr/bin/chromium")
+    if missing := what_is_missing(site, not arguments.or_skip, browser):
         print(f"{'skipped: ' if arguments.or_skip else 'error: '}{missing}", file=sys.stderr)
         return SKIPPED if arguments.or_skip else 1
     if site.suffix == ".html":
-        return run(arguments.tests, site.as_uri())
+        return run(tests, site.as_uri(), arguments.firefox)
     with tempfile.TemporaryDirectory() as root:
         (pathlib.Path(root) / "some").mkdir()
         (pathlib.Path(root) / "some" / "place").symlink_to(site)
         with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=root)) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()
-            code = run(arguments.tests, f"http://127.0.0.1:{server.server_address[1]}/some/place/")
+            code = run(tests, f"http://127.0.0.1:{server.server_address[1]}/some/place/", arguments.firefox)
             server.shutdown()
     return code
 
