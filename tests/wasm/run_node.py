@@ -5,16 +5,17 @@
 usage: run_node.py --node FOLDER --native SOARBOX [--only golden|worlds|recordings] [NAME...]
 
 golden       the kernel's cases (tests/golden): as many agree with Soar 9.6.3 as natively
-worlds       every world that comes with the program, and sway, ends in the same state as natively, bit for bit
+worlds       every world that comes with the program, sway, and every lesson with its solution end in the same state as natively, bit for bit
 recordings   if the command was compiled: the recordings of each program are simulated again by the other, with the same state in each tick
 
-NAME: only worlds of these names. The exit status is 1 if anything differs.
+NAME: only worlds and lessons of these names. The exit status is 1 if anything differs.
 """
 import argparse
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -61,6 +62,17 @@ def shipped_worlds():
                   if (folder / "scenario.toml").exists() or (folder / "Sandbox.lua").exists())
 
 
+def solved_lessons(folder):
+    """Copies each lesson with its solution in place of the learner's files into a folder."""
+    lessons = []
+    for solution in sorted((REPOSITORY / "lessons").rglob("solution")):
+        lesson = folder / solution.parent.relative_to(REPOSITORY)
+        shutil.copytree(solution.parent, lesson, ignore=shutil.ignore_patterns("wrong", "solution"))
+        shutil.copytree(solution, lesson, dirs_exist_ok=True)
+        lessons.append(lesson)
+    return lessons
+
+
 def check_golden(node, differences):
     minimum = json.loads((GOLDEN / "minimum.json").read_text(encoding="utf-8"))
     for area in AREAS:
@@ -74,9 +86,16 @@ def check_golden(node, differences):
 
 
 def check_worlds(node, native, names, differences):
-    worlds = [*shipped_worlds(), REPOSITORY / "tests" / "wasm" / "sway"]
-    chosen = [world for world in worlds if not names or world.name in names]
-    for world in chosen:
+    """The number of worlds and lessons that were compared."""
+    with tempfile.TemporaryDirectory() as folder:
+        worlds = [*shipped_worlds(), REPOSITORY / "tests" / "wasm" / "sway", *solved_lessons(pathlib.Path(folder))]
+        chosen = [world for world in worlds if not names or world.name in names]
+        compare_worlds(node, native, chosen, differences)
+    return len(chosen)
+
+
+def compare_worlds(node, native, worlds, differences):
+    for world in worlds:
         (ours, node_s) = end_of(node / "run_world", world, SECONDS)
         (theirs, native_s) = end_of(native, "run", world, "--headless", "--json", "--seconds", SECONDS, "--threads", 1)
         if ours["state"] == theirs["state"] and "ticks" in theirs:
@@ -84,7 +103,6 @@ def check_worlds(node, native, names, differences):
                   flush=True)
         else:
             differences.report(f"{world.name}: node {ours['state']}, native {theirs['state']}")
-    return len(chosen)
 
 
 def check_recordings(node, native, names, differences):
@@ -118,7 +136,7 @@ def main():
         worlds = check_worlds(arguments.node, arguments.native, arguments.names, differences)
     if arguments.only == "recordings" or (arguments.only is None and (arguments.node / "soarbox.js").exists()):
         check_recordings(arguments.node, arguments.native, arguments.names, differences)
-    print(f"{worlds} worlds; {differences.count} differences; {time.monotonic() - start:.0f} s", flush=True)
+    print(f"{worlds} worlds and lessons; {differences.count} differences; {time.monotonic() - start:.0f} s", flush=True)
     return 1 if differences.count else 0
 
 
