@@ -115,7 +115,7 @@ void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
                                        : "put } at its end";
 }
 
-/// A line outside rules that is not a command.
+/// Clarifies the error for a line outside rules that is not a command.
 void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
   const std::string line = Trimmed(source.Line(problem.line));
   const std::string word = line.substr(0, line.find_first_of(" \t{"));
@@ -161,7 +161,8 @@ void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
   if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
 }
 
-/// "sp NAME" without its brace. All following text is then outside a rule.
+/// Clarifies the error for "sp NAME" without a brace. Returns false if the line does not have this mistake. Kernels
+/// read the lines after such a line as commands.
 bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   const std::string& line = source.Code(problem.line);
   if (!line.starts_with("sp ") && !line.starts_with("gp ")) return false;
@@ -179,7 +180,8 @@ bool ClarifyMissingBrace(Diagnostic& problem, const SourceFile& source) {
   return true;
 }
 
-/// Text after the closing brace of the rule that begins here: an additional brace, or another rule on the same line.
+/// Clarifies the error for text after the closing brace of a rule: an additional brace, or another rule on the same
+/// line.
 void ClarifyTail(Diagnostic& problem, const SourceFile& source) {
   const std::string& first = source.Code(problem.line);
   if (first.find('\r') != kNowhere) {
@@ -320,8 +322,9 @@ std::string NameOfWords(const SourceFile& source, const Diagnostic& problem, con
   return name;
 }
 
-/// A character that makes a rule unreadable: one that web pages substitute for another, or one that parsers skip.
-/// `find` returns its position in a line, or kNowhere.
+/// Clarifies the error if the rule contains a character that `find` finds; `find` returns its position in a line, or
+/// kNowhere. The message is the rule's name, `verdict` and the text of `describe`. Returns false if there is no such
+/// character.
 bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t (*find)(std::string_view),
                       OddCharacter (*describe)(std::string_view, std::size_t), std::string_view verdict) {
   const int begin = BeginOfRule(source, problem.line);
@@ -330,7 +333,7 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
     const std::size_t column = find(source.Code(at));
     if (column == kNowhere) continue;
     OddCharacter odd = describe(source.Code(at), column);
-    if (odd.hint.ends_with("blank")) continue;  // It separates words like a blank.
+    if (odd.hint.ends_with("blank")) continue;  // Parsers read it as a blank, so it causes no error.
     problem.message = "rule " + NameOfRule(source, begin) + std::string(verdict) + odd.message;
     problem.hint = std::move(odd.hint);
     const std::string_view character = std::string_view(source.Code(at)).substr(column, odd.length);
@@ -341,7 +344,7 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
   return false;
 }
 
-/// "expected ... but found ...": common mistakes, and syntax of other languages.
+/// Adds a hint to "expected ... but found ...": for common mistakes, and for syntax of other languages.
 void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
   const std::string found = Between(problem.message, "found '", "'");
   if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
@@ -507,7 +510,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
 void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of) {
   std::map<std::string, SourceFile> files;
   std::vector<Diagnostic> kept;
-  bool outside = false;  // The previous line was also reported as outside a rule.
+  bool outside = false;  // The last problem was text outside rules. Such a problem after it is not reported.
   std::set<std::string> unbound_rules;
   for (Diagnostic& problem : problems) {
     if (problem.file.empty() || problem.line == 0) {
@@ -517,7 +520,7 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
     const auto [at, is_new] = files.try_emplace(problem.file);
     if (is_new) at->second = ReadSource(text_of(problem.file));
     const SourceFile& source = at->second;
-    // The text of a rule begins after "sp {"; the parser's excerpt has blanks in its place.
+    // The parser's excerpt has blanks in place of "sp {". The line of the file replaces it.
     const std::string& line = source.Line(problem.line);
     const std::size_t first = problem.excerpt.find_first_not_of(' ');
     if (first != kNowhere && first <= line.size() && line.substr(first).starts_with(problem.excerpt.substr(first)))

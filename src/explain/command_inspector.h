@@ -26,13 +26,15 @@ class CommandInspector final : public Inspector, public LearningSource, public S
   /// Always empty: commands do not report it.
   std::vector<TesterFact> TestersOf(std::uint64_t timetag) override;
   OperatorFacts Operators(std::string_view state) override;
-  /// Only the names of rules and how often they fired.
+  /// Returns names and numbers of firings. Adds the numbers of matches if there are at most 300 rules, because each
+  /// number costs one command.
   std::vector<RuleFact> Rules() override;
   std::string RuleSource(std::string_view rule) override;
-  /// The conditions, and the number of matches that reach each of them.
+  /// Returns the conditions and how many partial matches reach each of them. Adds elements that have an attribute of
+  /// the failing condition, at most 20 for each of its attributes.
   std::optional<MatchFacts> Match(std::string_view rule) override;
   std::vector<std::string> Complete(std::string_view line) override;
-  /// Without the parts of which each number is made up.
+  /// Leaves NumberFact::when, `current` and `future` empty: commands do not report them.
   LearningFacts Learning() override;
   std::string SceneFacts() override;
 

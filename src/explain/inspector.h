@@ -51,6 +51,7 @@ class Inspector {
  public:
   virtual ~Inspector() = default;
 
+  /// Whether all data are reported. If not, empty data may mean "not known".
   virtual bool TellsAll() const = 0;
   virtual MindFacts Mind() = 0;
   /// From the top state down.

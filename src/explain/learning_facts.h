@@ -16,17 +16,19 @@ using mind::LearningFacts;
 using mind::NumberFact;
 using mind::TripleFact;
 
-/// The part of an Inspector that reports what a living mind has learned. Inspectors of living minds also implement it.
+/// Reports what a mind has learned. Inspectors of running agents also implement this class, those of recorded minds do
+/// not. Callers get it from an Inspector by dynamic_cast.
 class LearningSource {
  public:
   virtual ~LearningSource() = default;
 
   virtual LearningFacts Learning() = 0;
-  /// How rules were learned, oldest first; at most the last 1,000. They are recorded while decisions are observed
-  /// (MindDetail). Conditions and firings are reduced to the conditions that name something; LearnedRule returns
-  /// everything. Empty if the kernel does not report it.
+  /// Returns how rules were learned, oldest first; at most the last 1,000. They are recorded while decisions are
+  /// observed (MindDetail). Of each rule's conditions, only those on ^name are returned; its firings are left out.
+  /// LearnedRule returns everything. Empty if the kernel does not report it.
   virtual std::vector<LearnedRuleFact> LearnedRules() { return {}; }
-  /// Everything about how one rule was learned.
+  /// Returns everything about how one rule was learned; nothing if there is no such rule, or if the kernel does not
+  /// report it.
   virtual std::optional<LearnedRuleFact> LearnedRule(std::string_view rule) {
     (void)rule;
     return std::nullopt;

@@ -13,7 +13,8 @@ using mind::KnownObjectFact;
 using mind::LongTermFacts;
 using mind::RememberedFact;
 
-/// The part of an Inspector that reports long-term memory. Inspectors of living minds also implement it.
+/// Reports long-term memory. Only inspectors of our own kernel in this process also implement this class. Callers get
+/// it from an Inspector by dynamic_cast.
 class LongTermSource {
  public:
   virtual ~LongTermSource() = default;

@@ -22,7 +22,7 @@
 namespace soarbox::explain {
 namespace {
 
-constexpr std::size_t kMostFollowed = 50;  ///< Maximum number of identifiers of one step of a path.
+constexpr std::size_t kMostFollowed = 50;  ///< ValuesAt follows at most this number of identifiers at each step.
 
 /// "(S1 ^operator O1 +)"
 std::string ElementText(const ElementFact& element) {
@@ -71,7 +71,7 @@ void ReadTests(const std::string& value, const PathMap& paths, ConditionText& te
         continue;
       }
     } else if (IsVariable(word) && (IsMadeUpVariable(word) || relates)) {
-      continue;  // It only binds the value to a variable.
+      continue;  // The word only binds the value to a variable.
     }
     words.push_back(word);
   }

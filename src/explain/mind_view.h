@@ -40,8 +40,8 @@ struct Preference {
   PreferenceFact fact;
 };
 
-/// What an Inspector reports about a Soar program of any kernel, with searches through these data. It queries the
-/// kernel on each call and caches only the rules and their numbers of firings. Valid until the agent runs again.
+/// Searches what an Inspector reports about a Soar program of any kernel. Each call queries the kernel; only the rules
+/// are cached, and their numbers of firings if the inspector reports all data. Valid until the agent runs again.
 class MindView {
  public:
   explicit MindView(sml::Agent& agent) : agent_(agent), inspector_(MakeInspector(agent)) {}
@@ -72,7 +72,7 @@ class MindView {
 
   sml::Agent& agent_;
   std::unique_ptr<Inspector> inspector_;
-  std::map<std::string, std::uint64_t> firings_;  ///< By rule; filled on the first request.
+  std::map<std::string, std::uint64_t> firings_;  ///< By rule; filled on the first request if all data are reported.
   std::vector<RuleText> rules_;
   bool read_ = false;
 };

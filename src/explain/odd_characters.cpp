@@ -42,7 +42,7 @@ constexpr std::array kLookAlikes = {
     LookAlike{"\u2260", "a sign that rules do not have", "not equal is written <>"},
 };
 
-/// Character names that web pages contain instead of the character.
+/// Character sequences that web pages contain instead of a character: escapes of Markdown and entities of HTML.
 constexpr std::array kPasted = {
     LookAlike{"\\*", "*", {}},  LookAlike{"\\_", "_", {}},  LookAlike{"\\<", "<", {}},   LookAlike{"\\>", ">", {}},
     LookAlike{"&lt;", "<", {}}, LookAlike{"&gt;", ">", {}}, LookAlike{"&amp;", "&", {}}, LookAlike{"&quot;", "|", {}},
@@ -121,7 +121,7 @@ std::vector<Diagnostic> FindOddCharacters(const RuleFile& file) {
   std::string rule;
   int number = 0, depth = 0;
   bool awaits_name = false;
-  std::string_view told;  // Each kind is reported once per rule.
+  std::string_view told;  // The character of the last warning about this rule; it is not reported twice in succession.
   const std::string_view text = file.text;
   for (std::size_t begin = 0; begin < text.size() && found.size() < kMost;) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

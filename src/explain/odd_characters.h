@@ -11,13 +11,13 @@
 
 namespace soarbox::explain {
 
-/// A character in a line of rules that is not ASCII. Readers of rules skip it.
+/// A character that is not ASCII, or a sequence that a web page substituted for a character, in a line of rules.
 struct OddCharacter {
   std::size_t length = 0;  ///< In bytes.
   std::string message, hint;
 };
 
-/// Position of the first such character outside bars; npos if there is none.
+/// Position of the first character outside bars that is not ASCII; npos if there is none. Parsers of rules skip it.
 std::size_t FindOddCharacter(std::string_view line);
 /// Describes the character that begins at `at`.
 OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at);
@@ -28,7 +28,8 @@ std::size_t FindPasted(std::string_view line);
 /// Describes the sequence that begins at `at`.
 OddCharacter DescribePasted(std::string_view line, std::size_t at);
 
-/// Finds all odd characters of a file. Returns one warning for each character and rule, which names the rule.
+/// Finds characters in the rules of a file that are not ASCII. Returns at most 20 warnings, and at most one for each
+/// line. Skips a line if the last warning about the same rule reports the same character.
 std::vector<Diagnostic> FindOddCharacters(const RuleFile& file);
 
 }  // namespace soarbox::explain

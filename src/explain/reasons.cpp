@@ -72,8 +72,8 @@ Reason ReasonOf(const RuleWait& wait) {
   return {wait.Text(), kind, wait.rule};
 }
 
-/// In a world with turns, names a rule that proposes another operator again at each turn, if no proposal of this one
-/// does; else empty.
+/// The percept ^clock has a new value at each turn of a world. A rule that tests it proposes its operator again at each
+/// turn. Returns a sentence about such a rule if no rule that proposes `name` tests ^clock; else an empty string.
 std::string WhoTestsClock(const std::vector<RuleText>& rules, const std::string& name) {
   const auto tests_clock = [](const RuleText& rule) {
     return std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
@@ -137,7 +137,7 @@ RuleWait::Found WhatIsThere(MindView& view, Inspector& inspector, const std::str
     if (places.empty()) return nothing;
     return {"; it is " + Listed(std::vector<std::string>(places.begin(), places.end()))};
   }
-  // Answers of the world and of the memories come later, and percepts come and go.
+  // Answers of the world and of memories may come later, and percepts change. Their absence means nothing.
   const bool is_answer = IsArchitectureAttribute(attribute) && attribute != "name" && attribute != "value";
   if (is_answer || condition.path.front() == "io") return nothing;
   const std::vector<std::string> above(condition.path.begin(), condition.path.end() - 1);
@@ -150,7 +150,7 @@ RuleWait::Found WhatIsThere(MindView& view, Inspector& inspector, const std::str
     if (!IsIdentifier(object)) return {"; " + path + " is " + object + ", a value without attributes"};
     for (const std::string& each : AttributesOf(inspector, object)) found.insert(each);
   }
-  // A state has many attributes, and operators are explained by the rules that propose them.
+  // The attributes of a state are too many to list.
   if (found.empty() || found.contains("superstate")) return nothing;
   return {"; " + path + " has only " + AttributeList({found.begin(), found.end()}), kAbsent};
 }
@@ -201,7 +201,7 @@ std::vector<MindReasons::Wait> MindReasons::CircleFrom(const RuleText& rule, con
   while (waits.size() < kLongestCircle) {
     const Wait& last = waits.back();
     const std::vector<std::string>& path = last.condition.path;
-    // Through states and elements of the architecture there are also other paths to the object.
+    // The same object may have other paths through states and elements of the architecture.
     if (path.front() == "superstate" || path.front() == "io" || IsArchitectureAttribute(path.front())) return {};
     const Makers makers = MakersOf(*last.rule, last.condition);
     if (!makers.is_known || makers.all.size() != 1 || !view_.ValuesAt(StateOf(*last.rule), path).empty()) return {};
@@ -256,7 +256,7 @@ mind::Decision MindReasons::DecisionOf(const std::string& state) {
 
 std::string MindReasons::StateOf(const RuleText& rule) {
   std::string top = "S1", last, worked_on;
-  bool is_below = false;  // The operator before it is one that the rule works on.
+  bool is_below = false;  // The rule works on the last operator of the stack so far.
   for (const StackEntry& entry : view_.Stack()) {
     if (!entry.is_state) {
       is_below = rule.works_on.contains(entry.about);
@@ -292,7 +292,7 @@ std::string MindReasons::WhichStateAboveHas(const std::string& state, const std:
 std::vector<Reason> MindReasons::UnwrittenAttributes(const std::set<std::string>& given) {
   std::set<std::string> known = given;
   for (const RuleText& rule : rules()) {
-    // What such a rule makes, or a memory returns, is known only when it fires.
+    // Attributes that such a rule makes, or that a memory returns, are known only when the rule fires.
     if (MakesAnyAttribute(rule) || TestsWhatWasRecalled(rule)) return {};
     for (const RuleAttribute& action : rule.actions) known.insert(action.attribute);
   }
@@ -531,8 +531,8 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
   const std::size_t others = values.size() - shown.size();
   if (shown.empty()) {
     if (std::optional<RuleWait> excluded = WhatExcludesAbove(rule, first)) return excluded;
-    // Its first conditions may match for a state above, whose elements do not match the rest: the substate lacks the
-    // tested elements.
+    // The rule's first conditions may match a state above, but no other conditions. Then its substate lacks an element
+    // that the state above has.
     const std::string state = IsForSubstate(rule) ? StateOf(rule) : std::string();
     for (const RuleAttribute& condition : rule.conditions) {
       if (state.empty() || condition.negated || !condition.on_state || !IsConstantAttribute(condition.attribute) ||
@@ -599,7 +599,7 @@ std::vector<Reason> MindReasons::Nearest(const RuleList& candidates, const std::
     const std::optional<ConditionText> wait = WaitOf(*found[i].rule);
     if (!wait || wait->path.front() == "operator" || !CircleFrom(*found[i].rule, *wait).empty()) continue;
     const Makers makers = MakersOf(*found[i].rule, *wait);
-    // A rule that applies an operator waits for its selection, which is what is being explained. So it is not reported.
+    // A rule that applies an operator waits until the operator is selected. The caller already explains why none is.
     if (makers.sure != nullptr && makers.sure->applies.empty()) tell(*makers.sure);
   }
   return reasons;
@@ -607,7 +607,7 @@ std::vector<Reason> MindReasons::Nearest(const RuleList& candidates, const std::
 
 std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Preference>& proposals) {
   const std::vector<Preference> preferences = view_.Preferences(state);
-  // All candidates have the same unary preference.
+  // Whether all candidates have the same unary preference.
   const auto have_all = [&](std::string_view section) {
     return proposals.size() > 1 && std::ranges::all_of(proposals, [&](const Preference& proposal) {
              return std::ranges::any_of(preferences, [&](const Preference& one) {
@@ -729,7 +729,7 @@ std::vector<Reason> MindReasons::WhyNotApplied(const StackEntry& selected, const
   RuleList candidates, below;
   const RuleText* applied_by = nullptr;
   const RuleText* pending = nullptr;
-  const RuleText* answered_by = nullptr;  // A rule that, for example, writes text but changes nothing.
+  const RuleText* answered_by = nullptr;  // A rule that fired and only calls functions: it writes text, for example.
   bool says = false;
   for (const RuleText& rule : rules()) {
     if (IsJustification(rule.name)) continue;  // A result of a substate: an intermediate step.
@@ -808,7 +808,7 @@ std::vector<Reason> MindReasons::WhyIdle(const std::set<std::string>& known) {
     } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
       reasons = ExplainConflict(state, entry);
     }
-    // A substate of a state in which nothing happens gives no new information.
+    // A substate because of a state no-change gives no new information.
     if (entry.about != "state no-change" || selected == nullptr) {
       is_below = entry.about == "operator no-change";
       if (!is_below) selected = nullptr;
@@ -847,7 +847,8 @@ std::vector<Reason> MindReasons::WhyIdle(const std::set<std::string>& known) {
         Say(Situation::kNoProposer, {{"advice", failed.empty() ? Say(Situation::kWriteProposer) : failed}}));
     return reasons;
   }
-  // Substates that give no new information. The first of them is where something is missing.
+  // The states at the bottom of the stack that follow each other because of state no-changes. In the first of them,
+  // something is missing.
   std::vector<std::string> alike;
   for (const StackEntry& entry : stack) {
     if (entry.about != "state no-change") alike.clear();

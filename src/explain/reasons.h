@@ -18,8 +18,8 @@
 
 namespace soarbox::explain {
 
-/// Explains in sentences (wording/sentences.h) why a Soar program does something or does not. Costs nothing until it is
-/// asked.
+/// Explains in sentences (wording/sentences.h) why a Soar program does something or does not. Queries the kernel only
+/// during calls.
 class MindReasons {
  public:
   explicit MindReasons(sml::Agent& agent, std::vector<FailedRule> failed = {})
@@ -101,6 +101,8 @@ class MindReasons {
   std::vector<FailedRule> StillFailed();
   /// Describes the rules that failed to load: "rule x in hero.soar:7 failed to parse: ...". Empty if all loaded.
   std::string WhatFailed();
+  /// The state of the stack that a rule is about: for a rule for substates, the substate of the operator that it works
+  /// on, or the lowest state; for other rules, the substate in which its operator is selected, or the top state.
   std::string StateOf(const RuleText& rule);
   /// If a state above has a path that a substate lacks, says which state, and how to test it; else empty.
   std::string WhichStateAboveHas(const std::string& state, const std::vector<std::string>& path);

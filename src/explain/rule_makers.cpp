@@ -87,7 +87,7 @@ bool MustBeObject(const RuleText& rule, const std::vector<std::string>& path) {
       rule.paths, [&](const auto& variable) { return variable.second == path && IsObjectOf(rule, variable.first); });
 }
 
-/// Whether a rule is about the top state, a substate, or any state.
+/// The states that a rule is about: any state, only the top state, or only substates.
 enum class Level : std::uint8_t { kAny, kTop, kSub };
 
 Level LevelOf(const RuleText& rule, const std::vector<std::string>& path) {

@@ -12,7 +12,8 @@ namespace soarbox::explain {
 
 /// Whether a rule makes the element that a condition of another rule requires. Only kNo and kYes are certain.
 enum class Makes : std::uint8_t {
-  kNo,         ///< Another attribute, a value that fails the test, or only one of the two objects is a state.
+  kNo,  ///< It makes another attribute, a value that fails the test, or an element of another kind of object: the
+        ///< condition tests a state and the action changes no state, or the reverse.
   kElsewhere,  ///< It makes such an element at another path. That is the same object only if two paths lead to it.
   kMaybe,      ///< It makes the element at this path, with a value that is known only when it fires.
   kYes,        ///< It makes the element at this path, and each value that it makes passes the test.

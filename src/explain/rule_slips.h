@@ -24,7 +24,7 @@ struct Slip {
   std::string meant = {};  ///< The attribute that was probably meant; may be empty.
 };
 
-/// The names of places of a world. Rules that belong to no particular world may use any name.
+/// The names of places of a world. If `is_known` is false, rules may use any name.
 struct KnownPlaces {
   bool is_known = false;
   std::set<std::string> waypoints, regions;
@@ -57,10 +57,10 @@ struct KnownWords {
   std::set<std::string> scripts;     ///< All words of scripts in the folder of the rules: scripts may define percepts
                                      ///< and commands.
   KnownPlaces places = {};
-  bool has_database = false;               ///< Recalled objects may have any attribute.
-  bool complete = true;                    ///< All rules loaded; otherwise a rule that did not load may contain what
-                                           ///< seems to be missing.
-  SceneKinds scene = {};                   ///< Needed only if rules mention scenes.
+  bool has_database = false;  ///< Recalled objects may have any attribute.
+  bool complete = true;       ///< All rules loaded. If not, an attribute or operator that seems to be missing
+                              ///< may be in a rule that did not load.
+  SceneKinds scene = {};      ///< Needed only if rules mention scenes.
   std::set<std::string> made_values = {};  ///< "attribute value": values that actions of any rule of the folder make.
   bool own_world = false;  ///< The world is a game with percepts and commands of its own, to which the vocabulary does
                            ///< not apply.
@@ -108,7 +108,8 @@ std::vector<Slip> FindSlipsOfWorld(const std::vector<RuleText>& rules, const Kno
 /// test. The vocabulary is then not applied to them. Otherwise returns nothing.
 std::optional<Slip> FindOtherWorld(const std::vector<RuleText>& rules, const KnownWords& known);
 
-/// Runs all these searches and returns their findings, in the order of the searches.
+/// Runs all these searches and returns their findings. Leaves out a finding about a variable if an earlier search found
+/// something about the same variable of the rule. Searches for negations only if all rules loaded.
 std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords& known);
 
 /// Converts a slip to a warning with its position in the text of the file, in which comments are blanked. The warning

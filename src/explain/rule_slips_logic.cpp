@@ -346,7 +346,7 @@ bool IsForTheTop(const RuleText& rule) {
   });
 }
 
-/// For a rule that proposes for its own state, or tests its operator.
+/// Returns the kind of state that a rule is about. Callers check that the rule's operators belong to its own state.
 OperatorLevel LevelOf(const RuleText& rule) {
   if (IsForTheTop(rule)) return OperatorLevel::kTop;
   const bool is_below = std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
@@ -393,7 +393,7 @@ void FindAppliedElsewhere(const std::vector<RuleText>& rules, std::vector<Slip>&
   }
 }
 
-/// "^operator <o> +" in a rule that gives a command: an operator acts without being selected.
+/// "^operator <o> +" in a rule that gives a command: the command is given while the operator is only proposed.
 void FindActingProposals(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (rule.says.empty() || !rule.applies.empty() || !rule.works_on.empty()) return;
   for (const RuleAttribute& tested : rule.conditions) {

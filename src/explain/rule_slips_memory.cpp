@@ -139,8 +139,8 @@ std::string NumericValue(const RuleAttribute& action) {
   return word;
 }
 
-/// Finds agents that give reward, but whose numeric preferences are in rules with other actions, so that they are never
-/// updated.
+/// Finds numeric preferences in rules with other actions, if some rule gives reward. Reward does not change such a
+/// number: only a rule with one action learns.
 void FindNumbersThatStay(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (std::ranges::none_of(rules, GivesReward)) return;
   for (const RuleText& rule : rules) {

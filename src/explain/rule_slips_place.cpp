@@ -74,8 +74,8 @@ PlaceInText PlaceAt(const std::string& text, std::size_t at) {
           static_cast<int>(at - begin) + 1, text.substr(begin, std::min(text.find('\n', at), text.size()) - begin)};
 }
 
-/// The text of a rule after its name, without insignificant blanks. `end` is the name of the next rule: what follows
-/// the last brace before `sp {` is no part of it.
+/// The text of a rule after its name, without insignificant blanks, up to its closing brace. `end`: position of the
+/// name of the next rule, or the end of the text.
 std::string BodyOfRule(std::string_view text, std::size_t begin, std::size_t end) {
   std::string body;
   for (std::size_t at = begin; at < end; ++at) {
@@ -110,7 +110,7 @@ Diagnostic WarningAt(const RuleFile& file, std::size_t at, const std::string& ru
 }  // namespace
 
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
-  // Lines are only computed for names that occur twice.
+  // Stores positions, not lines: PlaceAt is slow and is called only for rules that get a warning.
   std::map<std::string, std::pair<const RuleFile*, std::size_t>> known;
   std::map<std::string, std::string> bodies;  // The first rule with this text.
   std::vector<Diagnostic> warnings;
@@ -156,7 +156,7 @@ std::vector<Slip> FindSlips(const std::vector<RuleText>& rules, const KnownWords
        {FindSlipsOfForm(rules), FindSlipsOfUse(rules), FindSlipsOfMeaning(rules, known), FindSlipsOfLogic(rules, known),
         FindSlipsOfUndoing(rules), known.complete ? FindSlipsOfNegation(rules) : std::vector<Slip>(),
         FindSlipsOfMemory(rules), FindSlipsOfImagery(rules, known.scene), FindSlipsOfWorld(rules, known)}) {
-    // The first search with a slip about a variable says what is wrong with it.
+    // Slips about a variable that an earlier search has reported are dropped.
     std::set<std::pair<std::string, std::string>> variables;
     for (const Slip& slip : some) {
       if (told.contains({slip.rule, slip.word})) continue;

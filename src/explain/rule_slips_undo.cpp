@@ -81,14 +81,14 @@ void FindRemovedAdditions(const RuleText& rule, const std::vector<RuleText>& rul
   for (const RuleAttribute& removal : rule.actions) {
     const Path place = removal.removes ? PlaceOf(rule.paths, removal) : Path();
     if (place.empty() || removal.attribute == "operator" || !RemovesAnyValue(rule, removal)) continue;
-    // It replaces the value, for example by one that is greater by 1.
+    // A rule that also adds a value replaces the old one, for example by one that is greater by 1.
     const PathMap own = MadePaths(rule);
     const bool replaces = std::ranges::any_of(
         rule.actions, [&](const RuleAttribute& action) { return !action.removes && PlaceOf(own, action) == place; });
     if (replaces) continue;
     for (const RuleText& other : rules) {
       if (other.name == rule.name || IsElaboration(other) || !ApplyTheSame(rule, other)) continue;
-      // They may belong to operators with different parameters.
+      // The two rules may apply operators of the same name with different parameters.
       if (!std::ranges::includes(OperatorTests(other), OperatorTests(rule))) continue;
       const PathMap made = MadePaths(other);
       const auto adds = std::ranges::find_if(other.actions, [&](const RuleAttribute& action) {

@@ -102,7 +102,7 @@ void FindSecondLinks(const RuleText& rule, std::vector<Slip>& slips) {
   for (const RuleAttribute& action : rule.actions) {
     if (action.attribute != "io" || !states.contains(action.id)) continue;
     const std::string made = FirstWord(action.value);
-    // Substates get the ^io of the state above.
+    // The rule may copy the ^io of a state above to a substate.
     if (IsBoundByConditions(rule, made)) continue;
     const bool reaches_output = std::ranges::any_of(
         rule.actions, [&](const RuleAttribute& other) { return other.id == made && other.attribute == "output-link"; });
@@ -139,7 +139,7 @@ void FindHeaps(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// A command that is created with a ^status counts as complete.
+/// A command that is created with a ^status: bodies treat it as answered and do not carry it out.
 void FindAnsweredCommands(const RuleText& rule, std::vector<Slip>& slips) {
   std::set<std::string> links, commands;
   for (const RuleAttribute& condition : rule.conditions)
@@ -301,13 +301,14 @@ void FindNumbersForSelected(const RuleText& rule, std::vector<Slip>& slips) {
     if (!is_selected || is_candidate) continue;
     slips.push_back({rule.name, "operator", true,
                      "rule " + rule.name + " gives a number to the operator that is selected already: numbers count " +
-                         "before, among the proposed ones",
+                         "only for proposed operators",
                      "test the proposal, with a + after it: ^operator " + id + " +"});
     return;
   }
 }
 
-/// "(state <s> ^operator.name mow) --> (<s> ^operator <o> +) (<o> ^name mow)": the first proposal never comes.
+/// "(state <s> ^operator.name mow) --> (<s> ^operator <o> +) (<o> ^name mow)": a rule proposes only the operator that
+/// is already selected, so the operator is never selected.
 void FindProposalsThatWaitForThemselves(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleText& rule : rules) {
     for (const std::string& name : rule.proposes) {
@@ -366,7 +367,7 @@ bool TestsStateAbove(const RuleText& rule) {
   });
 }
 
-/// "^superstate.operator.thing <t> ^io.input-link <in>": a state below another one has no ^io.
+/// "^superstate.operator.thing <t> ^io.input-link <in>": a substate has no ^io.
 void FindLinksBelow(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   for (const RuleAttribute& link : rule.conditions) {
     if (link.attribute != "io" || link.negated || !link.on_state) continue;

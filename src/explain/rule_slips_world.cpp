@@ -20,8 +20,8 @@ bool IsBelowInputLink(const std::vector<std::string>& path) {
   return link != path.end() && link != path.begin() && *(link - 1) == "io";
 }
 
-/// The constantly changing percept that a rule tests, such as "range"; empty if there is none. A rule that also tests
-/// the status of the movement stops matching when its command has begun.
+/// The constantly changing percept that a rule tests, such as "range"; empty if there is none. Also empty if the rule
+/// tests the status of the movement: such a rule stops matching when its command begins.
 std::string RestlessPercept(const RuleText& rule) {
   const PathMap& paths = rule.paths;
   std::string found;
@@ -29,7 +29,7 @@ std::string RestlessPercept(const RuleText& rule) {
     const auto path = paths.find(condition.id);
     if (path == paths.end()) continue;
     if (!IsBelowInputLink(path->second)) {
-      // An element that the operator itself adds to the state ends its proposal.
+      // The rule tests an element of the state as absent. The operator may add this element, which ends its proposal.
       if (condition.negated && path->second.empty()) return {};
       continue;
     }

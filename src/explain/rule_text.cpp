@@ -65,7 +65,7 @@ RuleAttribute AttributeOf(const mind::RuleActionFact& fact) {
   action.id = fact.id;
   action.attribute = fact.attribute;
   action.value = fact.value.starts_with('(') ? WithBracketsApart(fact.value) : fact.value;
-  // As rules are written: the preference matters only for operators.
+  // The sign + is written only for operators.
   if (fact.attribute == "operator" || fact.sign != "+") action.value += " " + fact.sign;
   if (!fact.referent.empty())
     action.value += " " + (fact.referent.starts_with('(') ? WithBracketsApart(fact.referent) : fact.referent);

@@ -40,7 +40,7 @@ struct RuleText {
   std::vector<RuleAttribute> conditions, actions;
   PathMap paths;  ///< Paths of the variables in its conditions.
 
-  /// Constant names of the operators that it proposes; contains "" if it proposes one whose name is not constant.
+  /// Constant names of the operators that it proposes; contains "" if one of them has no constant name in this rule.
   std::set<std::string> proposes;
   /// Names of the operators whose selection it tests; contains "" if it tests the selection of any operator.
   std::set<std::string> applies;

@@ -41,8 +41,8 @@ struct WhyNode {
 
 /// Returns the tree as lines; each level is indented by two more blanks.
 std::vector<std::string> Lines(const WhyNode& node, std::size_t indent = 0);
-/// The same for an agent's account, except that the first level below the account's first line is not indented. Empty
-/// without an account.
+/// Returns the lines of an agent's explanation (Simulation::Why). The steps below the first line are not indented;
+/// their own steps are. Empty if there is no explanation.
 std::vector<std::string> AccountLines(const std::optional<WhyNode>& account);
 
 }  // namespace soarbox::explain
