@@ -6,7 +6,9 @@
 namespace soarbox::workbench {
 
 bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks) {
-  constexpr std::size_t kParts = 4;  // As MissionWatch writes them.
+  // MissionWatch stores a check in the event's reasons: what is expected, the value found instead, the agent, and a
+  // text that is not empty if the check is a marker.
+  constexpr std::size_t kParts = 4;
   if (event.news != "check" || event.reasons.size() != kParts) return false;
   const auto known = std::ranges::find(checks, event.text, &CheckRow::name);
   CheckRow& row = known != checks.end() ? *known : checks.emplace_back();

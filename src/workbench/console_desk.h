@@ -32,7 +32,7 @@ class ConsoleDesk {
   void Complete(const CompleteRequest& request);
   void Keep(const KeepLineRequest& request) { unsent_[request.agent] = {request.line, true}; }
   void Clear(const std::string& agent) { ConsoleOf(agent).Clear(); }
-  /// Adds the output that other sources caused in a tick.
+  /// Adds a tick's events to the consoles of their agents.
   void Add(const sim::EventList& events);
   /// Saves unsent lines to the disk.
   void KeepDrafts();
@@ -42,7 +42,7 @@ class ConsoleDesk {
   /// A line that the user has typed but not sent.
   struct UnsentLine {
     std::string text;
-    bool has_draft = false;  ///< The draft on the disk differs from it.
+    bool has_draft = false;  ///< It has changed since the draft on the disk was written.
   };
 
   debugger::Console& ConsoleOf(const std::string& agent) { return consoles_.try_emplace(agent, agent).first->second; }
@@ -58,7 +58,7 @@ class ConsoleDesk {
   Drafts drafts_{Drafts::Folder()};
   std::map<std::string, debugger::Console> consoles_;
   std::uint64_t lines_ = 0;                   ///< Incremented for each new line.
-  std::map<std::string, UnsentLine> unsent_;  ///< By agent; only agents that were selected so far.
+  std::map<std::string, UnsentLine> unsent_;  ///< By agent: agents that were selected, or for which Keep was called.
   std::string completed_line_;
   debugger::Completion completion_;
 };

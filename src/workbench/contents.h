@@ -98,7 +98,7 @@ struct Moment {
 struct EditContents {
   std::string file;  ///< Empty: none.
   bool is_rules = true;
-  std::uint64_t version = 0;  ///< Incremented when the text comes from the disk and not from the panel.
+  std::uint64_t version = 0;  ///< Incremented when the text does not come from the panel, but from the file or a draft.
   std::string text;
   std::vector<Diagnostic> problems;  ///< Of the text that was last checked or applied.
   std::string notice;                ///< The result of the last request: "3 rules changed".

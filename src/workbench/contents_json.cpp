@@ -513,7 +513,7 @@ std::vector<std::string_view> ContentNames() {
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents) {
   std::vector<std::string_view> names = ContentNames();
   std::erase_if(names, [&](std::string_view name) {
-    // A page that has ghosts must be notified when they are gone.
+    // Ghosts are always sent, so that a page learns that they are gone.
     if (name == "moment" || name == "ghosts") return false;
     if (name == "offers") return contents.scenarios.empty() && contents.places.empty();
     return !panels.Has(*FindPanel(name));

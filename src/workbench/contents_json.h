@@ -29,7 +29,7 @@ std::span<const ContentField> ContentFields();
 
 /// "moment", "offers", "ghosts" and the words of the panels, in the order of the table.
 std::vector<std::string_view> ContentNames();
-/// The names of the contents that these panels need, and "moment"; also "offers" and "ghosts" if they are not empty.
+/// The names of the contents that these panels need, "moment" and "ghosts"; also "offers" if it is not empty.
 std::vector<std::string_view> ContentNames(const PanelSet& panels, const Contents& contents);
 
 /// The contents of this name; null if there are none.

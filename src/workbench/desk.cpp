@@ -110,7 +110,8 @@ void Desk::Prepare() {
   scripts_.Prepare();
   sim::Simulation& simulation = run_->simulation();
   breakpoints_.Prepare(simulation);
-  if (noted_agent_ == agent_ || past_.parting() != nullptr) return;  // Minds of another future record everything.
+  // After the run went back, its simulation is a rebuilt one, in which all minds record all details.
+  if (noted_agent_ == agent_ || past_.parting() != nullptr) return;
   // Breakpoints may still need the previous agent; they request details again in each frame.
   const sim::MindDetail least = std::max(sim::MindDetail::kDecisions, run_->LeastDetail());
   if (!noted_agent_.empty()) simulation.NoteMind(noted_agent_, least);
@@ -160,7 +161,7 @@ void Desk::ReadOn() {
   constexpr auto kSlice = std::chrono::milliseconds(12);
   const Clock::time_point begin = Clock::now();
   const auto is_out_of_time = [&] { return Clock::now() - begin > kSlice; };
-  // Damaged ticks are skipped; they are reported where the scene is drawn.
+  // Damaged ticks are skipped. PastScene reports the first one that is shown.
   const std::uint64_t shown = past_.shown_tick();
   if (!recorded_.empty() && recorded_.last_tick() > shown) recorded_.Clear();
   while (!is_out_of_time()) {
@@ -209,7 +210,7 @@ bool Desk::HasMind(const std::string& agent) {
   if (agent.empty()) return false;
   if (const sim::Simulation* live = common_.Live()) return live->HasMind(agent);
   if (const sim::Simulation* past = past_.rebuilt().world()) return past->HasMind(agent);
-  // Before the recording is read that far, the agent is assumed to have a mind.
+  // Until the recording is read up to the shown tick, the agent is assumed to have a mind.
   const bool is_known = HasReadOn() && recording_->header().level != record::Level::kWorld;
   return !is_known || recorded_.Find(agent) != nullptr;
 }

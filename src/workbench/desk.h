@@ -36,7 +36,7 @@ namespace soarbox::workbench {
 /// contents of the visible panels when the tick or the user's selection has changed. It also shows recordings, in which
 /// every tick is past.
 ///
-/// A desk never changes the run, unless a request of the user does.
+/// A desk changes the run only if a request of the user does.
 ///
 ///   Desk desk(run, header, scenario, settings, surroundings);
 ///   Contents contents;
@@ -71,16 +71,17 @@ class Desk {
   bool WasHit() const { return !hits_.empty() && hit_is_new_; }
   /// Carries out requests and updates the contents of the visible panels. Call it in each frame, or a few times per
   /// second, always with the same `contents`. Returns false if only `moment` may have changed. While a script is
-  /// stopped, only the contents of the panels Script, Edit and Problems are updated, and requests that would read or
-  /// advance the world are refused.
+  /// stopped, only the contents of the panels Script, Edit, Problems and Breakpoints are updated. Requests that would
+  /// read a mind, or go to another tick, are refused then.
   bool Serve(const std::vector<Request>& requests, Contents& contents);
   /// The name of the agent with this id in the scene that is shown; empty if there is none.
   std::string NameOf(std::uint32_t agent_id);
   /// Adds a problem to the list.
   void NoteProblem(Diagnostic diagnostic, std::string agent);
-  /// The scene to draw instead of the live one; null while the newest tick is shown.
+  /// The scene to draw instead of the live one; null while a live run shows its newest tick. Never null for a
+  /// recording.
   const world::SceneSnapshot* PastScene();
-  /// Whether reading and simulating again have finished, so that Serve would fill in the same contents again.
+  /// Whether the recording is read and the past is rebuilt, so that Serve would fill in the same contents again.
   bool IsSettled();
   /// Call it when the world runs again. Clears the hit breakpoints and shows the newest tick.
   void GoOn();
@@ -115,7 +116,8 @@ class Desk {
   struct Visitor;
 
   // Contents of the panels (desk_contents.cpp).
-  /// Selects another agent if the user wants one, and clears the questions about the previous one.
+  /// Selects `wanted_agent_` if the shown scene has it, else no agent. If the agent changes, clears what was selected
+  /// of the previous one.
   void LookAtAgent(Contents& contents);
   bool ServeStopped(const std::vector<Request>& requests, Contents& contents);
   void Refresh(Contents& contents);
@@ -179,8 +181,8 @@ class Desk {
   std::string agent_;
   std::string noted_agent_;  ///< The agent whose mind records all details.
   std::string state_, search_, rule_;
-  std::vector<std::string> watches_, beside_;  ///< The watches, and the agents that they apply to; without agents: the
-                                               ///< selected one.
+  std::vector<std::string> watches_, beside_;  ///< The watches, and the agents whose values and minds are shown. If
+                                               ///< there are no such agents: the selected one.
   std::map<std::pair<std::string, std::string>, WatchRow::Cell> watched_;  ///< By watch and agent: the cell that was
                                                                            ///< shown last.
   std::set<std::string> open_objects_;
@@ -203,7 +205,7 @@ class Desk {
   ImagineRequest imagined_;
   Clock::time_point kept_drafts_, read_recent_;
 
-  bool is_stale_ = true;  ///< The user's last requests are not yet reflected in the contents.
+  bool is_stale_ = true;  ///< The contents have to be filled in again, even if the shown tick is the same.
   std::uint64_t refreshed_tick_ = ~std::uint64_t{0};
   PanelSet refreshed_panels_;
   std::string refreshed_note_;

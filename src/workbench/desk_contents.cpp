@@ -62,7 +62,7 @@ void Desk::LookAtAgent(Contents& contents) {
   why_ = {};
   imagined_ = {};
   contents.coverage.clear();
-  // Details of the agent are recorded from now on.
+  // The agent's coverage is counted from now on; it begins with what the model has counted so far.
   if (!agent_.empty()) coverage_.try_emplace(agent_, models_.coverage[agent_]);
   is_stale_ = true;
 }

@@ -27,24 +27,25 @@ class FileDesk {
   Belongings Take();
   void Bring(Belongings belongings);
 
-  /// Opens a file of the run. Opens other files only if the user may browse.
+  /// Opens a file of the run. Opens another file only if the user may browse, or if the file belongs to the user.
   void Edit(const EditRequest& request, const std::string& agent);
   void Change(const EditTextRequest& request);
   void SaveAll();
   bool HasUnsaved() const;
   /// The present text of an open file.
   std::optional<std::string> TextOf(const std::string& file) const;
-  /// Call it before requests. Shows a draft after the file itself has been shown, so that the user can undo to the
-  /// file.
+  /// Call it before requests. If the file was opened in the last call and there is a draft, replaces the text by the
+  /// draft. So the editor gets the text of the file first, and Undo can return to it.
   void ShowDraft();
-  /// Call it after requests. Reloads files that waited for a rebuilt world, and takes over changes by other programs.
+  /// Call it after requests. Applies texts that waited for a rebuilt world. Reads the shown file again if another
+  /// program has written it.
   void GoOn();
   /// Stores unsaved text on the disk.
   void KeepDrafts();
   /// Returns true once after each change that no request made.
   bool TakeNews() { return std::exchange(has_news_, false); }
   void Fill(Contents& contents) const;
-  /// An open file whose present text is what runs; null if there is none.
+  /// An open file, if the run uses its present text; else null.
   const debugger::Edit* FindRunning(const std::string& file) const;
 
  private:
@@ -52,7 +53,7 @@ class FileDesk {
   struct Open {
     debugger::Edit edit;
     EditContents contents;
-    bool has_draft = false;                      ///< The draft on the disk differs from the text.
+    bool has_draft = false;                      ///< The text has changed since the draft on the disk was written.
     std::string failure = {};                    ///< Why it could not be saved.
     std::optional<std::uint64_t> apply_at = {};  ///< Apply the text to the minds of this tick once they are rebuilt.
     std::optional<std::string> draft = {};       ///< A draft to show after the file itself has been shown.

@@ -47,7 +47,8 @@ inline constexpr const FlowInfo& InfoOf(Flow flow) {
   return kFlowInfos[static_cast<std::size_t>(flow)];
 }
 
-/// Whether a page can request this command. Its requests say "pause" and "go-on"; only a window can be closed.
+/// Whether a page can request this command. A page requests "pause" and "go-on" instead of kTogglePause, and cannot
+/// quit.
 inline constexpr bool IsRequest(Flow flow) {
   return flow != Flow::kTogglePause && flow != Flow::kQuit;
 }

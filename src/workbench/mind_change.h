@@ -12,7 +12,8 @@ namespace soarbox::workbench {
 /// The last command that a mind gave in a tick, or its result; empty if there is none.
 std::string LastCommand(const mind::EventLog& events);
 
-/// Waits until an agent's operators, goal stack or command change.
+/// Waits until an agent's selected operators or impasses change, or it gives a command; for at most 3,600 ticks.
+/// Operator no-changes do not count as impasses: they are normal while a command takes time.
 class MindChange {
  public:
   /// Starts to wait. Returns an error message, or an empty string.
@@ -23,8 +24,8 @@ class MindChange {
   }
   /// Call it after each tick.
   void Look(sim::Simulation& live, const record::TickRecord& tick);
-  /// Returns one sentence: what changed in the last tick, or that nothing has changed for a long time. Each sentence is
-  /// returned once.
+  /// Returns a sentence when the wait has ended: what changed, or that nothing has. Empty before that, and in later
+  /// calls.
   std::string Take();
 
  private:

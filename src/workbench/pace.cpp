@@ -10,8 +10,8 @@ namespace soarbox::workbench {
 namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// Maximum time that one frame adds to the time to simulate, and maximum duration of the ticks between two frames. A
-/// slow machine therefore slows the world down instead of falling behind further and further.
+/// Maximum real time that one frame adds to the time to simulate, and maximum duration of the ticks between two frames.
+/// Without these limits, the ticks that are due on a slow machine would become more with each frame.
 constexpr auto kLongestFrame = std::chrono::milliseconds(250);
 constexpr auto kLongestTicks = std::chrono::milliseconds(100);
 /// Without a speed limit, the window still draws 25 frames per second.

@@ -10,9 +10,9 @@ namespace soarbox::workbench {
 
 /// Converts real time to ticks that are due, at a speed that the user controls.
 ///
-/// The world does not wait for frames. Of the real time since the last frame, at most a quarter of a second counts. The
-/// due ticks run for at most a tenth of a second (OutOfTime). The remaining ticks are dropped, so that the window stays
-/// responsive.
+/// Of the real time since the last frame, at most a quarter of a second counts. The due ticks may run for a tenth of a
+/// second (OutOfTime), without a speed limit for 40 ms. The remaining ticks are dropped, so that the window stays
+/// responsive. On a slow machine, the world is therefore slower than real time.
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
@@ -28,7 +28,8 @@ class Pace {
   int TicksDue(double step_s, std::uint64_t tick = 0, int turn_ticks = 1);
   /// Whether the ticks since TicksDue have taken so long that the next frame is due.
   bool OutOfTime() const;
-  /// Reports how many of the due ticks were not run. The rest of a turn that is being stepped is run in later frames.
+  /// The caller reports how many of the due ticks it has not run. They are due again if they belong to a turn that is
+  /// being stepped; else they are dropped.
   void Owe(int ticks);
   /// Ignores the real time since the last call of TicksDue, because something else used it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }
@@ -48,8 +49,8 @@ class Pace {
   bool paused_ = false;
   bool quit_ = false;
   int steps_ = 0, turns_ = 0;
-  bool is_turn_ = false;  ///< Whole turns are stepped.
-  double earned_s_ = 0;
+  bool is_turn_ = false;  ///< The ticks of `steps_` belong to a turn.
+  double earned_s_ = 0;   ///< Simulated time that has not become a due tick yet.
   Clock::time_point last_ = Clock::now();
 };
 

@@ -13,7 +13,7 @@ void RebuiltWorld::Aim(std::uint64_t tick) {
     trouble_.clear();
     branch_.reset();
   } else if (branch_ != nullptr && (branch_->tick() > tick || std::exchange(is_spoilt_, false))) {
-    // A branch cannot go back.
+    // A branch cannot go back to an earlier tick, and the user may have changed this one.
     branch_.reset();
   }
 }

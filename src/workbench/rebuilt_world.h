@@ -18,8 +18,8 @@ class RebuiltWorld {
   /// Starts a branch that simulates up to a tick.
   using Begin = std::function<Result<std::unique_ptr<record::Branch>>(std::uint64_t tick)>;
   enum class Way : std::uint8_t {
-    kToOneTick,  ///< Another tick needs a new branch.
-    kOnward,     ///< The same branch continues to later ticks. An error on it is final.
+    kToOneTick,  ///< Each requested tick needs a new branch.
+    kOnward,     ///< The branch continues to later ticks. After an error, no other tick is rebuilt.
   };
   RebuiltWorld(Way way, Begin begin) : way_(way), begin_(std::move(begin)) {}
 

@@ -52,7 +52,7 @@ struct SeekRequest {
 struct LiveRequest {};
 /// Continue the run from the tick that is shown. The later ticks become the old future.
 struct ResumeRequest {};
-/// In simulated seconds per second.
+/// Set the speed of the world, in simulated seconds per second.
 struct SpeedRequest {
   double speed = 1;
 };

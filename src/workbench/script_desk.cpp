@@ -96,7 +96,7 @@ void ScriptDesk::Wait() {
   is_in_tick_ = true;
   wait_();
   is_in_tick_ = false;
-  // A program that cannot wait any longer lets the script continue.
+  // The function returned although the script is stopped: the script continues.
   if (is_stopped()) Leave();
   has_news_ = true;
 }

@@ -21,14 +21,14 @@ namespace soarbox::workbench {
 
 /// The lines at which scripts of the run stop, and the script that is stopped in the middle of a tick.
 ///
-/// While a script is stopped, the program around the desk serves the user inside the tick. Scripts stop only in ticks
-/// for which Prepare was called.
+/// While a script is stopped, the tick does not end: the function of SetWait serves the user inside it. Scripts stop
+/// only in ticks for which Prepare was called.
 class ScriptDesk {
  public:
   ScriptDesk(const DeskCommon& common, FileDesk& files) : common_(common), files_(files) {}
 
-  /// What serves the user, with Desk::Serve, while a script is stopped: it returns when is_stopped() is false or the
-  /// user is gone. Without it, scripts cannot stop.
+  /// Sets the function that is called when a script stops. It calls Desk::Serve until is_stopped() is false, or the
+  /// user is gone. Without this function, scripts cannot stop.
   void SetWait(std::function<void()> wait);
   /// Observes the scripts of the present simulation.
   void Observe();
@@ -67,14 +67,16 @@ class ScriptDesk {
   void Fill(Contents& contents, bool is_visible);
 
  private:
-  /// False if somebody else observes the scripts, for example a profiler.
+  /// False for a recording, without a function of SetWait, and while another observer observes the scripts, for example
+  /// a profiler.
   bool CanStop() const;
-  /// A script has stopped.
+  /// Called when a script stops: calls the function of SetWait.
   void Wait();
-  /// The name that the run uses for a file: of the file with this path, or with this name if it is no path.
+  /// The name that the run uses for the script with this path or file name. Returns `file` if the run has no such
+  /// script.
   std::string FileOf(const std::string& file);
-  /// Whether this is the name of a script of the run. Scripts choose the names of the chunks that they load, so a name
-  /// may be that of any file.
+  /// Whether this is the name of a script of the run. The name of a stop may be any text, because scripts choose the
+  /// names of the chunks that they load. Files that are not of the run must not be shown.
   bool IsOfRun(const std::string& file);
 
   const DeskCommon& common_;

@@ -31,7 +31,8 @@ class Lessons {
   virtual void Fill(Contents& contents) const = 0;
 };
 
-/// The services that the program around a desk provides. The defaults say that the service is not available.
+/// The services that the program around a desk provides. By default, optional services are not available, and the user
+/// may write all files.
 class Surroundings {
  public:
   virtual ~Surroundings() = default;

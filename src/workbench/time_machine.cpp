@@ -33,7 +33,7 @@ TimeMachine::TimeMachine(record::TickSource& recording, const sim::DataFolders& 
       last_(last),
       shown_(first),
       rebuilt_(RebuiltWorld::Way::kOnward, [this, data](std::uint64_t) {
-        // Continues from the shown tick to the end of the recording.
+        // The branch can continue to the end of the recording, whatever tick is requested first.
         auto begun = record::Branch::Begin(*recording_, data, recording_->last_tick());
         if (begun && !std::exchange(has_warned_, true)) warnings_ = (*begun)->warnings();
         return begun;

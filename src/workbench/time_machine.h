@@ -53,7 +53,7 @@ class TimeMachine {
   /// The record of any tick; null if it cannot be read. Valid until the next call.
   const record::TickRecord* At(std::uint64_t tick);
 
-  /// The rebuilt world of the tick that is shown. Not used while live.
+  /// The rebuilt world of the tick that is shown. Has no world while the newest tick of a live run is shown.
   RebuiltWorld& rebuilt() { return rebuilt_; }
   const RebuiltWorld& rebuilt() const { return rebuilt_; }
 

@@ -102,12 +102,12 @@ struct Form {
   bool repeats = false;      ///< Users send it several times in a row: the field keeps the keyboard focus.
 };
 
-/// An action of the rows of a table or tree: a request, one field of which gets a row's key or one of its arguments.
+/// The action of a click on a row of a table or tree. One field of its request is set to the row's key, or to one of
+/// the row's arguments.
 struct RowAction {
   Action action;
   std::string_view field = {};  ///< The field of the request.
-  std::size_t argument = 0;     ///< 0: the row's key; n: its n-th argument. Rows without that argument have no such
-                                ///< action.
+  std::size_t argument = 0;     ///< 0: the row's key; n: its n-th argument. Rows without that argument have no action.
 };
 
 struct Column {
@@ -226,7 +226,7 @@ struct Tabs {
   std::string key;
   std::vector<Page> pages;
   std::size_t first = 0;    ///< The page that is shown until the user selects one.
-  std::string reason = {};  ///< When this text changes, the first page is shown again; empty: it never changes.
+  std::string reason = {};  ///< When this text changes, renderers show the page `first` again.
 };
 
 /// Sections side by side.
@@ -242,7 +242,7 @@ struct Facts {
 struct Node {
   std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Section, Tabs, Columns, Facts> is;
   template <typename Kind>
-  Node(Kind kind) : is(std::move(kind)) {}  // NOLINT: a node is made from what it is.
+  Node(Kind kind) : is(std::move(kind)) {}  // NOLINT: parts are converted to nodes implicitly.
 };
 
 }  // namespace soarbox::workbench::document

@@ -28,7 +28,7 @@ void Set(Json& json, const char* name, const std::string& text) {
 }
 
 /// A plain text is a string; other spans are [text, role], and with an action or a tooltip [text, role, action, hint].
-/// A tick can replace the text: its time, which links to it.
+/// For a span with a tick, the number of the tick replaces the text.
 Json SpanJson(const Span& span) {
   if (span.tick) {
     Json json = Json::array({*span.tick});

@@ -98,14 +98,14 @@ Nodes Recalled(const Contents& contents) {
                  TextCell(recall->question),
                  {AnswerOf(*recall)},
                  TextCell(recall->reason, Role::kQuiet)};
-    // Later than the shown moment.
+    // The recall happened after the shown moment.
     if (recall->tick > contents.moment.shown_tick) row.cells[0].spans[0].role = Role::kQuiet;
     table.rows.push_back(std::move(row));
   }
   return {std::move(table)};
 }
 
-/// The episodes from the first to the last that are like this one; nothing happened between them.
+/// The first and the last of the successive episodes that have the same contents as this one.
 std::pair<std::size_t, std::size_t> AlikeAround(const mind::LongTermFacts& facts, std::size_t episode) {
   if (facts.changed.empty()) return {episode, episode};
   const auto after = std::ranges::upper_bound(facts.changed, episode);

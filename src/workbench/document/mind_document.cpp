@@ -89,7 +89,7 @@ void AddRows(const OperatorRow& one, Table& table) {
   row.key = one.id;
   row.folds = true;
   row.hint = "Unfold it to see each preference and the rule that made it";
-  // The attributes that distinguish it from others of its name.
+  // `about`: the attributes that distinguish the operator from others of the same name.
   const std::string about = one.about.empty() || one.verdict.empty() ? one.about : one.about + ": ";
   row.cells = {TextCell(TitleOf(one), role), TextCell(about + one.verdict, one.selected ? Role::kGood : Role::kQuiet)};
   if (table.columns.size() > 2) {

@@ -148,7 +148,7 @@ Section Story(const Contents& contents, const debugger::RuleView& view) {
   if (!rule.documentation.empty()) section.nodes.push_back(Text(rule.documentation));
   AddMatch(view.match, section.nodes);
   AddMatches(view.match.facts, section.nodes);
-  // In the author's notation if a file has the rule; typed and learned rules as they are printed.
+  // The text of the rule's file if there is one; typed and learned rules are shown as Soar prints them.
   if (!text.empty())
     section.nodes.push_back(Code{text, contents.rule_text.empty() ? view.tokens : debugger::Tokenize(text)});
   return section;
