@@ -202,7 +202,7 @@ void Breakpoints::Prepare(sim::Simulation& simulation) {
 std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const sim::MindReport& report) {
   const NumberTest test = *ReadNumberTest(point.what);
   std::optional<std::string> first;
-  // All elements of the tick are tested, because the next tick is compared with the last of them.
+  // Tests all elements of the tick, also after a hit: held_ must contain the last value for the next tick.
   report.events.ForEachOf<mind::ElementChanged>([&](const mind::ElementChanged& element) {
     if (!element.added || element.is_object || !IsLikePattern(element.attribute, test.attribute) ||
         !IsLikePattern(element.id, test.id))

@@ -40,7 +40,7 @@ struct BreakKindWords {
 /// In the order of BreakKind.
 inline constexpr BreakKindWords kBreakKinds[] = {
     {"fire", "a rule fires", "the rule's name; * for anything"},
-    {"match", "a rule matches", "the rule's name; * for anything"},
+    {"match", "a rule matches", "the rule's complete name"},
     {"element", "an element appears", "* ^attribute value"},
     {"removed", "an element is removed", "* ^attribute value"},
     {"number", "a number passes a limit", "^health < 20"},
@@ -60,8 +60,8 @@ std::optional<BreakKind> BreakKindNamed(std::string_view name);
 struct Breakpoint {
   int number = 0;
   BreakKind kind = BreakKind::kFire;
-  std::string agent;  ///< Empty: any agent with a Soar mind.
-  std::string what;   ///< The pattern; words may contain * for any text.
+  std::string agent;  ///< Empty: any agent with a Soar mind; for kDeath, any agent.
+  std::string what;   ///< The pattern; words may contain * for any text. For kImpasse, a part of the impasse's name.
   bool enabled = true;
   std::uint64_t hits = 0;
 };
@@ -77,8 +77,8 @@ struct BreakHit {
 /// hit.
 class Breakpoints {
  public:
-  /// Adds a breakpoint and returns its number. Fails if the pattern can match nothing: no name of a rule, an element
-  /// without an attribute, no number to compare with.
+  /// Adds a breakpoint and returns its number. Fails if the pattern has not the form of its kind: it needs the name of
+  /// a rule, an element with an attribute, a comparison with a number, or a time above 0.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
   bool Clear(int number);
   void ClearAll() { list_.clear(); }

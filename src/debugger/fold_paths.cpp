@@ -25,8 +25,7 @@ std::optional<Parts> TakeApart(const std::string& text) {
   if (caret == std::string::npos || open == std::string::npos || open > caret || text.back() != ')')
     return std::nullopt;
   if (text.find(" ^", caret + 1) != std::string::npos)
-    return std::nullopt;  // Several attributes: not part of a
-                          // generated path.
+    return std::nullopt;  // Several attributes: the kernel generates none.
   Parts parts;
   const std::size_t id = text.rfind(' ', caret - 1);
   const std::size_t begin = id == std::string::npos || id < open ? open + 1 : id + 1;

@@ -257,7 +257,7 @@ std::optional<WhyNode> WhyRecord(explain::Inspector& mind, std::string_view reco
   if (source == nullptr) return std::nullopt;
   const std::string all = source->SceneFacts(), with_record = "\"record\":\"" + std::string(record) + "\"";
   std::string_view facts = all;
-  // Only one of many lines contains the record; the others are not parsed.
+  // Parses only lines that contain the name of the record.
   while (const std::optional<FactLine> line = NextFact(facts, with_record)) {
     const SceneExtractRow extract = ReadExtract(line->name, line->object);
     for (const SceneValueRow& value : extract.values) {

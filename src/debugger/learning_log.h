@@ -41,14 +41,14 @@ class LearningLog {
   const std::deque<LearnedRule>& rules() const { return rules_; }  ///< The oldest first; the last 20,000.
   /// Returns null if no tick is known for the rule.
   const LearnedRule* Find(std::string_view rule) const;
-  /// The values of rules that learn by reward, each from its first change on. If there are too many points, the older
-  /// half is thinned out.
+  /// The values of rules that learn by reward, each from its first change on. Above 1,000 points of a rule, every
+  /// second point of the older half is removed.
   const std::map<std::string, Points, std::less<>>& values() const { return values_; }
-  const Points& rewards() const { return rewards_; }  ///< The total up to each tick.
-  const std::deque<RewardEpisode>& episodes() const {
-    return episodes_;
-  }  ///< Episodes that have ended; the last
-     ///< 2,000.
+  const Points& rewards() const {
+    return rewards_;
+  }  ///< The total reward up to each tick; thinned out in the same way.
+  /// Episodes that have ended; the last 2,000.
+  const std::deque<RewardEpisode>& episodes() const { return episodes_; }
   bool empty() const { return rules_.empty() && values_.empty() && rewards_.empty(); }
 
  private:

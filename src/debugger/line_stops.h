@@ -50,9 +50,9 @@ struct StoppedScript {
 
 /// The lines at which the scripts of a run stop, and the script that is stopped.
 ///
-/// A script stops in the middle of a tick, inside a call of `wait`, and continues when `wait` returns. Meanwhile
-/// nothing else of the simulation advances. Limits of scripts count instructions and not time, so a stop uses none of
-/// them. Stops never change what a run does. Used by the run's thread.
+/// A script stops in the middle of a tick: it calls `wait`, and continues when `wait` returns. Meanwhile nothing else
+/// of the simulation advances. A stop does not count for the limits of scripts, because these count instructions. Stops
+/// never change what a run does. Used by the run's thread.
 class LineStops {
  public:
   explicit LineStops(std::function<void()> wait) : wait_(std::move(wait)) { debugger_.SetEnabled(false); }
@@ -63,7 +63,8 @@ class LineStops {
   void SetEnabled(bool enabled) { debugger_.SetEnabled(enabled); }
 
   /// Sets a stop at this line of a file with this text, or at the next line that a function executes. Returns the line.
-  /// Fails if there is none. Lines outside of functions are executed only when a script is loaded.
+  /// Fails if there is no such line, or if there are 200 stops. Lines outside of functions do not count: they are
+  /// executed only when the script is loaded.
   Result<int> Set(const std::string& file, std::string_view text, int line);
   void Clear(const std::string& file, int line);
   /// Sets stops that Set has accepted before.
@@ -75,9 +76,9 @@ class LineStops {
   bool is_stopped() const { return is_stopped_; }
   /// Lets the stopped script continue.
   void GoOn(script::ScriptStep step);
-  /// Lets the stopped script continue. Scripts do not stop again until SetEnabled.
+  /// Lets the stopped script continue. Scripts do not stop again until SetEnabled(true).
   void Leave();
-  /// The file and line of the innermost call of the stopped script.
+  /// The file and line of the innermost call of the stopped script that is in a file; empty and 0 if there is none.
   LineStop Place();
   /// What the stopped script shows. `call`: the call whose variables are shown; `open`: keys of unfolded rows.
   StoppedScript Look(std::size_t call, const std::set<std::string>& open, const std::vector<std::string>& watches);

@@ -26,7 +26,7 @@ std::string Who(const OperatorRow& row) {
   return NameAndId(row.name, row.id);
 }
 
-/// The view of a recorded decision, in the words of `wording`.
+/// Fills in a view from a recorded decision: verdicts of the operators, and the sentence.
 class Account {
  public:
   Account(const mind::Decision& decision, OperatorsView& view) : decision_(decision), view_(view) {}
@@ -67,7 +67,7 @@ class Account {
       row.verdict = Say(is_tie ? Situation::kIsTied : contradicts ? Situation::kIsContradicted : Situation::kCouldWin);
     }
     if (!decision_.is_forced) return;
-    // Chance had no influence.
+    // The command `decide select` forced the selection, so there was no probability.
     row.probability.reset();
     if (row.selected) row.verdict = "selected";
   }
@@ -137,7 +137,7 @@ void TellWithout(OperatorsView& view) {
   }
 }
 
-/// The attributes of an operator except its name: "north", or "W1 (north)" for an object with a name.
+/// Values of an operator's attributes except its name: "north", or "W1 (north)" for an object with a name.
 using Features = std::map<std::string, std::string>;
 
 Features FeaturesOf(explain::Inspector& mind, const std::string& op) {

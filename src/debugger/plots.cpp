@@ -123,7 +123,7 @@ std::optional<double> ValueIn(const record::TickRecord& tick, std::string_view a
                     percept->second);
 }
 
-/// See Plots::kMostPoints.
+/// Reduces the older half of the points if there are more than `most` (Plots::kMostPoints).
 void ThinOut(std::deque<PlotPoint>& points, std::size_t most) {
   if (points.size() <= most) return;
   constexpr std::size_t kGroup = 4;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostRecalls = 2000;
 
-/// By object and attribute: constants, and objects.
+/// The constants of an episode, and the objects that an object leads to: by object and attribute.
 using Values = std::map<std::uint32_t, std::map<std::string, std::string>>;
 using Links = std::map<std::uint32_t, std::map<std::string, std::uint32_t>>;
 
@@ -85,9 +85,8 @@ EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number) {
   const std::vector<explain::RememberedFact> facts = source->Episode(number);
   if (facts.empty()) return view;
   view.number = number;
-  // Objects in the order in which they are reached, each with the first path to it.
-  std::map<std::uint32_t, std::string> paths{{0, ""}};
-  std::map<std::uint32_t, std::string> ways;  // The attribute that leads there.
+  std::map<std::uint32_t, std::string> paths{{0, ""}};  // By object: the first path that leads to it.
+  std::map<std::uint32_t, std::string> ways;            // By object: the last attribute of that path.
   Values values;
   Links links;
   for (const explain::RememberedFact& fact : facts) {

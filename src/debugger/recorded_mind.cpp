@@ -107,8 +107,8 @@ class MindReader {
       mind_.stack.resize(static_cast<std::size_t>(std::max(levels, 0)));
     mind_.accounts.erase(mind_.accounts.upper_bound(levels), mind_.accounts.end());
   }
-  /// Adds missing states above a level. The top state is created before anyone observes the mind, and a recording may
-  /// begin in the middle of a run. Their names are not known.
+  /// Adds missing states down to this level. Events do not report the top state, which exists before a mind is
+  /// observed, nor states that were made before the recording began. Their names are not known, except S1.
   void Assume(int levels) {
     while (static_cast<int>(mind_.stack.size()) < levels) {
       explain::StateFact& state = mind_.stack.emplace_back();
@@ -137,7 +137,7 @@ const RecordedMind::Account* AccountOf(const RecordedMind& mind, const explain::
   return found == mind.accounts.end() ? nullptr : &found->second;
 }
 
-/// Converts a preference of a decision to the form of living minds.
+/// Converts a preference of a recorded decision to the form in which Inspectors return it.
 explain::PreferenceFact FactOf(const mind::Decision& decision, const mind::Decision::Preference& preference) {
   constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
       {"acceptable", "+"}, {"require", "!"}, {"reject", "-"},      {"prohibit", "~"}, {"best", ">"}, {"worst", "<"},
@@ -164,8 +164,8 @@ class RecordInspector final : public explain::Inspector {
     const explain::ElementFact* io = FindElement("S1", "io");
     const explain::ElementFact* input = io == nullptr ? nullptr : FindElement(io->value, kInput);
     const explain::ElementFact* output = io == nullptr ? nullptr : FindElement(io->value, kOutput);
-    // Soar creates the links with the agent, before events are recorded; their names are always the same. If memory is
-    // not recorded, percepts and commands are shown in place of the links' elements.
+    // Soar creates the links with the agent, before events are recorded; their names are always I2 and I3. If memory is
+    // not recorded, recorded percepts and commands are shown as elements of the links.
     const bool has_memory = !mind.elements.empty();
     input_ = input != nullptr ? input->value : std::string(has_memory ? "I2" : kInput);
     output_ = output != nullptr ? output->value : std::string(has_memory ? "I3" : kOutput);
@@ -217,7 +217,8 @@ class RecordInspector final : public explain::Inspector {
   std::vector<explain::MakerFact> MakersOf(std::uint64_t) override { return {}; }
   std::vector<explain::TesterFact> TestersOf(std::uint64_t) override { return {}; }
 
-  /// If memory is recorded, it contains the candidates, but not the other preferences.
+  /// Without a recorded decision, only proposals are known: the selected operator, and acceptable elements of recorded
+  /// memory.
   explain::OperatorFacts Operators(std::string_view state) override {
     explain::OperatorFacts facts;
     for (const explain::StateFact& level : mind_.stack) {
@@ -440,7 +441,7 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
     const RecordedMind::Account* account = AccountOf(mind, state);
     const std::optional<mind::Decision> decision = DecisionOf(account);
     if (state.operator_id.empty()) {
-      // Impasses have reasons, too.
+      // The recorded decision says why no operator was selected.
       if (!decision) continue;
       if (std::string why = wording::WhyNothing(*decision); !why.empty())
         root.below.push_back({"no operator is selected in " + state.id + ": " + why, WhyKind::kReason, "", {}});

@@ -66,7 +66,7 @@ std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
 }
 
 Result<void> Edit::Save() {
-  // Writes atomically, so that a full disk does not destroy the old file.
+  // Writes a second file and renames it, so that a full disk does not destroy the old file.
   namespace fs = std::filesystem;
   std::error_code error, ignored;
   fs::path target = fs::canonical(file_.file, error);

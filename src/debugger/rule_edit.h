@@ -13,7 +13,7 @@
 
 namespace soarbox::debugger {
 
-/// A file of rules or a script that a user edits while the world runs.
+/// A file of rules, a script or a scenario file that a user edits while the world runs.
 class Edit {
  public:
   /// Reads the file; fails if it cannot.
@@ -32,9 +32,10 @@ class Edit {
   /// Returns the errors in the text, with lines. Changes nothing.
   std::vector<Diagnostic> Check() const;
   /// Submits the text to the simulation, for all agents that use this file. It takes effect in the next tick. Does
-  /// nothing if the text has errors or is a scenario file. Returns the result of Check.
+  /// nothing if there are errors, or for a scenario file. Returns the result of Check, with a further error if the user
+  /// has deleted the entire text.
   std::vector<Diagnostic> Apply(sim::Simulation& simulation);
-  /// Writes the file.
+  /// Writes the file. The running world then loads it, unless it has errors.
   Result<void> Save();
   /// Call it when the world was restarted, which loads the files again.
   void BeginAgain() { running_ = saved_; }
@@ -42,12 +43,13 @@ class Edit {
   void Revert() { text_ = saved_; }
 
   enum class Disk : std::uint8_t {
-    kSame,     ///< No other program has changed the file.
+    kSame,     ///< No other program has changed the file, or it cannot be read.
     kTaken,    ///< Another program has changed the file. The text was unchanged and now has the new contents.
     kDiffers,  ///< Another program has changed the file, and the text has unsaved changes. The text stays; Revert
                ///< replaces it by the file.
   };
-  /// Checks whether another program has changed the file. The running world has loaded the new contents by then.
+  /// Checks whether another program has changed the file. The running world also watches the file, and loads the new
+  /// contents unless they have errors.
   Disk LookAtDisk();
 
   /// The first line (from 1) of a rule in the text; 0 if the text does not contain it.
@@ -56,7 +58,7 @@ class Edit {
  private:
   sim::WatchedFile file_;
   std::string text_, running_, saved_;
-  std::filesystem::file_time_type written_{};  ///< Modification time of the file when it was last read.
+  std::filesystem::file_time_type written_{};  ///< Modification time of the file when it was last read or saved.
 };
 
 /// The files that an agent was loaded from, with those that its rules source, and the scenario file last. An empty

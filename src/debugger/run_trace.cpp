@@ -53,7 +53,7 @@ struct Writer {
   double time_s;
 
   void Write(TraceKind kind, const std::string& agent, std::string text, int level = 0) {
-    // A waiting state is reported in each decision; identical lines are added once per tick.
+    // A state in which nothing changes is reported in each decision. Such a line is added once per tick.
     if (kind == TraceKind::kDecision && !lines.empty() && lines.back().tick == tick && lines.back().agent == agent &&
         lines.back().kind == kind && lines.back().text == text)
       return;

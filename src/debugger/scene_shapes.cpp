@@ -131,8 +131,8 @@ std::vector<SceneShape> ShapesOf(const ImageryView& view, std::string_view state
     for (const SceneNodeRow& node : scene.nodes) {
       here.insert(node.name);
       if (node.shape == "group" || shapes.size() >= kMostShapes) continue;
-      // The copy of the scene in a substate does not follow the world. Nodes that have only moved since then were not
-      // created by the agent.
+      // A substate begins with a copy of the scene above, which does not follow the world. So a node of the same name
+      // there is not new, even if its position differs.
       const bool is_wanted = state.empty() ? !IsFed(node) && !above.contains(node.name) : scene.state == state;
       if (is_wanted) shapes.push_back(ShapeOf(node, scene.state));
     }

@@ -9,7 +9,7 @@
 namespace soarbox::debugger {
 namespace {
 
-/// The time of a tick that is not after the shown moment.
+/// The simulated time of a tick up to the shown one, in seconds.
 double TimeOf(const ShownView& view, std::uint64_t tick) {
   return view.tick == 0 ? 0 : view.time_s * static_cast<double>(tick) / static_cast<double>(view.tick);
 }

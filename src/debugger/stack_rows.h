@@ -21,7 +21,7 @@ struct StackView {
   std::string note;   ///< If not empty: why something is missing.
   std::string phase;  ///< The phase that runs next: "input", "propose", "decide", "apply", "output"; empty if it is not
                       ///< known.
-  bool within_phase = false;
+  bool within_phase = false;  ///< The phase has begun and not ended.
   bool halted = false;
   std::string breakdown;  ///< If the mind ran out of memory: what used it.
   std::uint64_t decisions = 0, elaborations = 0, firings = 0;

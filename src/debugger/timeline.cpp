@@ -114,7 +114,7 @@ void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_
     span.is_state = true;
     span.id = made->id;
     if (made->level > 1) span.text = wording::ImpasseText(made->reason, made->on_operator);
-    // A waiting state is reported repeatedly. Any operator that was selected in it is not selected any more.
+    // A state in which nothing changes is reported repeatedly. The report means that no operator is selected in it now.
     const auto is_same = [&](const TimelineSpan& open) {
       return open.is_state && open.level == span.level && open.id == span.id && open.text == span.text;
     };
@@ -128,7 +128,7 @@ void Timeline::Read(TimelineTrack& track, const mind::Event& event, std::uint64_
     track.marks.push_back({tick, MarkKind::kLearned, "learned " + std::string(learned->rule)});
     return;
   } else {
-    // Recorded minds list all commands; events list only changes.
+    // The mind's events contain each command. Add ignores the corresponding events of the world.
     if (const auto* said = std::get_if<mind::CommandSaid>(&event))
       track.marks.push_back({tick, MarkKind::kCommand, wording::CommandText(*said)});
     if (const auto* ended = std::get_if<mind::CommandEnded>(&event))

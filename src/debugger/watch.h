@@ -11,10 +11,10 @@ namespace soarbox::debugger {
 /// The present value of a watch.
 struct WatchValue {
   std::string text;       ///< One or more lines; empty if the object does not exist now.
-  bool is_error = false;  ///< The text is an error message that says what a watch can be.
+  bool is_error = false;  ///< The text is an error message.
 };
 
-/// Evaluates a watch of the user. It only reads and executes no command. A watch can be
+/// Evaluates a watch of the user. It reads the mind and executes no command. A watch can be
 ///
 ///   a path            "io.input-link.self.health", "S3.operator.name", "<s>.operator": all its values; it begins at
 ///                     an identifier, at <ts> (the top state; the default), <s> (the lowest state) or <o>

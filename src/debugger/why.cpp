@@ -41,7 +41,7 @@ class Tracer {
  public:
   explicit Tracer(explain::Inspector& mind) : mind_(mind) {}
 
-  /// An element with o-support has an origin at one moment, regardless of what its rule matches now.
+  /// Adds how an element with o-support was made. It was made at one moment, whatever its rule matches now.
   void AddOrigin(std::uint64_t timetag, const explain::MakerFact& maker, int depth, WhyNode& node) {
     std::vector<WhyNode> then = explain::OriginTree(mind_.origins.Of(timetag), mind_.origins.time, false);
     if (then.empty()) {
