@@ -44,9 +44,8 @@ class LearningLog {
   /// The values of rules that learn by reward, each from its first change on. Above 1,000 points of a rule, every
   /// second point of the older half is removed.
   const std::map<std::string, Points, std::less<>>& values() const { return values_; }
-  const Points& rewards() const {
-    return rewards_;
-  }  ///< The total reward up to each tick; thinned out in the same way.
+  /// The total reward up to each tick; thinned out in the same way.
+  const Points& rewards() const { return rewards_; }
   /// Episodes that have ended; the last 2,000.
   const std::deque<RewardEpisode>& episodes() const { return episodes_; }
   bool empty() const { return rules_.empty() && values_.empty() && rewards_.empty(); }

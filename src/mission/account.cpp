@@ -34,11 +34,12 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
 /// The cause that an unfired rule is ranked as. `is_torn`: operators were tied, so that none was applied.
 Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
   const explain::RuleWait& why = waiting.why;
-  // The kind of an impasse is an answer only if the agent stays in an impasse: otherwise another one comes later.
+  // A rule that waits for another kind of impasse may be the cause only if the agent stays in its impasse. Otherwise
+  // the other impasse may still come.
   const bool is_about_kind =
       why.is_of_state && !why.is_excluded && (why.attribute == "impasse" || why.attribute == "attribute");
   if (is_about_kind) return is_torn ? Cause::kFurthest : Cause::kWaiting;
-  // That an element exists but does not match the other conditions does not show which condition is the cause.
+  // The element exists, but does not match the other conditions. This does not show which condition is the cause.
   const bool is_vague = why.found.kind == explain::RuleWait::Kind::kElsewhere;
   if (is_torn || waiting.WaitsForOperator() || is_vague) return Cause::kWaiting;
   return waiting.waits_for_others ? Cause::kAwaits : Cause::kFurthest;
@@ -97,7 +98,7 @@ std::vector<sim::Finding> Account::Slips(const std::vector<RuleWatch::Waiting>& 
     const Diagnostic& problem = reported.diagnostic;
     if (slips.size() >= kMostSlips) break;
     if (!settings_.IsAbout(problem.file) || settings_.given.contains(problem.rule)) continue;
-    // A rule that never fires cannot write repeatedly.
+    // Leaves out a warning that a rule writes repeatedly if the rule never fired.
     const bool is_refuted = std::ranges::any_of(waiting, [&](const RuleWatch::Waiting& each) {
       return problem.topic == Topic::kRepeatedWrite && problem.rule == each.why.rule;
     });
@@ -131,7 +132,8 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
   if (idle != nullptr) {
     for (std::size_t i = 0; i < idle->reasons.size() && i < kMostIdleReasons; ++i) {
       const explain::Reason& reason = idle->reasons[i];
-      // The watch has better explanations of unfired rules, from the tick in which they were nearest to a match.
+      // Other reasons are about unfired rules. The watch explains these better, from the tick in which they were
+      // nearest to a match.
       const bool is_stall = reason.kind == explain::Reason::Kind::kStalled;
       found.push_back({is_stall ? Cause::kStalled : Cause::kSymptom, reason.text});
     }

@@ -22,8 +22,9 @@ struct AccountSettings {
   std::string agent;            ///< The agent whose mind is queried; empty: all agents that run rules of the file.
   std::set<std::string> given;  ///< Rules of the file that came with the lesson. Only symptoms are reported about them.
 
-  /// If there is neither a file nor an agent, no account is made.
+  /// False if there is neither a file nor an agent. Then nothing is explained.
   bool IsAsked() const { return !file.empty() || !agent.empty(); }
+  /// Whether rules of this file are meant. Without `file`: whether the rule was loaded from any file.
   bool IsAbout(const std::string& rule_file) const;
   bool IsAboutAgent(const std::string& name) const { return agent.empty() || agent == name; }
 };
@@ -35,8 +36,8 @@ class Account {
 
   /// Call it once for each tick, with its events.
   void See(const sim::EventList& events);
-  /// Returns a few sentences, sorted by cause; possibly none. `failed_s`: time of the first failed check. An agent that
-  /// became idle only later did not fail because of that.
+  /// Returns a few sentences, sorted by cause; possibly none. `failed_s`: time of the first failed check. What happened
+  /// only later, such as a refused command or an idle agent, is not reported as its cause.
   std::vector<sim::Finding> Finish(double failed_s);
 
  private:

@@ -62,7 +62,7 @@ enum class Kind : std::uint8_t {
   kCounter,  ///< A number that only increases.
 };
 
-/// Where a value comes from. Sources that no check needs are not read.
+/// Where a value comes from. Sources are read only if a check needs them.
 enum class Source : std::uint8_t {
   kWorld,
   kNotes,    ///< Recorded decisions of minds.
@@ -72,7 +72,7 @@ enum class Source : std::uint8_t {
 
 /// What the value of a key refers to.
 enum class Names : std::uint8_t {
-  kNothing,  ///< Nothing: a number with bounds, or true and false.
+  kNothing,  ///< A number with bounds.
   kTruth,
   kWaypoint,
   kRegion,

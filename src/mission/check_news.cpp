@@ -14,7 +14,7 @@ sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict
   event.tick = tick;
   event.time_s = time_s;
   event.text = asked.name;
-  // A check for a number of seeds is not decided by one run.
+  // A check with `pass` is decided by all runs together. So one run that fails it is reported as undecided.
   const bool is_over_seeds = asked.pass && verdict.state != State::kTrue && verdict.state != State::kOpen;
   event.parameters = std::string(NameOf(is_over_seeds ? State::kUndecided : verdict.state));
   const std::string was = is_over_seeds ? OverSeeds(*asked.pass) : verdict.was;

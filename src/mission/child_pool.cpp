@@ -22,7 +22,7 @@
 namespace soarbox::mission {
 namespace {
 
-/// Precedes and follows the output of a child, so that an incomplete output is detected.
+/// Precedes the output of a child, so that an incomplete output is detected.
 struct Frame {
   std::uint64_t size = 0;
   std::uint64_t hash = 0;
@@ -51,7 +51,7 @@ void Limit(int what, rlim_t soft, rlim_t hard) {
   (void)setrlimit(static_cast<__rlimit_resource>(what), &limit);
 }
 
-/// Runs in the child: resets signal handlers and redirects output to the pipe.
+/// Runs in the child: sets the limits, discards what is printed, calls `work` and writes its result to the pipe.
 [[noreturn]] void RunChild(int pipe, const std::function<std::string()>& work, const ChildLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGTERM, SIGALRM, SIGXCPU}) std::signal(signal, SIG_DFL);
@@ -111,7 +111,7 @@ Result<void> ChildPool::Start(std::size_t id, const std::function<std::string()>
   Child& child = running_[pid];
   child.id = id;
   child.pipe = ends[0];
-  // On a busy machine, runs must not fail. The limit of real time is ten times that of processor time.
+  // The limit of real time is ten times that of processor time, so that runs do not fail on a busy machine.
   child.deadline = std::chrono::steady_clock::now() +
                    std::chrono::milliseconds(static_cast<std::int64_t>(10'000 * std::max(1.0, limits.cpu_s)));
   return {};
@@ -159,7 +159,7 @@ std::optional<ChildPool::Done> ChildPool::Wait(double seconds) {
     }
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(wake - Clock::now()).count();
     const int ready = poll(files.data(), files.size(), static_cast<int>(std::clamp<std::int64_t>(left + 1, 0, 60'000)));
-    if (ready < 0) return std::nullopt;  // A signal: the caller must check.
+    if (ready < 0) return std::nullopt;  // A signal came. The caller checks whether it has to stop.
     for (std::size_t i = 0; i < files.size(); ++i) {
       Child& child = running_[pids[i]];
       if (files[i].revents != 0) {

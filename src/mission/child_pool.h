@@ -20,9 +20,9 @@ struct ChildLimits {
 /// The result of a child.
 struct ChildEnd {
   bool is_whole = false;  ///< It returned its complete output; otherwise it crashed or hung.
-  bool hung = false;
-  int signal = 0;      ///< The signal that ended it; 0: none.
-  std::string output;  ///< The return value of `work`.
+  bool hung = false;      ///< It exceeded its processor time, or ten times that in real time.
+  int signal = 0;         ///< The signal that ended it; 0: none.
+  std::string output;     ///< The return value of `work`.
   double cpu_s = 0;
   double peak_mb = 0;
 };
@@ -41,11 +41,11 @@ class ChildPool {
   bool IsIdle() const { return running_.empty() && !ended_; }
   /// Starts a job. Fails if no process can be created.
   Result<void> Start(std::size_t id, const std::function<std::string()>& work, const ChildLimits& limits);
-  /// Waits at most `seconds` for any child to end.
   struct Done {
     std::size_t id = 0;
     ChildEnd end;
   };
+  /// Waits at most `seconds` for any child to end. Returns nothing if none has ended, or if a signal came.
   std::optional<Done> Wait(double seconds);
 
  private:

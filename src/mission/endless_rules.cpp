@@ -8,14 +8,15 @@
 namespace soarbox::mission {
 namespace {
 
-/// Number of elaborations in one tick that agents reach only if their rules fire endlessly. max-elaborations is 100.
+/// Agents reach this number of elaborations in one tick only if their rules fire endlessly. The kernel's default limit,
+/// max-elaborations, is 100.
 constexpr std::uint64_t kLimit = 50;
 
 }  // namespace
 
 bool EndlessRules::See(const sim::EventList& events, sim::Simulation& simulation) {
   for (const sim::RunEvent& event : events) {
-    // Its mind was halted because its rules fired very often in one tick.
+    // The mind was halted because its rules fired very often in one tick.
     if (event.diagnostic.topic == Topic::kHaltedAtWork) {
       text_ = event.diagnostic.message + (event.diagnostic.hint.empty() ? "" : "; " + event.diagnostic.hint);
       return true;

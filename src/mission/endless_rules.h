@@ -13,16 +13,17 @@ class Simulation;
 
 namespace soarbox::mission {
 
-/// Finds agents whose rules fire endlessly: the phase reaches max-elaborations in many ticks. Such a run is slow and
-/// does not show what the agent would do.
+/// Finds agents whose rules fire endlessly: they are reported for it, and then need many elaborations in each of many
+/// ticks, or were halted for it. Such a run is slow and does not show what the agent would do.
 class EndlessRules {
  public:
-  /// Call it once for each tick, with its events. Returns true when an agent has reached the limit in kMostTicks ticks.
+  /// Call it once for each tick, with its events. Returns true when an agent has needed 50 elaborations in kMostTicks
+  /// ticks, or was halted.
   bool See(const sim::EventList& events, sim::Simulation& simulation);
   /// The report after See has returned true: which rule, and what to do.
   const std::string& text() const { return text_; }
 
-  /// One simulated second.
+  /// One simulated second at 30 ticks per second.
   static constexpr int kMostTicks = 30;
 
  private:
@@ -31,7 +32,7 @@ class EndlessRules {
     std::uint64_t elaborations = 0;
     int ticks = 0;
   };
-  std::map<std::string, Agent> agents_;  ///< Agents that have reached the limit at least once.
+  std::map<std::string, Agent> agents_;  ///< Agents that the run has reported for firing endlessly.
   std::string text_;
 };
 

@@ -17,7 +17,8 @@ std::string ListOf(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Times are multiples of a tick. A rounded bound means the nearest tick.
+/// Times of ticks are multiples of the step, and bounds may be rounded decimals. The slack makes a bound include the
+/// tick that it was rounded from.
 constexpr double kSlack_s = 1e-4;
 constexpr double kForever_s = 1e30;
 
@@ -241,7 +242,7 @@ void Evaluator::Judge(Slot& slot, const Found& found, bool rises) {
   if (is_in) {
     if (!slot.opened_at_s) {
       slot.opened_at_s = now_s;
-      // Events before the start do not count.
+      // What a counter counted before the window opened does not count.
       if (check.after != kNoCheck || check.after_s || check.from_s) slot.base = found.value;
     }
     Note(slot, check, found);

@@ -26,8 +26,7 @@ std::string_view NameOf(State state);
 /// The result of one check in one run.
 struct Verdict {
   State state = State::kOpen;
-  std::uint64_t tick = 0;  ///< The deciding tick; for a check that failed, the tick in which it was nearest to being
-                           ///< true.
+  std::uint64_t tick = 0;  ///< The tick in which the check was decided.
   double time_s = 0;
   std::string agent;  ///< The agent that decided it; empty if there is none.
   std::string was;    ///< What was found instead: "it came within 2.4 m, at 17.3 s".
@@ -59,11 +58,12 @@ class Evaluator {
   /// One check for one agent, or for several together.
   struct Slot {
     std::size_t check = 0;
-    std::vector<std::size_t> subjects;  ///< Indices of agents; for an item, its index; empty: the world.
+    std::vector<std::size_t> subjects;  ///< Indices of agents, or of items. Empty for a check of the world, and if
+                                        ///< there is no agent or item of that name.
     State state = State::kOpen;
-    bool held = false;  ///< State in the previous tick.
+    bool held = false;  ///< Whether the conditions were true in the previous tick.
     std::optional<double> held_since_s, opened_at_s;
-    double count = 0, base = 0;
+    double count = 0, base = 0;       ///< kTimes: the count so far; a counter's value when the window opened.
     std::vector<double> deadlines_s;  ///< kWhenever: occurrences that still need an answer.
     double nearest = 1e30;            ///< The minimum distance in its time window.
     std::size_t most = 0;             ///< The maximum number of conditions that were true in one tick.
@@ -106,8 +106,8 @@ class Evaluator {
                                    ///< it came true.
   std::vector<Verdict> verdicts_;
   std::vector<std::vector<double>> occurrences_s_;  ///< By check: times at which its conditions became true.
-  std::vector<std::optional<double>> came_true_s_;  ///< By check: the first of these times, for `after` of other
-                                                    ///< checks.
+  std::vector<std::optional<double>> came_true_s_;  ///< By check: the time at which it was decided to be true; for
+                                                    ///< `after`, `before` and `until` of other checks.
   std::vector<std::size_t> idle_checks_;
 };
 

@@ -29,7 +29,7 @@ bool HasChecks(const fs::path& file) {
   return (IsMissionText(text) || HasLine(text, "[[check]]")) && !IsSweepText(text);
 }
 
-/// The content of the files from which the mission's scenario is read.
+/// Parses the scenario file that the mission's scenario is read from. Ignores its errors.
 sim::ScenarioFile ReadDefinition(const fs::path& definition) {
   std::vector<Diagnostic> others;
   return sim::ParseScenarioFile(ReadText(definition).value_or(""), definition, others);

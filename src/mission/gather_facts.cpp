@@ -23,7 +23,7 @@ PlaceFacts PlaceOf(const sim::Region& region) {
   return {region.name, region.center, region.radius_m, region.half_x_m, region.half_z_m};
 }
 
-/// An agent that has moved by more than this many metres in a tick was moved by a script.
+/// If an agent moves by more metres than this in a tick, a script has placed it there. This does not count as distance.
 constexpr double kPlacedElsewhere = 2;
 
 std::string ImpasseName(const mind::StateMade& state) {
@@ -35,7 +35,7 @@ void TellDecision(std::string_view packed, OperatorFact& selected) {
   const std::optional<mind::Decision> decision = mind::Unpack(packed);
   if (!decision || decision->empty()) return;
   selected.why = wording::WhySelected(*decision);
-  // If preferences left several operators, the choice among these is attributed to preferences.
+  // If preferences dropped some operators and chance selected one of the rest, "preference" is reported.
   selected.selected_by = decision->operators.size() < 2                        ? "only"
                          : decision->left.size() == decision->operators.size() ? "chance"
                                                                                : "preference";
@@ -343,7 +343,7 @@ void FactGatherer::GatherRetrievals(explain::Inspector& inspector, const std::ve
               std::ranges::find(answers, "retrieved", &explain::ElementFact::attribute) != answers.end();
           for (const explain::ElementFact& answer : answers) {
             if (answer.timetag <= memory.answered_timetag) continue;
-            // Storing also gives a success.
+            // A `success` counts only if an object was retrieved: storing is also answered with it.
             if (!(answer.attribute == "success" && is_retrieved) && answer.attribute != "failure") continue;
             newest = std::max(newest, answer.timetag);
             facts.events.push_back({Key::kRetrieval, std::string(name), {}, answer.attribute, {}});

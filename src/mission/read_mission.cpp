@@ -28,7 +28,7 @@ class MissionReader : public sim::TableReader {
   MissionReader(std::string file, std::vector<Diagnostic>& problems)
       : TableReader(std::move(file), "docs/missions.md", problems) {}
 
-  /// A text, a number or a truth value, as rules would write it.
+  /// Converts a text, a number or a truth value to the word that rules would test: true to "yes".
   std::optional<std::string> Word(const toml::node& node) {
     if (const auto text = node.value_exact<std::string>()) return *text;
     if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);

@@ -95,7 +95,8 @@ std::vector<Clause> ConditionsOf(const explain::RuleText& rule) {
   return clauses;
 }
 
-/// The path of an object that actions create is that of the action that refers to it.
+/// Returns the actions of a rule as clauses. The path of an object that actions create is the path of the action that
+/// refers to it.
 std::vector<Clause> ActionsOf(const explain::RuleText& rule) {
   constexpr int kDeepest = 20;
   explain::PathMap paths = rule.paths;

@@ -13,7 +13,7 @@
 namespace soarbox::mission {
 namespace {
 
-/// Maximum number of unfired rules that are watched: the first of the file.
+/// Maximum number of unfired rules of an agent that are watched in a tick: the first in the order of loading.
 constexpr std::size_t kMostWatched = 40;
 constexpr std::size_t kMostElements = 1000;
 
@@ -127,7 +127,8 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
   std::optional<explain::RuleWait> why = WhyRuleWaits(simulation_, agent, rule);
   if (!why) return;
   using Kind = explain::RuleWait::Kind;
-  // A different value, or a value that no rule can make, says more about this rule.
+  // An absent element, or an excluded one whose maker is not known, may be due to other rules. Other reasons show what
+  // is wrong in this rule.
   const bool waits_for_others =
       why->found.kind == Kind::kAbsent || (why->found.kind == Kind::kExists && why->found.maker.empty());
   best.waiting = Waiting{.agent = agent,
@@ -139,7 +140,7 @@ void RuleWatch::Look(explain::Inspector& inspector, const std::string& agent, co
 
 std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
   std::set<Key> fired;
-  std::set<std::string> agents;  // Only agents whose minds were not halted.
+  std::set<std::string> agents;  // Agents whose minds can be inspected: they were not halted.
   for (std::size_t i = 0; i < simulation_.soar_agents(); ++i) {
     const std::string agent = simulation_.AgentOfMind(i);
     const auto inspector = simulation_.Inspect(agent);
@@ -154,7 +155,7 @@ std::vector<RuleWatch::Waiting> RuleWatch::Finish() {
     if (fired.contains(key) || !best.waiting || !agents.contains(key.first)) continue;
     Waiting& each = waiting.emplace_back(*best.waiting);
     if (each.why.found.kind != explain::RuleWait::Kind::kAbsentMade) continue;
-    // That the maker never fired is nearer to the cause.
+    // If the maker never fired, that is nearer to the cause than this rule.
     each.was_there = fired.contains({each.agent, each.why.found.maker});
     each.waits_for_others = !each.was_there;
   }

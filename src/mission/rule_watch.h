@@ -29,12 +29,12 @@ std::optional<explain::RuleWait> WhyRuleWaits(sim::Simulation& simulation, const
                                               const std::string& rule);
 
 /// Watches the rules of a file or an agent that have not fired yet. For each of them, stores the reason why it did not
-/// match in the tick in which it came nearest to a match. At the end of a run the reason is lost: another operator is
-/// selected, and the message is gone.
+/// match in the tick in which it came nearest to a match. At the end of the run, this reason can no longer be found:
+/// for example, another operator is selected, or the message is gone.
 ///
-/// The measure is first the number of its conditions that find an element, then the number of conditions that match in
-/// order. A rule that fails only because of an absent attribute is therefore nearer to a match if all other elements
-/// exist. A reason is computed only when a rule comes nearer than before.
+/// A rule is nearer to a match if more of its conditions find an element with their attribute and value, whatever the
+/// other conditions are. If this number is equal, the number of conditions that match in order decides. A reason is
+/// computed only when a rule comes nearer than before.
 class RuleWatch {
  public:
   /// Rules that came with the lesson are not watched. The settings must outlive this object.

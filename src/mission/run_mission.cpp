@@ -34,7 +34,7 @@ Wants WantsWithNumbers(const RunSpec& spec) {
   return wants;
 }
 
-/// Errors and warnings of a run. Each is stored once; the first few with their text.
+/// Adds the texts of a run's first errors and warnings to the result, each text once. Notes whether there was an error.
 class ProblemList {
  public:
   void See(const sim::RunEvent& event, RunResult& result) {
@@ -81,7 +81,8 @@ bool TellsAll(sim::Simulation& simulation) {
   return true;
 }
 
-/// An unknown name would make `never` true.
+/// Returns an error message if a check names an agent, a team, an item, a waypoint or a region that the world does not
+/// have; else an empty text. Without this message, a check with `never` would pass.
 std::string UnknownName(const Mission& mission, const TickFacts& facts) {
   for (const Check& check : mission.checks) {
     const auto is_one = [&](const AgentFacts& agent) {
@@ -110,7 +111,8 @@ std::string UnknownName(const Mission& mission, const TickFacts& facts) {
   return {};
 }
 
-/// The topic of the question to a mind about a condition that did not become true.
+/// The name of an operator, a command or a rule that a mind is asked about if the check did not become true; empty if
+/// the check has none.
 std::string TopicOf(const Check& check) {
   for (const Condition& condition : check.conditions) {
     if (condition.words.empty() || condition.words.front().find('*') != std::string::npos) continue;
@@ -120,7 +122,8 @@ std::string TopicOf(const Check& check) {
   return {};
 }
 
-/// Records a run, if there is a recorder.
+/// Records a run in the file of the RunSpec. If the file cannot be created, `error` gets the reason, IsOpen is false
+/// and nothing is recorded.
 class Keeper {
  public:
   Keeper(const RunSpec& spec, const sim::SimulationSettings& settings, const sim::Simulation& simulation,
@@ -159,8 +162,8 @@ class Keeper {
   bool is_good_ = true;
 };
 
-/// Time of the first failure of a check that fails at one moment; else infinity. (A check that never became true has no
-/// such moment.)
+/// The time at which the first check failed; infinity if none failed at a certain time. Checks with `never`, `always`
+/// or `whenever` fail at a certain time; checks that must become true fail at the time of their `by`, if they have one.
 double FirstFailure(const Mission& mission, const RunResult& result) {
   double first_s = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mission.checks.size() && i < result.checks.size(); ++i) {
@@ -175,7 +178,8 @@ double FirstFailure(const Mission& mission, const RunResult& result) {
   return first_s;
 }
 
-/// Runs it again with all details recorded, and queries the minds at the moments when checks were decided.
+/// Runs the mission again with all details recorded. Queries the minds at the moments when checks were decided,
+/// explains what went wrong if that is requested, and records the run if the RunSpec has a file for it.
 void TellWhy(const RunSpec& spec, RunResult& result) {
   Wants wants = WantsOf(*spec.mission);
   wants.firings = true;
@@ -295,7 +299,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
   const auto count = [&](const sim::EventList& events, const TickFacts& facts) {
     for (const sim::RunEvent& event : events) {
       problems.See(event, result);
-      // From here on the minds do nothing, so the run would not show their behaviour.
+      // From now on the minds do nothing, so the rest of the run would not show their behaviour.
       if (event.kind == sim::EventKind::kMindLost && result.outcome == "ok") {
         result.outcome = "crashed";
         result.error = "the kernel at " + spec.kernel + " was lost: " + event.text;
@@ -364,7 +368,7 @@ RunResult RunOnce(const RunSpec& spec, const OnFacts& on_facts) {
     numbers["learned"] += agent.learned;
   }
   numbers["alive"] = alive;
-  // Such a kernel does not report these numbers; 0 would mean that nothing happened.
+  // A kernel other than ours does not report these numbers. A value of 0 would mean that nothing happened.
   if (!tells_all)
     std::erase_if(numbers, [](const auto& number) {
       return number.first == "firings" || number.first == "learned" || number.first.starts_with("impasses_");

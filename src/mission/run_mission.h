@@ -34,7 +34,7 @@ struct RunSpec {
   bool record_always = false;       ///< Also record a run that passes.
   std::string kernel;               ///< HOST:PORT of a remote kernel; empty: our own kernel.
   bool ends_endless = false;        ///< End the run when rules fire endlessly; the outcome is then "endless".
-  AccountSettings account;          ///< Requests an account of one file of rules if the run fails.
+  AccountSettings account;          ///< If the run fails, explain what went wrong in these rules.
   std::vector<Check> measured;      ///< Further checks for metrics.
   /// An error in rules, scripts or files fails the run, unless a check tests problems.
   bool errors_fail = false;
@@ -44,7 +44,7 @@ struct RunSpec {
 struct CheckResult {
   Verdict verdict;
   std::string expected;              ///< "scout should be at gate by 30 s"
-  std::vector<std::string> reasons;  ///< Why the agent did not do it: lines of the account of its mind.
+  std::vector<std::string> reasons;  ///< Why the agent did not do it, line by line.
 };
 
 /// The result of one run.
@@ -60,7 +60,7 @@ struct RunResult {
   std::vector<std::size_t> idle_checks;   ///< Indices of checks that are true before any agent acts.
   std::map<std::string, double> numbers;  ///< Metrics of every run: "distance", "decisions".
   std::string recording;                  ///< The recording that was kept; empty: none.
-  std::vector<sim::Finding> account;      ///< If it was requested.
+  std::vector<sim::Finding> account;      ///< What went wrong, the cause first, if it was requested.
   std::vector<std::string> problems;      ///< The first errors and warnings, with file and line; each once.
   bool has_errors = false;                ///< An error was reported, and no check tests problems.
   bool is_faulty = false;                 ///< An error was reported before the first tick, for example rules that
@@ -75,7 +75,7 @@ struct RunResult {
   std::optional<double> NumberOf(const std::string& name) const;
 };
 
-/// Called after each tick with the simulation and its facts, for metrics of a sweep.
+/// Called with the facts after the set-up (tick 0) and after each tick, for metrics of a sweep.
 using OnFacts = std::function<void(const TickFacts&)>;
 
 /// Whether a check tests problems. Problems then do not fail the run by themselves.

@@ -71,7 +71,7 @@ class NameChecker {
   }
 
  private:
-  /// Reports a check that requires more agents than it refers to, because it never becomes true.
+  /// Reports a check that requires more agents than it refers to. Such a check never becomes true.
   void CountSubjects(const Check& check) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < cast_.agents.size(); ++i) {
@@ -221,7 +221,7 @@ class NameChecker {
 Cast CastOf(const sim::ScenarioFile& file) {
   Cast cast;
   for (const sim::ScenarioFile::Agent& agent : file.agents) {
-    // As in scenario_build.cpp.
+    // Names agents as scenario_build.cpp does.
     std::string stem = agent.name;
     if (stem.empty()) stem = agent.rules.empty() ? "agent" : fs::path(agent.rules).stem().string();
     for (int i = 0; i < agent.count; ++i) {
@@ -250,7 +250,7 @@ Cast CastOf(const sim::ScenarioFile& file) {
 void CheckNames(const Mission& mission, const Cast& cast, std::vector<Diagnostic>& problems) {
   NameChecker checker(cast, problems);
   for (const Check& check : mission.checks) checker.Look(check);
-  // Rules with a mistake may make any attribute.
+  // Mistakes are about wrong rules, which may make any attribute.
   for (const Check& check : mission.mistakes) checker.Look(check, true);
 }
 
