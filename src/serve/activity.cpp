@@ -52,7 +52,7 @@ void Activity::Begin(const std::string& what, Time now) {
 }
 
 void Activity::NoteRequest(const PageMessage& message, Time now) {
-  // The page sends these without a user's action.
+  // The page also sends these requests without a user's action.
   constexpr std::array<std::string_view, 5> kByItself = {"look", "overlays", "select", "language", "open"};
   for (const std::string_view word : kByItself)
     if (message.request == word) return;
@@ -65,7 +65,7 @@ void Activity::Look(const std::string& edit, const std::string& problems, const 
   const ContentJson edited = ContentOf(edit, "edit"), text = edited.value("edit", ContentJson::object());
   std::string mistake = text.is_object() ? FirstError(text, TextAt(text, "file")) : std::string();
   if (mistake.empty()) mistake = FirstError(ContentOf(problems, "problems"), {});
-  // Another error after the first one: the rules have been wrong since the first.
+  // If another error replaces the first one, the rules have been wrong since the first.
   if (mistake_.empty() && !mistake.empty()) mistake_since_ = now;
   mistake_ = std::move(mistake);
   const ContentJson checked = ContentOf(mission, "mission");

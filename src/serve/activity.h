@@ -9,15 +9,15 @@
 
 namespace soarbox::serve {
 
-/// What the user of a run does, for the teacher's table: the first mistake in the rules, the number of gradings since
-/// the run was opened, and since when. Callers pass the current time.
+/// Summarizes for the teacher's table what the user of a run does: the first error in the files, the number of gradings
+/// since this world was opened, and since when. Callers pass the current time.
 class Activity {
  public:
   using Time = std::chrono::steady_clock::time_point;
   enum class Kind : std::uint8_t {
     kWorks,
     kMistake,  ///< The rules have an error now.
-    kStuck,    ///< They have had an error for kStuckAfter, or were graded kManyGrades times and did not pass.
+    kStuck,    ///< The rules have had an error for kStuckAfter, or were graded kManyGrades times and did not pass.
     kIdle,     ///< The user has sent no request for kIdleAfter.
   };
   static constexpr std::chrono::seconds kStuckAfter{120}, kIdleAfter{600};

@@ -10,18 +10,19 @@
 
 namespace soarbox::serve {
 
-/// A class: learners with one place each, and a teacher with a key. The places of learners are stored with the places,
-/// so that links stay the same after a restart.
+/// A class: learners with one place each, and a key for its teachers.
 class ClassList {
  public:
   struct Learner {
     std::string name, place;
   };
-  /// Reads names, one per line, and creates places for learners that have none. An error names the file and line.
+  /// Reads names from the file `names`, one per line, and creates places for learners that have none. Stores the key
+  /// and the places in the folder `state`, so that links stay the same after a restart. An error names the file and
+  /// line.
   static Result<ClassList> Read(const std::filesystem::path& names, const std::filesystem::path& state, Places& places);
   /// An empty list means that there is no class.
   ClassList() = default;
-  /// A class without learners, which come one by one.
+  /// A class without learners, to which Add adds them.
   static ClassList WithKey(std::string key);
   void Add(Learner learner) { learners_.push_back(std::move(learner)); }
   void Remove(std::string_view place);

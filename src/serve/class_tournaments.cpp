@@ -165,7 +165,7 @@ void Arena::HandIn(const std::string& game, const Place& place, const std::strin
   if (!file.ends_with(".soar"))
     return done(NewProblem("this is not a file of rules", "hand in a file whose name ends with .soar"));
   const auto result = std::make_shared<Result<void>>(NewProblem("the server could not copy your rules", "try again"));
-  // In the same queue as writing arena.json and starting matches, so that no one reads a partly written entry.
+  // Jobs named "arena" run one after another. So no match is started with partly copied rules.
   work_.Do(
       "arena", [result, place, file, to = EntryFolder(game, place.id())] { *result = CopyRules(place, file, to); },
       [this, alive = std::weak_ptr<int>(alive_), result, game, id = place.id(), learner, file, done = std::move(done)] {
@@ -197,7 +197,7 @@ Result<void> Arena::Play(const std::string& game, int seeds) {
       [] {});
   tournament = {};
   tournament.seeds = seeds;
-  // In alphabetical order, so that the list is readable; the first agent changes with each seed.
+  // Sorts the players by name. With each second seed, the two players of a match change places.
   std::vector<std::pair<std::string, std::string>> players;
   for (const auto& [place, entry] : entries) players.emplace_back(entry.learner, place);
   std::ranges::sort(players);
@@ -290,7 +290,7 @@ void Arena::Start(const std::string& game, std::size_t index) {
 }
 
 void Arena::Finish(const std::string& game, const std::string& match) {
-  // The process and its timer call this, so they are destroyed later.
+  // A callback of the process or of its timer may be the caller. So both are destroyed after it has returned.
   if (const auto found = running_.find(match); found != running_.end()) {
     const auto ended = std::make_shared<Running>(std::move(found->second));
     running_.erase(found);

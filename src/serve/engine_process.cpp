@@ -92,7 +92,7 @@ Result<EngineProcess::Spawned> EngineProcess::Spawn(const std::vector<std::strin
     close(ends[1]);
     return problem;
   }
-  // Its temporary files are removed by the next run, however this one ends.
+  // Removes the temporary files of the previous run, which may have crashed.
   const std::filesystem::path temporary = place.state() / "tmp";
   std::error_code error;
   std::filesystem::remove_all(temporary, error);
@@ -156,7 +156,7 @@ void EngineProcess::ReadError() {
 void EngineProcess::Send(std::string text) {
   if (is_closed_) return;
   waiting_bytes_ += text.size();
-  // It has not read for a long time: it hangs.
+  // The process has not read for a long time, so it is considered to hang.
   if (waiting_bytes_ > kMostUnread) return AwaitEnd();
   waiting_.push_back(WriteFrame(FrameKind::kText, text));
   if (waiting_.size() == 1) Write();

@@ -21,12 +21,13 @@
 namespace soarbox::serve {
 
 /// The process of one world. It is started without a shell, with its own home, environment, limits and process group.
-/// It ends when its connection is closed; otherwise it is killed.
+/// When its connection is closed, it should end by itself; after 3 s it is killed.
 class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
  public:
   struct Hooks {
     std::function<void(Frame)> on_frame;
-    /// Called after it has ended, with the end of its standard error. `is_good`: it exited by itself with success.
+    /// Called after it has ended, with the last 2,000 bytes of its standard error. `is_good`: it exited by itself with
+    /// the status 0 or 1.
     std::function<void(const std::string& last_words, bool is_good)> on_end;
   };
   /// A process without a listener. The caller must pass it to Adopt or Discard.
@@ -42,6 +43,7 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
   EngineProcess(const EngineProcess&) = delete;
   EngineProcess& operator=(const EngineProcess&) = delete;
 
+  /// Sends a message to the process. Considers the process as hung if more than 16 MiB wait to be read.
   void Send(std::string text);
   /// Asks the process to end, and kills it after 3 s. Hooks are not called any more; `on_gone` is called when it has
   /// ended.

@@ -20,7 +20,7 @@ enum class FrameKind : std::uint8_t {
   kDone = 'd',      ///< All requests so far were carried out.
   kScene = 's',     ///< A block of the scene stream that needs the previous one (docs/dev/stream.md).
   kFull = 'f',      ///< A complete block of the scene stream.
-  kAlive = 'b',     ///< Heartbeat: the engine's main loop has started another iteration.
+  kAlive = 'b',     ///< Heartbeat: the engine's main loop is running.
 };
 struct Frame {
   FrameKind kind = FrameKind::kText;

@@ -25,7 +25,8 @@ using Request = http::request<http::string_body>;
 /// Maximum bytes that may be queued for a page: above the first limit, scenes are left out; above the second, the
 /// connection is closed.
 constexpr std::size_t kScenesWaitAbove = 192u << 10, kMostWaiting = 16u << 20;
-/// Time after which a page that has missed a scene requests one. A run that is not paused sends one by itself.
+/// Time after which a scene is requested for a page that has missed one. A run that is not paused sends one before
+/// that.
 constexpr std::chrono::milliseconds kSceneAfter(500);
 
 /// Limits the requests of a client: an average rate per second, and bursts of four times as many.
@@ -90,7 +91,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
 
   void SendText(Bytes text, const std::string& key) override {
     if (!key.empty()) {
-      // The part that is being written is kept; the rest has not been started.
+      // Replaces a waiting message, but not the one that is being written.
       const auto begin = waiting_.begin() + (is_writing_ ? 1 : 0);
       const auto older = std::find_if(begin, waiting_.end(), [&](const Out& out) { return out.key == key; });
       if (older != waiting_.end()) {
@@ -104,7 +105,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
 
   void SendScene(Bytes block, bool is_full) override {
     if (needs_full_ && !is_full) return;
-    // The first one is always sent: in a paused run no other follows.
+    // The first scene is always sent, because no other follows in a paused run.
     needs_full_ = has_scene_ && waiting_bytes_ > kScenesWaitAbove;
     if (needs_full_) return;
     has_scene_ = true;
@@ -142,8 +143,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
                         });
   }
 
-  /// Requests the scene of the present moment if a page that has missed one gets no other by itself, as in a paused
-  /// run.
+  /// Requests the present scene if the page has missed one and gets no other within kSceneAfter, as in a paused run.
   void CatchUp() {
     if (std::exchange(catches_up_, true)) return;
     scene_timer_.expires_after(kSceneAfter);
@@ -176,7 +176,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
     });
   }
 
-  /// Its data wait in its own socket meanwhile.
+  /// Reads again after a second. Meanwhile the page's data stay in the buffers of the network.
   void ReadLater() {
     rest_timer_.expires_after(std::chrono::seconds(1));
     rest_timer_.async_wait([self = shared_from_this()](beast::error_code error) {
@@ -188,7 +188,7 @@ class PageConnection final : public Viewer, public std::enable_shared_from_this<
     SendText(std::make_shared<const std::string>(ErrorMessage(problem)), "refusal");
   }
 
-  /// Pending operations end with an error; then no one refers to this connection.
+  /// Closes the socket. Pending operations then end with an error and release this object.
   void Close() {
     rest_timer_.cancel();
     scene_timer_.cancel();

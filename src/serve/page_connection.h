@@ -12,7 +12,8 @@
 
 namespace soarbox::serve {
 
-/// Serves a page over a WebSocket until it disconnects or the run's place is removed. `on_gone` is called once.
+/// Serves a page over a WebSocket until it disconnects. Disconnects it if too much data waits for it. `on_gone` is
+/// called once, at the end.
 void ServePage(boost::asio::ip::tcp::socket socket,
                boost::beast::http::request<boost::beast::http::string_body> request, Site& site,
                const Site::Admission& admission, std::function<void()> on_gone);

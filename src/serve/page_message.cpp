@@ -12,7 +12,7 @@ using PlainJson = nlohmann::json;
 constexpr std::size_t kMostDepth = 64, kMostFields = 256, kMostValues = 20'000;
 constexpr std::size_t kMostPanels = 64, kMostPanelBytes = 40;
 
-/// Receives the parts of a message from the parser. Returning false ends the parse.
+/// Receives the values of a message from the parser. A function that returns false ends the parse.
 class Fields {
  public:
   bool null() { return Value(); }

@@ -17,7 +17,7 @@ Bytes Shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// The last line that contains an error.
+/// The text after "error: " in the last line that contains this; empty if there is no such line.
 std::string LastError(const std::string& words) {
   std::string last;
   for (std::size_t at = 0; at < words.size();) {
@@ -29,7 +29,7 @@ std::string LastError(const std::string& words) {
   return last;
 }
 
-/// Removes the path of a place, which contains its secret, from a message.
+/// Replaces the path of a place, which contains its secret, by kShownRoot in a message.
 std::string WithoutPath(std::string text, const std::string& root) {
   for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root, at))
     text.replace(at, root.size(), kShownRoot);
@@ -73,7 +73,7 @@ void Session::Advance() {
       place_.id(),
       [this, self = shared_from_this(), words, what = wanted_->what] { *words = settings_.engine(what, place_); },
       [this, self = shared_from_this(), words, what = wanted_->what] {
-        // Meanwhile another world was requested, or none.
+        // Meanwhile the user has requested another world, or End was called.
         if (!wanted_ || wanted_->what != what) return Advance();
         Result<void> may = words->empty()       ? NewProblem("there is nothing called '" + what + "' to open",
                                                              "the first page lists what there is")
@@ -174,7 +174,8 @@ void Session::Join(Viewer& viewer, const std::string& tab) {
   looked_at_ = Clock::now();
   if (viewer.MayAsk()) {
     tabs_[&viewer] = tab;
-    // A tab that has lost its connection reconnects before the server notices the loss.
+    // A tab that has lost its connection may reconnect before the server notices the loss. It may then continue to
+    // edit.
     const bool is_back = editor_ != nullptr && !tab.empty() && tabs_[editor_] == tab;
     HandTextsTo(editor_ == nullptr || is_back ? &viewer : editor_);
     if (const std::string greeting = greeting_ ? greeting_() : ""; !greeting.empty())
@@ -206,7 +207,7 @@ Activity::Standing Session::Standing() {
     const auto found = contents_.find(name);
     return found == contents_.end() ? nullptr : found->second;
   };
-  // Parsing them takes time, so they are parsed only after changes.
+  // Parses the contents only after they have changed, because this takes time.
   const std::array<Bytes, 3> told = {find("edit"), find("problems"), find("mission")};
   const auto text = [&](std::size_t i) { return told[i] == nullptr ? std::string() : *told[i]; };
   if (std::exchange(looked_, told) != told) activity_.Look(text(0), text(1), text(2), now);
@@ -272,7 +273,7 @@ void Session::Take(Viewer& viewer, std::string text) {
   }
   if (request == "take-over") return HandTextsTo(&viewer);
   if (engine_ == nullptr) {
-    // A request for the run that is about to start: that run reports what is available.
+    // A run is about to start and will send all its data. A request before that is ignored.
     if (is_running() || wanted_) return;
     return refuse(NewProblem("there is no run", "open one first"));
   }
@@ -314,7 +315,7 @@ void Session::ListenForLife() {
   life_timer_.expires_after(std::chrono::milliseconds(1000 / kChecksPerSecond));
   life_timer_.async_wait([this, alive = std::weak_ptr<int>(alive_)](boost::system::error_code error) {
     if (error || alive.expired() || engine_ == nullptr) return;
-    // A count, not a clock, because a suspended machine has not listened.
+    // Counts checks instead of time, because no check runs while the machine is suspended.
     ++silent_checks_;
     if (hello_ != nullptr && silent_checks_ >= kBusyAfter && !std::exchange(is_busy_, true))
       Tell(R"({"message":"busy"})");
@@ -341,7 +342,7 @@ void Session::OnFrame(Frame frame) {
     case FrameKind::kText:
       return Tell(frame.bytes);
     case FrameKind::kHello: {
-      // The engine does not know the name with which it was requested.
+      // Adds the name with which the run was requested. The engine does not have it.
       Json hello = Json::parse(frame.bytes, nullptr, false);
       if (!hello.is_object()) return;
       hello["what"] = what_;

@@ -69,7 +69,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// Ends the run and sends the reason to its pages.
   void End(const std::string& why);
 
-  /// Whether it has a process, or is starting one.
+  /// Whether there is a process, or one is being ended or started.
   bool is_running() const { return engine_ != nullptr || phase_ == Phase::kEnding || phase_ == Phase::kStarting; }
   /// Address of the first page.
   const std::string& address() const { return address_; }
@@ -125,7 +125,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::map<const Viewer*, std::vector<std::string>> watched_;  ///< Panels that pages without further rights show.
   const Viewer* editor_ = nullptr;                             ///< The page that may edit texts.
   std::map<const Viewer*, std::string> tabs_;
-  Clock::time_point began_, looked_at_;
+  Clock::time_point began_, looked_at_;  ///< When the run was started; when a page joined or left last.
 
   std::function<std::string()> greeting_;
   Activity activity_;
@@ -137,6 +137,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::vector<std::pair<Bytes, bool>> blocks_;  ///< Since the newest full block.
 
   boost::asio::steady_timer busy_timer_, life_timer_, start_timer_;
+  /// awaits_: since the last request, the engine has sent nothing. is_busy_: pages were told that the engine is busy.
   bool awaits_ = false, is_busy_ = false;
   int silent_checks_ = 0;                                  ///< Number of consecutive checks without a message from the
                                                            ///< engine.

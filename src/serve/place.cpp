@@ -39,7 +39,7 @@ bool IsName(std::string_view name) {
   });
 }
 
-/// Whether one of the folders between `from` and the file is a link.
+/// Whether the file, or one of the folders between `from` and it, is a symbolic link.
 bool GoesThroughLink(const fs::path& from, const fs::path& file) {
   std::error_code error;
   fs::path at = from;
@@ -82,7 +82,7 @@ Result<void> PutInPlace(const fs::path& part, const fs::path& file) {
                     "what was there before is still there; try again later");
 }
 
-/// Writes all pending data below this folder to the disk, once for any number of files.
+/// Writes all pending data of the file system that contains this folder to the disk. Faster than fsync for many files.
 void SyncAll(const fs::path& folder) {
   const int at = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (at < 0) return;
@@ -136,7 +136,7 @@ Place::Contents Place::Look() const {
     if (!it->is_symlink(ignored) && it->is_regular_file(ignored))
       contents.files.push_back({path, it->file_size(ignored)});
     if (!it->is_symlink(ignored) && it->is_directory(ignored)) contents.folders.push_back(path);
-    // Far more than a place may contain: they were created by something else.
+    // Stops at far more files than a place may contain. Something else must have created them.
     if (contents.files.size() + contents.folders.size() > 4 * (limits_.files + limits_.folders)) break;
   }
   std::ranges::sort(contents.files, {}, &PlaceFile::path);
@@ -271,7 +271,7 @@ Result<Place> Places::New() {
 
 Result<Place> Places::Find(std::string_view id) const {
   std::error_code error;
-  // The id itself is the secret; the timing of a lookup in the file system reveals nothing useful.
+  // The id is the secret. The time that the file system takes for a lookup does not help to guess it.
   if (!IsId(id) || !fs::is_directory(folder_ / id / "home", error))
     return NewProblem("there is no such place: it was never made, or was not visited for too long",
                       "open this server's first page to get a new one");

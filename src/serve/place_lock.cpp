@@ -23,7 +23,7 @@ Result<PlaceLock> PlaceLock::Take(const std::filesystem::path& root) {
     return NewProblem("another server runs a world of this place now",
                       "close its page there and wait until that run has ended; the servers' administrator can send "
                       "each place to one of them (docs/serve.md)");
-  // The file system has no locks.
+  // If the file system has no locks, the result holds none and nothing is prevented.
   return lock;
 }
 

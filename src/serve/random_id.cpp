@@ -19,7 +19,7 @@ constexpr std::size_t kIdLength = 26;
 
 std::string NewId() {
   std::array<std::uint8_t, kIdLength> bytes{};
-  // The system's generator returns this number of bytes at once; if it fails, no secure id is possible.
+  // The system returns so few bytes completely or fails. After a failure no secure id is possible.
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) std::abort();
   std::string id;
   for (const std::uint8_t byte : bytes) id += kDigits[byte % kDigits.size()];

@@ -192,8 +192,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.version(version);
     response.result(static_cast<unsigned>(given.status));
     response.set(http::field::content_type, given.type);
-    // Only the page's own scripts, only in frames of the sites in --embed, and no place's link in the logs of other
-    // sites.
+    // Allows only scripts of this server, and frames only on the sites of --embed. Other sites do not get the address
+    // of the page, which contains the place's secret.
     response.set("Content-Security-Policy",
                  "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
                  "connect-src 'self' ws: wss:; frame-ancestors " +
@@ -281,7 +281,7 @@ class Server {
     timer_.async_wait([this](beast::error_code error) {
       if (error) return;
       site_.CleanUp();
-      // A page that is reloaded is disconnected for a moment.
+      // While a page is being reloaded, no page is connected for a moment.
       constexpr int kMostAway = 3;
       times_left_ = site_.WasLeft() ? times_left_ + 1 : 0;
       if (site_.settings().ends_when_alone && times_left_ == kMostAway && on_left_) on_left_();
@@ -324,7 +324,7 @@ class Server {
   std::shared_ptr<Counts> counts_;
   asio::steady_timer timer_;
   std::function<void()> on_left_;
-  int times_left_ = 0;  ///< Consecutive checks without a client.
+  int times_left_ = 0;  ///< Number of consecutive checks at which no page was connected any more.
 };
 
 Diagnostic CannotListen(const Settings& settings, const std::string& why) {
@@ -373,7 +373,7 @@ Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
   const auto end = [&] {
     server.Close();
     (*site)->EndAll("The server is being stopped. What you typed and the recording are kept.");
-    // Meanwhile engines write the ends of their recordings.
+    // Engines need this time to finish their recordings.
     grace.expires_after(std::chrono::seconds(2));
     grace.async_wait([&io](beast::error_code) { io.stop(); });
   };

@@ -10,12 +10,13 @@
 
 namespace soarbox::serve {
 
-/// Serves pages to browsers until the process receives SIGINT or SIGTERM (docs/serve.md). `on_listening` gets the
-/// addresses to open: the first is for everyone; the others are those of the class, with names, if there is one. Fails
-/// if it cannot serve.
+/// An address to open in a browser, and the name of the person that it is for; empty: for everyone.
 struct Address {
   std::string name, link;
 };
+/// Serves pages to browsers until the process receives SIGINT or SIGTERM, or all pages are gone if the settings request
+/// that (docs/serve.md). `on_listening` gets the addresses to open: the first is for everyone, the others are for the
+/// class, if there is one. Fails if it cannot serve.
 Result<void> Serve(Settings settings, std::unique_ptr<const Catalog> catalog,
                    const std::function<void(const std::vector<Address>&)>& on_listening);
 

@@ -29,7 +29,7 @@ struct Limits {
   std::size_t bytes_in_flight = 128u << 20;             ///< Total of uploads and answers.
   std::size_t bytes_in_flight_per_address = 48u << 20;  ///< The same for one address.
   int kept_days = 30;                                   ///< A place that is not visited for this time is removed.
-  int engine_data_mb = 1024;                            ///< Memory limit of its process.
+  int engine_data_mb = 1024;                            ///< Memory limit of the process of a run.
   PlaceLimits place;
 };
 
@@ -89,8 +89,8 @@ struct Settings {
   std::filesystem::path lti;           ///< Learning platforms that may open lessons (docs/lti.md); empty: none.
   std::vector<std::string> embedders;  ///< Sites that may show worlds in their pages: "https://school.example".
   std::string opens;                   ///< What a new place opens at once: "scenario:scout"; empty: nothing.
-  /// The program of an engine with its arguments, for what a page wants to see: "lesson:...", "scenario:...", or
-  /// "recording:..." with the name of the file, or "match:..." with the id of a match. Empty: there is no such thing.
+  /// Returns the command line of the engine for `what`: "lesson:NAME", "scenario:NAME", "recording:FILE" or "match:ID".
+  /// Empty if there is no such lesson, scenario, recording or match.
   std::function<std::vector<std::string>(const std::string& what, const Place& place)> engine;
   /// Returns the command line for a match. The program plays the scenario `home/match` in its working directory for
   /// `seconds` of simulated time, records it as `state/match.soarrec`, and sends {"message":"match","scores":[...]}, in

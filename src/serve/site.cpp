@@ -64,7 +64,7 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
   if (!files) return files.error();
   std::error_code error;
   std::filesystem::create_directories(settings.state / "places", error);
-  // The names of places are secrets.
+  // The names of the folders of places are secrets.
   for (const std::filesystem::path& folder : {settings.state, settings.state / "places"})
     if (!error) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   if (error)
@@ -94,7 +94,8 @@ Result<std::unique_ptr<Site>> Site::Make(boost::asio::io_context& io, Settings s
 
 bool Site::IsOurHost(std::string_view host) const {
   const std::string_view name = NameOfHost(host);
-  // A foreign page whose name was pointed to this address uses its own name.
+  // Refuses other names, because of DNS rebinding: if the name of another site resolves to this address, its pages send
+  // that name.
   return IsNumber(name) || name == "localhost" || std::ranges::find(settings_.hosts, name) != settings_.hosts.end();
 }
 
@@ -269,7 +270,7 @@ void Site::Do(const std::string& line, std::function<WebResponse()> job, Done do
 void Site::AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done) {
   const std::string& id = parts[2];
   if (!IsId(id)) return done(Refusal(404, places_.Find(id).error()));
-  // One place may not fill the queue, with any number of connections.
+  // Limits the jobs of a place, so that it cannot fill the queue with many connections.
   constexpr std::size_t kMostWaiting = 16;
   if (!MayBegin(id, request.address) || work_.Waiting(id) >= kMostWaiting) {
     WebResponse refusal = Refusal(429, "you ask for more than this server allows", "wait a moment");
@@ -321,7 +322,7 @@ Result<void> Site::MayStart(const Session& session) const {
 std::shared_ptr<Session> Site::SessionOf(const Place& place, const std::string& address) {
   const auto found = sessions_.find(place.id());
   if (found != sessions_.end()) return found->second;
-  // Sessions without viewers and without a run do not count.
+  // A new session has no run yet. MayStart is checked when it starts one.
   auto session =
       std::make_shared<Session>(io_, work_, settings_, place, [this](const Session& each) { return MayStart(each); });
   session->set_address(address);
@@ -364,7 +365,7 @@ void Site::Admit(const WebRequest& request, std::function<void(Admission)> done)
         }
         const bool is_new = !sessions_.contains((*place)->id());
         admission.session = SessionOf(**place, admission.address);
-        // A user who could open nothing is informed at once, and tries again later.
+        // Refuses the connection if no run could be started. The page tries again later.
         if (const Result<void> may = is_new ? MayStart(*admission.session) : Result<void>(); !may) {
           sessions_.erase((*place)->id());
           admission.session = nullptr;
@@ -379,7 +380,7 @@ void Site::CleanUp() {
   std::vector<std::string> kept;
   for (auto& [id, session] : sessions_) {
     session->EndIfIdle();
-    // The age of a mistake is known only if it is checked regularly.
+    // Updates since when the learner's rules have had an error.
     if (!LearnerOf(id).empty()) session->Standing();
   }
   std::erase_if(sessions_, [](const auto& each) { return !each.second->is_running() && each.second->viewers() == 0; });

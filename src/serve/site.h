@@ -84,18 +84,19 @@ class Site {
   void AnswerApi(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   void NewPlace(const WebRequest& request, Done done);
   void AnswerPlace(const WebRequest& request, const std::vector<std::string>& parts, Done done);
-  /// The page for a frame in a page of another site, and the script that such a page includes.
+  /// `what`: "embed" for the page to be shown in a frame of another site; "embed.js" for the script that such a site
+  /// includes.
   WebResponse Embedded(const WebRequest& request, const std::string& what) const;
-  /// A request on the way from a learning platform.
+  /// Answers a request for /lti/.
   void AnswerPlatform(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   /// The name of the learner of a class or course who owns this place; empty: it has no owner.
   std::string LearnerOf(std::string_view place) const;
   /// The class or course whose teachers have this key; null: there is none.
   const ClassList* ClassOf(std::string_view key) const;
-  /// What only the teacher may see and do (site_class.cpp).
+  /// Answers requests that need the key of a class (site_class.cpp).
   void AnswerClass(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   void AnswerTable(const ClassList& list, const std::string& form, Done done);
-  /// A raised hand, a message that was read, and the arena, of a learner.
+  /// Answers requests of a learner about the raised hand, read messages and the arena.
   void AnswerLearner(const WebRequest& request, const std::vector<std::string>& parts, Done done);
   void HandIn(const std::string& game, const std::string& place, const std::string& body, Done done);
   WebResponse WriteNote(const ClassList& list, const std::string& body);

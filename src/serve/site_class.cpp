@@ -166,7 +166,7 @@ void Site::AnswerLearner(const WebRequest& request, const std::vector<std::strin
 void Site::HandIn(const std::string& game, const std::string& place, const std::string& body, Done done) {
   const ClassJson json = ClassJson::parse(body, nullptr, false);
   std::string file = FieldText(json, "file");
-  // In the form in which pages see file names.
+  // Pages send the names of files as they see them.
   const std::string home = std::string(kShownRoot) + "/home/";
   if (file.starts_with(home)) file.erase(0, home.size());
   const auto found = std::make_shared<Result<Place>>(NewProblem("not looked for"));
@@ -222,7 +222,7 @@ void Site::AnswerWatch(const std::string& link, Done done) {
 }
 
 void Site::AnswerTable(const ClassList& list, const std::string& form, Done done) {
-  // A course of a learning platform may get a learner meanwhile.
+  // Copies the list, because a course of a learning platform may get a learner while the job runs.
   const auto copy = std::make_shared<const ClassList>(list);
   if (!form.empty()) {
     return Do(
@@ -258,7 +258,7 @@ WebResponse Site::Table(const ClassList& list, const lti::ScoreCount& scores,
     for (const Lesson& lesson : lessons) {
       const Progress progress = catalog_->ProgressOf(place->state(), lesson.name);
       done[lesson.name] = {{"is_done", progress.is_passed}, {"tries", progress.attempts}, {"hints", progress.hints}};
-      // Of the currently open lesson, else of the last one that is not passed.
+      // The last hint of the open lesson; without one, that of the last lesson that is not passed.
       const bool is_open = does.what == "lesson:" + lesson.name;
       if (!progress.last_hint.empty() && (is_open || (!has_open_hint && !progress.is_passed)))
         last_hint = progress.last_hint;

@@ -66,7 +66,7 @@ unsigned TakeNetwork(bool may_connect) {
   const uid_t user = getuid();
   const gid_t group = getgid();
   if (unshare(CLONE_NEWUSER | (may_connect ? 0 : CLONE_NEWNET)) != 0) return kNoNetwork | kNoCount;
-  // Its files belong to the same user as before.
+  // Maps the user to itself, so that files keep their owner.
   WriteTo("/proc/self/setgroups", "deny");
   const std::string same_user = std::to_string(user) + " " + std::to_string(user) + " 1";
   const std::string same_group = std::to_string(group) + " " + std::to_string(group) + " 1";

@@ -26,7 +26,7 @@ void Work::Do(const std::string& name, std::function<void()> job, std::function<
     try {
       job();
     } catch (const std::exception&) {
-      // A folder was removed, or memory is exhausted: the server continues.
+      // For example, a folder was removed or memory is exhausted. The server continues.
     }
     job = nullptr;  // Its data are released before the reply is sent.
     asio::post(io_, [this, name = std::move(name), done = std::move(done)] {

@@ -36,7 +36,7 @@ class Work {
   };
   boost::asio::io_context& io_;
   boost::asio::thread_pool pool_;
-  std::map<std::string, Line> lines_;  ///< Only lines with unfinished jobs.
+  std::map<std::string, Line> lines_;  ///< By name; only names with unfinished jobs.
 };
 
 /// A limit of the work that each place or address causes. Costs are measured in points; one point is about a

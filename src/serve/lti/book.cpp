@@ -141,7 +141,7 @@ void Book::AddLink(const Platform& platform, const Launch& launch, const std::st
   const auto found = std::ranges::find_if(
       links_, [&](const Link& link) { return link.place == place && link.line_item == launch.line_item; });
   if (found != links_.end() && found->lesson == launch.lesson) {
-    // The platform may now accept scores that it refused before.
+    // The platform may now accept a score that it refused before.
     if (found->state == ScoreState::kRefused) found->state = ScoreState::kWaits;
     found->next_s = 0;
     return;

@@ -32,30 +32,31 @@ class Book {
   /// A lesson whose scores of one learner go to a line item of the platform.
   struct Link {
     std::string issuer, client_id, subject, place, lesson, line_item;
-    int tries = 0;           ///< Of the learner, as they were last seen.
-    bool is_passed = false;  ///< Likewise.
+    int tries = 0;           ///< Number of the learner's attempts when Note was called last.
+    bool is_passed = false;  ///< Whether the lesson was passed then.
     ScoreState state = ScoreState::kNone;
-    std::int64_t graded_ms = 0;  ///< When the score that waits was reached; it grows with each score.
+    std::int64_t graded_ms = 0;  ///< When the last score was reached. Greater for each new score.
     std::string comment = {}, trouble = {};
-    int failures = 0;           ///< How often sending it failed in a row. Not kept.
-    std::int64_t next_s = 0;    ///< It is not sent before then. Not kept.
-    bool is_under_way = false;  ///< Not kept.
+    int failures = 0;           ///< Number of successive attempts to send it that failed. Not stored in the file.
+    std::int64_t next_s = 0;    ///< It is not sent before this time. Not stored in the file.
+    bool is_under_way = false;  ///< Not stored in the file.
   };
 
-  /// From what ToText has written; without a file it is empty. The error says that the file is damaged.
+  /// Reads the output of ToText from a file. Fails if the file is damaged. Empty if there is no file.
   static Result<Book> Read(const std::filesystem::path& file);
   std::string ToText() const;
 
-  /// The course of a launch; it is added if it is new.
+  /// The course of a launch. Adds the course if it is new, and updates its title.
   Course& CourseOf(const Platform& platform, const Launch& launch);
-  /// Adds a learner with a place to a course. People who share a name get a number; those without get one, too.
+  /// Adds a learner with a place to a course, or replaces the learner's place. If another learner of the course has the
+  /// same name, a number is added to it. Without a name: "Learner" and a number.
   void Add(Course& course, const std::string& subject, const std::string& place, std::string name);
-  /// Notes where scores of this lesson go.
+  /// Stores where the scores of the launch's lesson go. Does nothing if the launch has no lesson or no line item.
   void AddLink(const Platform& platform, const Launch& launch, const std::string& place);
-  /// Notes how far a learner is with the lesson of a link. Whether there is a score to send.
+  /// Stores a learner's progress in the lesson of a link. Returns whether there is a new score to send.
   bool Note(Link& link, const serve::Progress& progress, std::int64_t now_ms);
 
-  /// Courses keep their addresses.
+  /// Pointers to courses stay valid when others are added.
   const std::deque<Course>& courses() const { return courses_; }
   std::vector<Link>& links() { return links_; }
   const std::vector<Link>& links() const { return links_; }

@@ -19,7 +19,7 @@ std::string TokenText(const TokenJson& json, const char* field) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The numbers of a key, if it can check RS256 signatures.
+/// The key's modulus and exponent; nothing if it cannot check RS256 signatures.
 std::optional<WebKey> ReadKey(const TokenJson& json) {
   if (!json.is_object() || TokenText(json, "kty") != "RSA") return std::nullopt;
   if (json.contains("use") && TokenText(json, "use") != "sig") return std::nullopt;

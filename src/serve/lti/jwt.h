@@ -9,28 +9,30 @@
 
 namespace soarbox::lti {
 
-/// A JSON Web Token (RFC 7519) in its compact form. Nothing in it can be trusted before its signature is checked.
+/// A JSON Web Token (RFC 7519) in its compact form. Do not trust any of it before its signature is checked.
 struct Jwt {
-  std::string algorithm;    ///< "RS256"; of a stranger's choice: compare it, never select by it.
-  std::string key_id;       ///< Empty: it names none.
+  std::string algorithm;    ///< "RS256". The sender chooses it: compare it with the required one, do not select by it.
+  std::string key_id;       ///< Empty if the token names no key.
   std::string claims;       ///< JSON: an object.
   std::string signed_part;  ///< The bytes that are signed.
   std::string signature;
 };
 
-/// Reads a token of at most kMostJwtBytes. The error says what is wrong with it.
+/// Parses a token of at most kMostJwtBytes. Does not check its signature. Fails with the reason if it is malformed.
 Result<Jwt> ReadJwt(std::string_view text);
 constexpr std::size_t kMostJwtBytes = 64u << 10;
 
-/// What is to be signed of a token with these claims: header and claims. Append "." and the signature in base64url.
+/// Returns header and claims of a token, to be signed. Append "." and the signature in base64url to get the token.
 std::string UnsignedJwt(const std::string& key_id, const std::string& claims);
 
-/// An RSA key of a platform, as its JSON Web Key Set (RFC 7517) names it: numbers as bytes, the highest first.
+/// An RSA key from a platform's JSON Web Key Set (RFC 7517). Modulus and exponent are bytes, the most significant
+/// first.
 struct WebKey {
   std::string id, modulus, exponent;
 };
 
-/// The keys of a set that can check RS256 signatures; others are left out. The error says that it is not a set of keys.
+/// Parses a JSON Web Key Set. Leaves out keys that cannot check RS256 signatures. Fails if the text is not a set of at
+/// most 100 keys.
 Result<std::vector<WebKey>> ReadKeySet(std::string_view text);
 
 }  // namespace soarbox::lti

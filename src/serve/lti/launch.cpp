@@ -18,7 +18,7 @@ constexpr const char* kTool = "https://purl.imsglobal.org/spec/lti/claim/";
 constexpr std::int64_t kClocksDiffer_s = 60, kOldest_s = 3600;
 constexpr std::size_t kMostIdBytes = 255, kMostNameBytes = 100;
 
-/// A field of an object; null: it is not there, or this is not an object.
+/// A field of an object; null if there is no such field, or if `json` is not an object.
 const ClaimJson& FieldIn(const ClaimJson& json, const std::string& name) {
   static const ClaimJson kNull;
   const auto found = json.is_object() ? json.find(name) : json.end();
@@ -30,7 +30,7 @@ std::string TextIn(const ClaimJson& json, const std::string& name) {
   return field.is_string() ? field.get<std::string>() : std::string();
 }
 
-/// Seconds since 1970; nothing if it is not a number that a clock could show.
+/// A field with seconds since 1970; nothing if it is not a number, or negative or above 1e11.
 std::optional<std::int64_t> TimeIn(const ClaimJson& json, const char* name) {
   constexpr double kLatest_s = 1e11;
   const ClaimJson& field = FieldIn(json, name);
@@ -47,7 +47,7 @@ bool Contains(const ClaimJson& list, const std::string& text) {
          });
 }
 
-/// The error in the token's issuer, audience or times; empty if they are valid.
+/// The error in the token's issuer, audience, times or nonce; empty if they are valid.
 std::string TroubleOfToken(const ClaimJson& claims, const Platform& platform, const std::string& nonce,
                            std::int64_t now_s) {
   if (TextIn(claims, "iss") != platform.issuer) return "it comes from another platform";
@@ -69,7 +69,7 @@ std::string TroubleOfToken(const ClaimJson& claims, const Platform& platform, co
   return {};
 }
 
-/// Whether a role is one of those that teach in the course.
+/// Whether a role is that of a teacher or administrator of the course.
 bool Teaches(const ClaimJson& role) {
   if (!role.is_string()) return false;
   const std::string& text = role.get_ref<const std::string&>();
@@ -81,7 +81,7 @@ bool Teaches(const ClaimJson& role) {
   return false;
 }
 
-/// At most this many bytes, cut between characters. Control characters are replaced by blanks.
+/// Shortens a text to kMostNameBytes, between characters. Replaces control characters by blanks, and trims blanks.
 std::string ShortName(std::string text) {
   if (text.size() > kMostNameBytes) {
     std::size_t end = kMostNameBytes;
@@ -100,7 +100,7 @@ std::string NameOfPerson(const ClaimJson& claims) {
   return ShortName(std::move(name));
 }
 
-/// Where scores of this link go, if the platform lets the tool send them.
+/// The address for scores of this link; empty if the platform does not accept scores for it.
 std::string LineItemIn(const ClaimJson& claims) {
   const ClaimJson& service = FieldIn(claims, "https://purl.imsglobal.org/spec/lti-ags/claim/endpoint");
   if (!Contains(FieldIn(service, "scope"), "https://purl.imsglobal.org/spec/lti-ags/scope/score")) return {};

@@ -13,7 +13,7 @@ namespace {
 
 using StateJson = nlohmann::ordered_json;
 
-/// Several tabs may log in at once: each login has a cookie of its own.
+/// Each login has its own cookie, because several tabs of a browser may log in at the same time.
 std::string CookieName(const LoginState& state) {
   constexpr std::size_t kLetters = 8;
   return "soarbox-lti-" + state.id.substr(0, kLetters);
@@ -39,7 +39,7 @@ std::optional<LoginState> ReadLoginState(std::string_view text, std::string_view
   if (dot == std::string_view::npos ||
       !serve::SameSecret(text.substr(dot + 1), SignatureOf(text.substr(0, dot), secret)))
     return std::nullopt;
-  // Only this server can have written what follows.
+  // The signature is valid, so this server wrote the text.
   const StateJson json = StateJson::parse(FromBase64Url(text.substr(0, dot)).value_or(""), nullptr, false);
   if (!json.is_object()) return std::nullopt;
   LoginState state{json.value("id", ""), json.value("nonce", ""), json.value("issuer", ""), json.value("client_id", ""),
@@ -49,7 +49,7 @@ std::optional<LoginState> ReadLoginState(std::string_view text, std::string_view
 }
 
 std::string CookieOf(const LoginState& state) {
-  // The answer comes by a form on a page of the platform, which is another site.
+  // The answer is a form that a page of the platform submits. That is another site, which requires SameSite=None.
   return CookieName(state) + "=" + state.id + "; Path=/lti; Max-Age=" + std::to_string(kLoginLasts_s) +
          "; HttpOnly; Secure; SameSite=None; Partitioned";
 }

@@ -8,18 +8,18 @@
 
 namespace soarbox::lti {
 
-/// What this server says when it sends a browser to a platform, and gets back with the platform's answer. The browser
-/// carries it, signed with a secret of the server, so that the server keeps nothing for logins that nobody finishes.
+/// The data that this server sends with a browser to a platform, and gets back with the platform's answer. The text is
+/// signed with a secret of the server. So the server stores nothing for logins that are never finished.
 struct LoginState {
-  std::string id;     ///< Also in a cookie: the browser that brings the answer is the one that asked.
-  std::string nonce;  ///< Which the platform's token must contain.
+  std::string id;     ///< Also in a cookie, which shows that the answer comes from the same browser.
+  std::string nonce;  ///< The platform's token must contain it.
   std::string issuer, client_id;
-  std::int64_t ends_s = 0;  ///< Since 1970.
+  std::int64_t ends_s = 0;  ///< When it expires, in seconds since 1970.
 };
 constexpr std::int64_t kLoginLasts_s = 600;
 
 std::string WriteLoginState(const LoginState& state, std::string_view secret);
-/// Nothing if it was not written with this secret, or has ended.
+/// Returns nothing if the text was not written with this secret, or has expired.
 std::optional<LoginState> ReadLoginState(std::string_view text, std::string_view secret, std::int64_t now_s);
 
 /// The value of Set-Cookie for a login.

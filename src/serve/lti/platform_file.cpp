@@ -25,7 +25,7 @@ int LineAt(const std::string& text, std::size_t byte) {
                  text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
 }
 
-/// Reads fields of an object and notes the first thing that is wrong.
+/// Reads fields of an object and stores the first error.
 class FieldReader {
  public:
   FieldReader(const PlatformJson& json, std::string where, const fs::path& file)
@@ -55,7 +55,7 @@ class FieldReader {
            "': anybody on the way could read and change what is sent to " + text);
     return text;
   }
-  /// Complains about fields that have another name.
+  /// Reports the first field that is not in `known`.
   void Finish(std::initializer_list<std::string_view> known) {
     for (const auto& [name, value] : json_.items())
       if (std::ranges::find(known, std::string_view(name)) == known.end()) Note("has the unknown field '" + name + "'");

@@ -14,18 +14,19 @@ namespace soarbox::lti {
 struct Platform {
   std::string name;                      ///< For people.
   std::string issuer, client_id;         ///< Together they identify a registration.
-  std::string auth_url;                  ///< Where a browser proves who sits at it.
-  std::string token_url, jwks_url;       ///< Where this server gets access tokens and the platform's keys.
-  std::string audience;                  ///< Of our assertions at token_url; usually the same address.
-  std::vector<std::string> deployments;  ///< Ids of those that are accepted.
+  std::string auth_url;                  ///< Address to which browsers are sent to log in.
+  std::string token_url, jwks_url;       ///< Addresses for access tokens, and for the platform's public keys.
+  std::string audience;                  ///< Audience of the assertions sent to token_url; usually the same address.
+  std::vector<std::string> deployments;  ///< Ids of the deployments that are accepted.
 };
 
-/// What the file of `soarbox serve --lti FILE` says (docs/lti.md).
+/// The contents of the file of `soarbox serve --lti FILE` (docs/lti.md).
 struct PlatformFile {
-  std::string url;  ///< Of this server, as browsers reach it: "https://soar.example", without a slash at the end.
+  std::string url;  ///< Address of this server for browsers: "https://soar.example", without a slash at the end.
   std::vector<Platform> platforms;
 
-  /// The platform with this issuer and client id; null: none. An empty client id fits if the issuer has one platform.
+  /// The platform with this issuer and client id; null if there is none. An empty client id matches any, but the result
+  /// is null if the issuer has several platforms.
   const Platform* Find(std::string_view issuer, std::string_view client_id) const;
 };
 

@@ -14,7 +14,7 @@ namespace soarbox::lti {
 /// The public half of an RSA key: checks RS256 signatures. Copies share the key; any thread may use it.
 class PublicKey {
  public:
-  /// From its numbers, as JSON Web Keys have them; nothing if they are not a key of 2048 to 8192 bits.
+  /// Creates a key from the bytes of its modulus and exponent; nothing if this is not a key of 2048 to 8192 bits.
   static std::optional<PublicKey> FromNumbers(std::string_view modulus, std::string_view exponent);
   bool Verify(std::string_view text, std::string_view signature) const;
 
@@ -26,13 +26,13 @@ class PublicKey {
 /// An RSA key of this server: makes RS256 signatures. Copies share the key; any thread may use it.
 class PrivateKey {
  public:
-  /// A new one of 2048 bits, which takes up to a second; nothing if the system has no random numbers.
+  /// Creates a key of 2048 bits, which takes up to a second; nothing if the system has no random numbers.
   static std::optional<PrivateKey> New();
   static std::optional<PrivateKey> FromPem(const std::string& text);
   std::string ToPem() const;
-  /// Empty if there is no memory.
+  /// Returns the signature; empty if there is not enough memory.
   std::string Sign(std::string_view text) const;
-  /// The numbers of its public half.
+  /// The bytes of the numbers of the public key, the most significant first.
   std::string modulus() const;
   std::string exponent() const;
 

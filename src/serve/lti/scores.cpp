@@ -59,7 +59,7 @@ Result<AccessToken> Ask(const Platform& platform, const Sign& sign, std::int64_t
   AccessToken token;
   if (json.is_object() && json.contains("access_token") && json["access_token"].is_string())
     token.text = json["access_token"].get<std::string>();
-  // A header holds no other characters.
+  // The token becomes part of a header, so it must not contain blanks, control or other special characters.
   for (const char c : token.text)
     if (c <= ' ' || c >= '\x7f') return NewProblem(platform.name + " gave an access token that cannot be used");
   if (token.text.empty()) return NewProblem(platform.name + " answered without an access token");

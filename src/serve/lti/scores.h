@@ -12,10 +12,10 @@
 
 namespace soarbox::lti {
 
-/// What lets this server use the services of a platform, until then.
+/// A token that lets this server use the services of a platform.
 struct AccessToken {
-  std::string text;  ///< Empty: none.
-  std::int64_t ends_s = 0;
+  std::string text;         ///< Empty if there is no token.
+  std::int64_t ends_s = 0;  ///< When it expires, in seconds since 1970.
 };
 
 /// Signs the claims of an assertion; empty: there is no key.
@@ -30,8 +30,8 @@ struct Score {
 struct Sent {
   enum class How : std::uint8_t {
     kDone,
-    kLater,    ///< The platform or the network fails; try again.
-    kRefused,  ///< The platform does not want it; trying again is of no use.
+    kLater,    ///< The platform or the network failed: try again later.
+    kRefused,  ///< The platform refused it: trying again is useless.
   };
   How how = How::kDone;
   std::string trouble = {};
@@ -40,8 +40,9 @@ struct Sent {
 /// "2026-11-29T22:00:00.000Z".
 std::string TimeText(std::int64_t ms_since_1970);
 
-/// Sends scores to a platform, one after another, and gets an access token before if `token` has ended. Waits for the
-/// answers: call it on a thread that may. After a failure of the network the rest is not tried.
+/// Sends scores to a platform, one after another. Gets a new access token first if `token` has expired. Blocks until
+/// the answers have come. After a failure of the network, the remaining scores are not sent. Returns a result for each
+/// score.
 std::vector<Sent> SendScores(const Platform& platform, AccessToken& token, const std::vector<Score>& scores,
                              const Sign& sign, const std::function<std::int64_t()>& now_s,
                              const std::atomic<bool>& stop);

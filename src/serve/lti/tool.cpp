@@ -134,7 +134,7 @@ class PlatformTool final : public Tool {
   struct Remote {
     std::map<std::string, PublicKey, std::less<>> keys;  ///< By their ids.
     bool is_fetching = false, is_sending = false;
-    std::string trouble;                         ///< Why the keys could not be read the last time; empty: they were.
+    std::string trouble;                         ///< Why the last attempt to read the keys failed; empty if it did not.
     std::vector<std::function<void()>> waiting;  ///< Launches that need a key.
     AccessToken token;
   };
@@ -214,7 +214,7 @@ class PlatformTool final : public Tool {
           true);
   }
 
-  /// Checks the signature, with keys that are fetched if need be and if `may_fetch`.
+  /// Checks the signature. If the token's key is not known and `may_fetch` is true, fetches the platform's keys first.
   void Check(Pending pending, bool may_fetch) {
     Remote& remote = remotes_[pending.platform];
     const auto key = remote.keys.find(pending.token.key_id);
@@ -321,7 +321,7 @@ class PlatformTool final : public Tool {
         [this, place, before, platform, launch, done = std::move(done)] {
           if (!*place) return done(pages_.Trouble(507, place->error().message, place->error().hint));
           Book::Course& joined = book_.CourseOf(platform, launch);
-          // Another launch of the same person may have been faster.
+          // Meanwhile another launch of the same person may have got a place. Then that place is used.
           const auto found = joined.places.find(launch.subject);
           const bool is_new = found == joined.places.end() || found->second == before;
           const std::string id = is_new ? (*place)->id() : found->second;
@@ -394,7 +394,7 @@ class PlatformTool final : public Tool {
                   link.lesson == look.lesson)
                 is_new |= book_.Note(link, look.progress, NowMs());
           if (!is_new) return;
-          // A score is on the disk before it is sent.
+          // Stores scores before they are sent.
           Save();
           SendScoresNow();
         });
@@ -445,7 +445,7 @@ class PlatformTool final : public Tool {
     constexpr std::int64_t kFirstPause_s = 5, kLongestPause_s = 600;
     constexpr int kMostDoublings = 7;
     for (Book::Link& link : book_.links()) {
-      // A newer score may wait by now.
+      // Meanwhile a newer score may wait, to which the result does not apply.
       if (link.place != place || link.line_item != score.line_item || link.graded_ms != score.graded_ms) continue;
       link.trouble = sent.trouble;
       if (sent.how == Sent::How::kDone) link.state = Book::ScoreState::kSent;
@@ -466,8 +466,8 @@ class PlatformTool final : public Tool {
   Book book_;
   ToolKeys keys_;
   const std::vector<serve::Lesson> lessons_;
-  std::string secret_;                        ///< Signs logins. A login does not outlive the server.
-  std::map<std::string, std::int64_t> used_;  ///< Nonces of launches, and until when they could come again.
+  std::string secret_;                        ///< Signs logins. New at each start, so that older logins are invalid.
+  std::map<std::string, std::int64_t> used_;  ///< Nonces of launches, with the time at which each expires.
   std::set<std::string> looked_;              ///< Places with progress that the next CleanUp checks.
   std::vector<Remote> remotes_;               ///< In the order of the platforms.
   serve::Costs fetches_{kFetchesPer_s, kFetches};

@@ -20,14 +20,14 @@ class Work;
 
 namespace soarbox::lti {
 
-/// How scores of a course fare.
+/// Numbers of scores of a course by their state.
 struct ScoreCount {
   int sent = 0, waiting = 0, refused = 0;
-  std::string trouble = {};  ///< Of one that waits or was refused.
+  std::string trouble = {};  ///< Why a score waits or was refused, for one of these.
 };
 
-/// Lets learning platforms open lessons here, and sends them scores: the tool's side of LTI 1.3 with Assignment and
-/// Grade Services and Deep Linking (docs/lti.md). It belongs to the thread of `io`.
+/// Lets learning platforms open lessons on this server, and sends them scores: the tool's side of LTI 1.3 with
+/// Assignment and Grade Services and Deep Linking (docs/lti.md). Used only on the thread of `io`.
 class Tool {
  public:
   struct Uses {
@@ -37,8 +37,8 @@ class Tool {
     const serve::Catalog& catalog;
     serve::Places& places;
   };
-  /// Reads the file that the settings name, and what is kept in the state folder. The error says what is wrong there,
-  /// or that this program was built without LTI.
+  /// Reads the file that the settings name, and the data in the state folder. Fails if one of them is invalid, or if
+  /// this program was built without LTI.
   static Result<std::unique_ptr<Tool>> Make(const Uses& uses);
   Tool() = default;
   virtual ~Tool() = default;
@@ -46,12 +46,13 @@ class Tool {
   Tool& operator=(const Tool&) = delete;
 
   using Done = std::function<void(serve::WebResponse)>;
-  /// Answers a request for /lti/... All of it comes from strangers.
+  /// Answers a request for /lti/`what`. The request is not trusted.
   virtual void Answer(const serve::WebRequest& request, const std::string& what, Done done) = 0;
-  /// Call it every few seconds: reads the progress of learners in these places, sends scores, and renews keys.
+  /// Call it every few seconds. `running`: the places that have a run. Reads the progress of learners whose places have
+  /// a run, or had one or were opened since the last call; sends scores; renews keys.
   virtual void CleanUp(const std::vector<std::string>& running) = 0;
 
-  /// The name by which browsers reach the server, as the file says.
+  /// The host name of the server's address in the file.
   virtual std::string host() const = 0;
   /// The learner who owns this place; empty: no learner of a platform owns it.
   virtual std::string NameOf(std::string_view place) const = 0;

@@ -48,7 +48,7 @@ bool ToolKeys::NeedsNew(std::int64_t now_s) const {
 }
 
 bool ToolKeys::HasEnded(std::size_t index, std::int64_t now_s) const {
-  // Its successor signs kOverlap_s after it was made; then the old one is published for as long again.
+  // The next key signs kOverlap_s after it was made. The old one stays published for kOverlap_s after that.
   return index + 1 < keys_.size() && keys_[index + 1].made_s + 2 * kOverlap_s <= now_s;
 }
 

@@ -12,17 +12,17 @@
 
 namespace soarbox::lti {
 
-/// The pages of this server that a person sees on the way from a platform. Platforms may show them in a frame.
+/// The pages that a person sees after opening a link on a platform. Platforms may show them in a frame.
 class ToolPages {
  public:
   explicit ToolPages(const PlatformFile& file);
 
-  /// Says what went wrong.
+  /// A page that describes a problem.
   serve::WebResponse Trouble(int status, const std::string& problem, const std::string& hint = {}) const;
-  /// Lets a teacher choose a lesson for a course (Deep Linking). `sign` makes a token of claims.
+  /// A page on which a teacher chooses a lesson for a course (Deep Linking). `sign` converts claims to a signed token.
   serve::WebResponse Choice(const Platform& platform, const Launch& launch, const std::vector<serve::Lesson>& lessons,
                             std::int64_t now_s, const std::function<std::string(const std::string&)>& sign) const;
-  /// What Canvas reads when an administrator registers this server by its address.
+  /// The JSON that Canvas reads when an administrator registers this server by its address.
   serve::WebResponse CanvasConfiguration() const;
   static serve::WebResponse Redirect(const std::string& url);
 

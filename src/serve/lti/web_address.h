@@ -18,7 +18,8 @@ struct WebAddress {
   std::string origin() const;
 };
 
-/// Nothing if the text is not an address with http or https, a name, and printable ASCII alone, or if it names a user.
+/// Parses an address. Returns nothing if it has another protocol than http or https, no host, a user name, or
+/// characters that are not printable ASCII.
 std::optional<WebAddress> ReadWebAddress(std::string_view text);
 /// Whether data sent to this address is protected from third parties: https, or this machine.
 bool IsPrivate(const WebAddress& address);
@@ -27,9 +28,9 @@ bool IsPrivate(const WebAddress& address);
 using FormFields = std::vector<std::pair<std::string, std::string>>;
 FormFields ReadForm(std::string_view text);
 std::string WriteForm(const FormFields& fields);
-/// The first field of this name; empty: there is none.
+/// The value of the first field of this name; empty if there is none.
 std::string FieldOf(const FormFields& fields, std::string_view name);
-/// Text as the content or attribute of an HTML element.
+/// Escapes a text for the content or an attribute of an HTML element.
 std::string HtmlText(std::string_view text);
 
 }  // namespace soarbox::lti

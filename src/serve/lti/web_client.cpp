@@ -28,7 +28,7 @@ using Tcp = asio::ip::tcp;
 constexpr auto kStepTime = std::chrono::seconds(10);
 constexpr std::size_t kMostAnswerBytes = 1u << 20;
 
-/// One exchange with a server. Each step waits for its end.
+/// One request to a server, and its answer. Each step blocks until it has ended.
 class Exchange {
  public:
   Exchange(const WebAddress& address, const std::atomic<bool>& stop) : address_(address), stop_(stop) {}

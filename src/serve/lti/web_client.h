@@ -20,9 +20,9 @@ struct ClientResponse {
   std::string body;  ///< At most 1 MB.
 };
 
-/// Sends one request over HTTP or HTTPS and waits for the answer, at most about 10 s for each step. Certificates are
-/// checked against the system's list (or the file that SSL_CERT_FILE names). It follows no redirection. Call it on a
-/// thread that may wait. Once `stop` is true it gives up within 100 ms. The error names the server and the step.
+/// Sends one request over HTTP or HTTPS and blocks until the answer has come, at most about 10 s for each step. Checks
+/// certificates against the system's list, or the file that SSL_CERT_FILE names. Follows no redirection. Gives up
+/// within 100 ms after `stop` has become true. The error names the server and the step.
 Result<ClientResponse> Fetch(const ClientRequest& request, const std::atomic<bool>& stop);
 
 }  // namespace soarbox::lti
