@@ -170,7 +170,7 @@ void NameArguments(CLI::App& program) {
     for (CLI::Option* option : command->get_options()) {
       if (!TakesValue(*option)) continue;
       const std::string name = NameOf(KindOf(*command, *option));
-      // The description of its check is already in its name or its description.
+      // Removes the descriptions of checks from the help: the argument's name or description contains the same.
       try {
         for (int i = 0;; ++i) option->get_validator(i)->description("");
       } catch (const CLI::OptionNotFound&) {

@@ -49,7 +49,7 @@ std::vector<const CLI::App*> SubCommands(const CLI::App& program);
 std::vector<const CLI::App*> ListedCommands(const CLI::App& program);
 /// Returns the sub-command with this name; null if there is none.
 const CLI::App* FindCommand(const CLI::App& program, std::string_view name);
-/// Positional arguments in their order; all others.
+/// PositionalsOf returns the positional arguments in their order, OptionsOf all other arguments.
 std::vector<const CLI::Option*> PositionalsOf(const CLI::App& command);
 std::vector<const CLI::Option*> OptionsOf(const CLI::App& command);
 bool TakesValue(const CLI::Option& option);

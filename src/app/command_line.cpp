@@ -49,7 +49,8 @@ int List() {
   return kOk;
 }
 
-/// After the window has closed, opens the run that its user requested, in a new window.
+/// Call it after a window has closed. If its user requested another run, opens that in a new window, and so on. Returns
+/// the exit code of the last one, or `code`.
 int FollowedByOthers(int code, const RunOptions& first) {
   while (const auto next = TakeNextRun()) {
     if (next->is_recording) {
@@ -75,10 +76,10 @@ int FollowedByOthers(int code, const RunOptions& first) {
   return code;
 }
 
-/// Where Soar kernels listen unless they are told otherwise.
+/// The default address of Soar kernels.
 constexpr const char* kUsualKernel = "127.0.0.1:12121";
 
-/// Shows pages in browsers; where this program has no server, as the one that has.
+/// Executes a command that serves pages. If this program has no server, replaces it by soarbox-serve.
 int WithServer(const PageServer* server, char** argv, const CommandOptions& options, bool is_replay) {
   if (server == nullptr) {
     GoOnAs("soarbox-serve", argv);
@@ -115,7 +116,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are "errors" in this library; they print and succeed.
+    // The library reports --help and --version as errors with the exit code of success.
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
       program.exit(error);
       return kOk;
@@ -127,23 +128,24 @@ int Main(int argc, char** argv, const PageServer* server) {
     }
     return kUsage;
   }
-  // The server calls its engine, and the engine's recordings go to users, so they do not contain the command line.
+  // Recordings of an engine do not contain its command line: users get them, and the server made the command line.
   record::SetOrigin({Commit(), program.got_subcommand("engine") ? std::vector<std::string>()
                                                                 : std::vector<std::string>(argv, argv + argc)});
-  // Engines for strangers must not leave files behind. But an engine restarts the same world repeatedly.
+  // Other programs store navigation meshes in files. An engine must not leave files, so it keeps them in memory for
+  // restarts of its world.
   if (program.got_subcommand("engine")) {
     world::ShareNavigation();
   } else {
     world::KeepNavigation(mission::StateFolder("navigation"), record::BuildId());
   }
   if (const Result<sim::DataFolders> data = FindDataFolders()) record::SetDataFolders(*data);
-  // SOARBOX_RECORD is for kernels of clients, not for those of our worlds.
+  // SOARBOX_RECORD is only for kernels that clients use, not for the kernels of worlds.
   if (!program.got_subcommand("kernel")) unsetenv("SOARBOX_RECORD");
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("watch") && options.run.follow.empty()) options.run.follow = kUsualKernel;
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
     return WithServer(server, argv, options, is_replay);
-  // Before anything is done that would be done twice.
+  // The other program repeats everything from the beginning, so it is started before anything is done.
   const bool is_run = program.got_subcommand("run") || program.got_subcommand("watch");
   if ((is_run && !options.run.headless) || (program.got_subcommand("learn") && !options.learn.headless) ||
       (is_replay && !NeedsNoWindow(options.recording))) {
@@ -178,7 +180,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   return List();
 }
 
-/// Ends a process whose world is out of memory, on any thread. The part of a recording that is on disk remains.
+/// Prints that the memory is exhausted. Can be called on any thread, and allocates nothing.
 void TellNoMemory() {
   static const char kText[] =
       "soarbox: error: out of memory\n"
@@ -206,7 +208,7 @@ int CommandLine(int argc, char** argv, const Window* window, const PageServer* s
   SetProgramWindow(window);
   if (window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
-  // If a file may not grow, the write reports it; the signal would end the program before.
+  // At the limit of a file's size, the write then fails with an error instead of a signal that ends the program.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = Main(argc, argv, server);

@@ -7,7 +7,7 @@
 namespace soarbox::app {
 namespace {
 
-/// Maximum duration of a run, with which the number of ticks is still exact.
+/// Maximum duration of a run in simulated seconds. Above it, the number of ticks would no longer be exact.
 constexpr double kLongest_s = 1e7;
 
 void AddBrowser(CLI::App& command, WindowWishes& wishes) {
@@ -455,7 +455,7 @@ void AddCommands(CLI::App& program, CommandOptions& options) {
   AddLearn(program, options.learn);
   AddTest(program, options.test);
   program.add_subcommand("list", "List the scenarios that come with the program");
-  // After list, because lst means list, not lsp.
+  // Added after `list`, so that `list` and not `lsp` is suggested for "lst".
   AddEditors(program, options.format, options.datamap, options.assistant_folder);
   AddServe(program, options.serve, options.engine);
   AddHelp(program, options.help);

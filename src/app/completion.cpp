@@ -85,7 +85,7 @@ class Completion {
     }
   }
 
-  /// `before` is the part of the word before the value.
+  /// Offers values of an option. `before`: the part of the word before the value, such as "--detail=".
   void OfferValues(const CLI::Option& option, const std::string& before, const std::string& value) {
     const ArgumentKind kind = KindOf(*command_, option);
     switch (kind.offers) {

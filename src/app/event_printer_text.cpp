@@ -96,7 +96,7 @@ class TextPrinter : public EventPrinter {
     constexpr std::size_t kMost = 5;
     const std::vector<sim::Finding>& findings = footer.findings;
     if (findings.empty()) return;
-    // That an agent waits, for example after a fight, need not be a mistake.
+    // An agent may have nothing to do, for example after a fight. Such findings alone are not called wrong.
     const bool is_wrong = footer.problems > 0 || std::ranges::any_of(findings, [](const sim::Finding& finding) {
                             return finding.cause <= sim::Cause::kRefused;
                           });

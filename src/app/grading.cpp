@@ -62,7 +62,7 @@ Result<void> Grading::Start(const std::string& lesson, const std::filesystem::pa
 
 void Grading::Stop() {
   if (work_ == nullptr) return;
-  kill(work_->pid, SIGTERM);  // It ends the runs that it started.
+  kill(work_->pid, SIGTERM);  // The process then ends the runs that it started.
   waitpid(work_->pid, nullptr, 0);
   close(work_->pipe);
   work_.reset();

@@ -49,7 +49,7 @@ EM_JS(void, SoarboxStopsGrading, (), { Module["soarboxStopGrading"](); });
 // clang-format on
 
 extern "C" {
-/// Adds output of the other module; `is_over`: it was the last.
+/// Adds output of the other module. `is_over`: the other module has ended.
 EMSCRIPTEN_KEEPALIVE void soarbox_graded(const char* text, int is_over) {
   ToldElsewhere().text += text;
   ToldElsewhere().is_over = is_over != 0;

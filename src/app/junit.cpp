@@ -53,8 +53,8 @@ bool IsAtFault(const TestedMission& tested, const mission::RunResult& run) {
   return true;
 }
 
-/// The reason why the result of this check is not known: it was interrupted, and no finished run failed it. Empty: it
-/// is known.
+/// Why the result of this check is not known: the test was interrupted, and the check failed in no finished run. Empty
+/// if the result is known.
 std::string WhyOpen(const TestedMission& tested, std::size_t check) {
   const mission::MissionOutcome& outcome = tested.outcome;
   if (!outcome.IsInterrupted() || outcome.check_true[check] < outcome.runs.size()) return {};

@@ -21,7 +21,7 @@ struct TestedMission {
 Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
 /// Writes the results in the Test Anything Protocol: a line for each check over all seeds, and one for each run that
-/// broke.
+/// crashed or hung.
 Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
 /// Whether a check passed in all runs.

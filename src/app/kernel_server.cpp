@@ -54,13 +54,14 @@ bool AddAgent(sml::Kernel& kernel, const std::filesystem::path& file, std::set<s
   return true;
 }
 
-/// What is wrong with the recording; empty: nothing.
+/// Starts recording the kernel's clients, if that is requested. Returns an error message; empty if there is no error.
 std::string Record([[maybe_unused]] sml::Kernel& kernel, const KernelServerOptions& options) {
 #ifdef SOARBOX_OWN_KERNEL
   if (!options.record.empty()) return RecordClients(kernel, std::filesystem::absolute(options.record).string());
   const char* const named = std::getenv("SOARBOX_RECORD");
   const bool is_recorded = named != nullptr && *named != '\0';
-  // A program that watches later gets the log from the beginning. A kernel that cannot keep a log works as well.
+  // Keeps the log in any case, so that a program that watches later gets it from the beginning. Ignores errors: the
+  // kernel works without a log.
   if (!options.no_log && !is_recorded) static_cast<void>(RecordClients(kernel, {}));
   return {};
 #else

@@ -13,7 +13,7 @@ struct KernelServerOptions {
   /// Records the actions of clients to this file; empty: to the file in $SOARBOX_RECORD, if it is set.
   std::filesystem::path record;
   bool no_log = false;  ///< Keep no log for `soarbox watch`.
-  /// The file with the secret that clients must show. Empty: what the environment names (sml/wire/secret.h).
+  /// The file with the secret that clients must show. Empty: the secret of the environment (sml/wire/secret.h), if any.
   std::filesystem::path secret_file;
 };
 

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How long the thread waits after it has read all.
+/// Interval at which the kernel is asked again after it had nothing new.
 constexpr auto kNextLook = std::chrono::milliseconds(20);
 
 Result<std::unique_ptr<sml::Kernel>> ConnectTo(const sim::SoarSettings& settings) {
@@ -45,7 +45,7 @@ Result<std::unique_ptr<sml::Kernel>> ConnectTo(const sim::SoarSettings& settings
                     "soarbox kernel --port " + std::to_string(settings.remote_port) + " starts one");
 }
 
-/// Agents that other programs have made since.
+/// Updates the list of agents: other programs may have made some.
 template <typename Kernel>
 void FindNewAgents(Kernel& kernel) {
   if constexpr (requires { kernel.UpdateAgentList(); }) kernel.UpdateAgentList();
@@ -58,7 +58,8 @@ Result<std::string> CarryOut(sml::Kernel& kernel, const std::string& agent, cons
   return NewProblem(answer.empty() ? "the kernel does not carry this out: " + line : std::move(answer));
 }
 
-/// Asks a kernel whether its agents have decided. The run's own connection then looks into them.
+/// For a kernel without a log. Asks the kernel whether its agents have decided; each time makes a tick. The run
+/// inspects the agents over its own connection.
 class LookWatch final : public KernelWatch {
  public:
   LookWatch(std::unique_ptr<sml::Kernel> kernel, sim::SoarSettings address)
@@ -121,7 +122,7 @@ class LookWatch final : public KernelWatch {
   std::unique_ptr<sml::Kernel> kernel_;
   sim::SoarSettings address_;
   std::vector<std::string> ticks_;
-  std::map<std::string, int> decided_;  ///< By agent: how often, when it was asked last.
+  std::map<std::string, int> decided_;  ///< By agent: its number of decisions when it was asked last.
   std::chrono::steady_clock::time_point next_look_;
   std::string news_;
   bool has_ended_ = false;
@@ -171,7 +172,7 @@ class LogWatch final : public KernelWatch {
 
   void Sync() override {
     std::unique_lock lock(mutex_);
-    // The look that is under way may have begun too early.
+    // Waits for two reads without news, because a read that is in progress may have begun before the command.
     const std::uint64_t wanted = idle_looks_ + 2;
     constexpr auto kLongest = std::chrono::seconds(1);
     looked_.wait_for(lock, kLongest, [&] { return is_over_ || idle_looks_ >= wanted; });
@@ -188,7 +189,7 @@ class LogWatch final : public KernelWatch {
   }
 
  private:
-  /// On a thread of its own: a kernel that is busy answers late.
+  /// Reads the log until the kernel ends. Runs on a separate thread, because a busy kernel answers late.
   void Read() {
     while (!is_ending_) {
       std::string problem;
@@ -234,12 +235,12 @@ class LogWatch final : public KernelWatch {
     for (std::size_t end = 0; (end = rest_.find('\n', begin)) != std::string::npos; begin = end + 1)
       ticks_.Add(std::string_view(rest_).substr(begin, end - begin));
     rest_.erase(0, begin);
-    // A tick is not held back until the next one begins.
+    // The end of a tick is known when the next one begins. If the log has nothing more, the tick is complete now.
     if (is_all) ticks_.Flush();
     if (is_last && text.empty()) has_ended_ = true;
   }
 
-  /// Rules are loaded again from copies, as the client's file may change.
+  /// Stores a copy of a client's file. The run loads the copy, because the client's file may change.
   void Keep(const std::string& path, const std::string& content) {
     const fs::path name = fs::path(path).lexically_normal().relative_path();
     if (name.empty() || *name.begin() == "..") return;
@@ -251,17 +252,17 @@ class LogWatch final : public KernelWatch {
   std::unique_ptr<sml::Kernel> kernel_;
   fs::path copies_;
   record::ClientTicks ticks_;
-  std::string rest_;  ///< A line of which the end has not come.
+  std::string rest_;  ///< The beginning of a line whose end has not been read yet.
   bool has_ended_ = false;
   std::thread reader_;
   std::atomic<bool> is_ending_{false};
-  std::uint64_t read_ = 0;  ///< Bytes of the log. Of the reader, once there is one.
-  std::mutex mutex_;        ///< Guards what follows.
+  std::uint64_t read_ = 0;  ///< Bytes of the log that were read. Used only by reader_ once that runs.
+  std::mutex mutex_;        ///< Guards the members after it.
   std::string unread_, news_;
-  std::uint64_t idle_looks_ = 0;  ///< Looks that found no more.
+  std::uint64_t idle_looks_ = 0;  ///< Number of reads that found nothing new.
   std::condition_variable looked_;
   bool is_over_ = false;
-  bool is_idle_ = true;  ///< When the reader looked last, there was no more.
+  bool is_idle_ = true;  ///< The last read found nothing new.
 };
 
 #endif

@@ -17,8 +17,8 @@ namespace soarbox::app {
 /// agents of the run execute the same, tick by tick, as the agents of a recorded client do: all panels and the past
 /// work without asking the kernel. Command lines for the agents go to the kernel; they come back in its log.
 ///
-/// Other kernels, and ours without a log, are asked for what panels show: the present only, as far as the client API of
-/// Soar reports it. A tick passes when an agent has decided.
+/// Other kernels, and ours without a log, are queried for the data of panels. These show the present only, as far as
+/// the client API of Soar reports it. Each time that an agent has decided is a tick.
 class KernelWatch {
  public:
   /// Connects, and reads what the log holds so far. `address`: HOST:PORT. Fails if no kernel answers there.
@@ -30,19 +30,19 @@ class KernelWatch {
   /// The data that this kernel does not report; empty: it reports everything.
   [[nodiscard]] virtual std::string Remark() const { return {}; }
 
-  /// The world in which the agents execute what the log says. It finds copies of the client's files while this lives.
+  /// The scenario in which the agents execute the log. Its copies of the client's files exist as long as this object.
   virtual Result<sim::Scenario> World(const sim::DataFolders& data) = 0;
 
   /// Returns the log's lines for the tick after this one. Repeated calls return the same lines. Null if the kernel's
   /// agents have not reached that tick yet. Valid until the next call.
   virtual const std::string* After(std::uint64_t tick) = 0;
 
-  /// Waits, for at most one second, until After() has everything that the kernel's agents have done so far.
+  /// Call it before After() to get everything that the kernel's agents have done so far. Waits for at most one second.
   virtual void Sync() = 0;
 
   /// Whether the kernel has ended, so that After() will get no further ticks.
   [[nodiscard]] virtual bool HasEnded() const = 0;
-  /// Returns the reason once; otherwise an empty text.
+  /// Returns once why the kernel has ended; otherwise an empty text.
   virtual std::string TakeNews() = 0;
 
   /// Executes a command line for an agent in the kernel.

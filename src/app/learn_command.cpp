@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A wrong answer may pass by luck with one seed, but not with this number of seeds.
+/// Number of seeds with which a wrong answer is tested. With a single seed, it might pass by chance.
 constexpr std::size_t kWrongSeeds = 4;
 /// Minimum number of wrong answers of a lesson.
 constexpr std::size_t kFewestWrong = 4;
@@ -162,7 +162,7 @@ class Learner {
     return graded.passed() ? kOk : kProblems;
   }
 
-  /// "seed 3 of 10": on a terminal one line that is overwritten, for a program one line each.
+  /// Prints "seed 3 of 10": with --progress a line each; else on a terminal one line that is overwritten.
   OnSeed ShowProgress() const {
     if (options_.progress)
       return [](std::size_t done, std::size_t of) { std::cout << kProgressLine << done << " of " << of << std::endl; };
@@ -332,7 +332,7 @@ class Learner {
 
   const LearnOptions& options_;
   const sim::DataFolders& data_;
-  std::string command_;  ///< The beginning of all its commands, with a blank.
+  std::string command_;  ///< "soarbox learn " or, for a course, "soarbox learn COURSE ".
   std::vector<Lesson> lessons_;
   fs::path folder_;
   LessonProgress progress_;

@@ -182,7 +182,8 @@ Diagnostic UnknownPanel(const std::string& title, const fs::path& file, const to
   return problem;
 }
 
-/// How much a known mistake says. That something never happened, or went on for long, has many causes.
+/// The rank of a known mistake among the causes. A mistake that something never happened, or lasted long, has a low
+/// rank, because it has many possible causes.
 mission::Cause CauseOf(const mission::Check& mistake) {
   if (!mistake.written.empty() || !mistake.unwritten.empty()) return mission::Cause::kMistake;
   const bool is_few = mistake.mode == mission::Mode::kTimes && mistake.times.max && !mistake.times.min;
@@ -257,7 +258,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
       if (std::ranges::find(findings, finding.text, &sim::Finding::text) == findings.end())
         findings.push_back(std::move(finding));
   }
-  // A warning about a rule that never fires is not useful here.
+  // Removes warnings that a rule writes repeatedly if the rule never fired.
   std::set<std::string> unfired;
   for (const sim::Finding& finding : findings)
     if (finding.topic == Topic::kUnfired) unfired.insert(finding.rule);
@@ -270,7 +271,7 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
   if (is_endless && !is_told(Cause::kEndless)) findings.push_back({Cause::kEndless, failed.error});
   if (failed.outcome != "ok" && !is_endless)
     findings.push_back({Cause::kEndless, "This run " + failed.outcome + ": " + failed.error});
-  // If a run was ended early, its checks say nothing.
+  // If a run was ended early, its checks do not show a mistake.
   const std::size_t mistake = FindMistake(mission, failed, written);
   if (mistake < mission.mistakes.size() && failed.outcome == "ok") {
     const mission::Check& known = mission.mistakes[mistake];
@@ -421,7 +422,7 @@ std::vector<Lesson> ReadLessons(const fs::path& folder, const sim::DataFolders& 
 Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std::size_t seeds, const OnSeed& on_seed) {
   Grade grade;
   const fs::path rules = rules_folder / lesson.rules;
-  // A folder from somebody else must not show files that are elsewhere.
+  // Refuses links out of the folder. Otherwise a folder from somebody else could show any file of the user in messages.
   std::error_code error;
   if (const fs::path real = fs::canonical(rules, error);
       !error && real.parent_path() != fs::canonical(rules_folder, error)) {
@@ -434,7 +435,7 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
   }
   const LearnersRules written(lesson, rules);
   for (Diagnostic& problem : sim::CheckFiles({rules})) {
-    // Without the path of the learner's folder, because other users may read a page.
+    // Removes the path of the learner's folder, because other users may read the page.
     problem.file = fs::path(problem.file).filename().string();
     if (problem.severity == Severity::kError) {
       grade.problems.push_back(std::move(problem));

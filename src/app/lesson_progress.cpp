@@ -48,7 +48,7 @@ int LessonProgress::Get(const std::string& lesson, const char* what) const {
 }
 
 void LessonProgress::Set(const std::string& lesson, const char* what, int value) {
-  // Another window may have written it since.
+  // Another window may have written the file since it was read.
   Read();
   if (!data_.is_object()) data_ = ProgressJson::object();
   if (!data_.contains(lesson) || !data_[lesson].is_object()) data_[lesson] = ProgressJson::object();

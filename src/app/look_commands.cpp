@@ -105,7 +105,7 @@ Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, 
     (*simulation)->Tick();
     findings.See((*simulation)->TakeEvents());
   }
-  // A script that fails may be the reason for what the agent does.
+  // Prints errors so far: a script that failed may be the reason for what the agent does.
   for (const sim::EventFindings::Reported& reported : findings.reported())
     if (reported.diagnostic.severity == Severity::kError) std::cerr << Format(reported.diagnostic);
   return simulation;

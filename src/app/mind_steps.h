@@ -15,12 +15,11 @@ enum class MindStep : std::uint8_t {
   kPhase,     ///< A phase of its decision cycle, between two ticks.
 };
 
-/// Executes a step of this agent's mind. `told` describes the step, or why it was not possible. `has_ticked`: the world
-/// has advanced.
 struct MindStepped {
-  std::string told;
-  bool has_ticked = false;
+  std::string told;         ///< A sentence about the step, or why it was not possible.
+  bool has_ticked = false;  ///< The world has advanced.
 };
+/// Executes a step of this agent's mind.
 MindStepped StepMind(RunSession& session, const std::string& agent, MindStep step);
 
 }  // namespace soarbox::app

@@ -32,7 +32,7 @@ std::unique_ptr<MissionWatch> MissionWatch::Of(const sim::Scenario& scenario, co
     std::cerr << Format(problem);
   }
   if (!problems.empty() || loaded.mission.checks.empty()) return nullptr;
-  // The known mistakes of a lesson are reported only by grading.
+  // Ignores the known mistakes of a lesson: only grading reports them.
   loaded.mission.mistakes.clear();
   return std::unique_ptr<MissionWatch>(new MissionWatch(std::move(loaded)));
 }

@@ -10,11 +10,11 @@
 
 namespace soarbox::app {
 
-/// The run that the window's user wants to open next: the window closes, and another one opens with it.
+/// The run that the window's user wants to open next. The window then closes, and another one opens with this run.
 struct NextRun {
   std::string what;  ///< A scenario's name or path, or a recording.
   bool is_recording = false;
-  std::size_t script_line = 0;  ///< The line at which a script that plays the user continues.
+  std::size_t script_line = 0;  ///< The line at which the script of user events (--ui-script) continues.
   std::filesystem::path lesson =
       {};  ///< The folder of the lesson to which the scenario belongs; empty: determined by its name.
 };

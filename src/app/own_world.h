@@ -25,7 +25,7 @@ struct OwnWorldPoint {
   bool is_met = false;
   std::string text;                  ///< "2 agents"
   std::string advice;                ///< Advice if it is not met.
-  std::vector<std::string> details;  ///< "dog.soar without dog*apply*follow: noticed by ..."
+  std::vector<std::string> details;  ///< "without dog*apply*follow: noticed by ..."
 };
 
 /// The grade of a world.

@@ -19,7 +19,7 @@
 namespace soarbox::app {
 namespace {
 
-/// The surroundings of a desk without a user.
+/// Implements the services of a desk without a user: they do nothing.
 class NoUser final : public workbench::Surroundings {
  public:
   bool IsPaused() const override { return true; }

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr double kUsualLimitMb = 256;
 
-/// Number of automatic recordings that are kept, the newest.
+/// Number of automatic recordings that are kept, including the new one.
 constexpr std::size_t kUsualFilesKept = 5;
 
 /// $XDG_STATE_HOME/soarbox/recordings, by default below ~/.local/state; empty without a home.
@@ -64,7 +64,7 @@ fs::path UsualFile() {
   for (; there.size() >= kUsualFilesKept; there.erase(there.begin()))
     for (const fs::path& file : there.begin()->second) fs::remove(file, error);
   unsigned number = there.empty() ? 1 : there.rbegin()->first + 1;
-  // Another window may be about to use the same number.
+  // Creates the file, because another program may use the same number at the same time.
   for (const unsigned last = number + 100; number < last; ++number) {
     char name[32];
     std::snprintf(name, sizeof name, "run-%04u.soarrec", number);

@@ -13,7 +13,7 @@
 
 namespace soarbox::app {
 
-/// Returns the header of this run, for its recordings and for the memory of its past: with the name that the user gave
+/// Returns the header of this run, for its recordings and for its history in memory: with the name that the user gave
 /// and the current contents of its files. Call it when the run begins.
 record::Header HeaderOfRun(const RunOptions& options, const sim::Scenario& scenario,
                            const sim::SimulationSettings& settings, const sim::Simulation& simulation,
@@ -31,13 +31,14 @@ class RunRecordings {
   /// Sets the manifest of all later recordings (record::ManifestOf).
   void SetManifest(std::string manifest) { manifest_ = std::move(manifest); }
 
-  /// Starts recording a run before its first tick: into the given file, or into the usual one, which is bounded. After
-  /// a restart it uses the next file name, so that earlier recordings are kept. If the file cannot be written, this is
-  /// reported. Returns a remark with the file name, or nothing if there is no recording.
+  /// Starts recording a run before its first tick: into the file of the options, or into a new file of the folder for
+  /// automatic recordings, whose size is limited. After a restart it uses the next file name, so that earlier
+  /// recordings are kept. Prints an error if the file cannot be written. Returns "recording to FILE", or nothing if
+  /// there is no recording.
   std::string Begin(RunSession& session, const record::Header& header);
 
   /// Records a run that continues from an earlier tick `at`, into a new file next to the previous one. The file begins
-  /// with that tick and contains all earlier inputs. Returns a remark as above.
+  /// with that tick and contains all earlier inputs. Returns the same as Begin.
   std::string GoOn(RunSession& session, const record::Header& header, record::TickRecord at,
                    std::vector<record::TickInputs> inputs);
 

@@ -311,7 +311,7 @@ int Resume(const RecordingOptions& options) {
       if (wanted) simulation.Submit(sim::Input{0, sim::CommandInput{agent, rules}, true});
     }
   }
-  // The continuation is recorded from the beginning of the run, so that it can be replayed, verified and compared.
+  // Records the run from its beginning, not from `at_s`, so that it can be replayed, verified and compared.
   RunOptions run;
   run.scenario = (*reader)->header().scenario;
   run.json = options.json;

@@ -117,7 +117,7 @@ Result<std::unique_ptr<Film>> MakeFilm(const fs::path& file, int width, int heig
   return std::unique_ptr<Film>(std::make_unique<FfmpegFilm>(file, width, height, every_s));
 }
 
-/// Returns the positions of the agents to be shown, at all moments, so that the camera does not move.
+/// Returns the positions of the agents in all moments. A camera that shows all of them need not move.
 Result<std::vector<Vec3>> PlacesIn(record::Reader& recording, record::TickRange range) {
   std::vector<Vec3> places;
   const Result<void> read = record::ForEachTick(recording, range, [&](const record::TickRecord& record) {

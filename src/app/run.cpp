@@ -100,7 +100,8 @@ bool IsOfThisMachine(const dis::Settings& settings) {
   return (is_group ? settings.interface : settings.address).starts_with(kLoopback) || settings.address == "localhost";
 }
 
-/// A run that follows a kernel is a copy: the kernel has the recording, if there is one, and the debuggers.
+/// Completes the options of a run that follows a kernel. The run is a copy, so it is not recorded and has no port for
+/// debuggers: the kernel has these.
 void CompleteToFollow(RunOptions& options) {
   constexpr double kLong_s = 1e9;
   options.scenario = sim::kClientWorld;
@@ -217,7 +218,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     options.warning = "This world joins no exercise of other simulations: the server was not started with --dis.";
     joins.reset();
   } else if (joins && options.dis.empty() && !options.by_strangers && !IsOfThisMachine(*joins)) {
-    // A user who received a folder from somebody else has not requested this.
+    // Does not connect to other machines because of a scenario file alone: it may come from somebody else.
     options.warning = "This world joins no exercise of other simulations: its scenario names " + joins->address +
                       ", beyond this machine. Add --dis " + joins->address + ':' + std::to_string(joins->port) +
                       " to join it.";
@@ -282,7 +283,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     options.remark = note;
     if (!note.empty() && options.record.empty()) std::cerr << "soarbox: " << note << '\n';
   }
-  // These are called later, when only the set-up still exists.
+  // These functions are called later, when the local variables are gone. They use the set-up, which still exists.
   session.SetMake(
       seed, scenario.value().name,
       [raw = setup.get()](std::uint64_t with_seed) {

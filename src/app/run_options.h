@@ -36,8 +36,8 @@ struct RunOptions : WindowWishes {
   int threads = 0;                         ///< For the minds; 0: one per core.
   int memory_mb = 2048;                    ///< Maximum memory of the world: scripts, minds and bodies.
   std::filesystem::path record;            ///< File of the recording; empty: none, or in a window the usual one.
-  bool no_record = false;                  ///< Not even in a window.
-  std::string record_level = "decisions";  ///< record::LevelNamed.
+  bool no_record = false;                  ///< Do not record, not even in a window.
+  std::string record_level = "decisions";  ///< The name of a record::Level.
   std::optional<double> record_limit_mb;   ///< None: no limit, or kUsualLimitMb in the usual file.
   std::string remark;                      ///< For the window's status bar: the file of the recording.
   std::string warning;                     ///< For pages: limitations of this run.
@@ -45,7 +45,7 @@ struct RunOptions : WindowWishes {
   bool watch = false;    ///< Edits of rules and scripts are reloaded during the run; a window always does this.
   std::string dis;       ///< ADDRESS:PORT[,...]: joins an exercise of other simulations; empty: as the scenario says.
   bool may_join = true;  ///< False: the run is never connected, whatever the scenario says.
-  bool by_strangers = false;    ///< Viewers are not the user of this machine: what they type is restricted.
+  bool by_strangers = false;    ///< The user of the run is not the user of this machine: commands are restricted.
   double kernel_limit_s = 2.0;  ///< Time without an answer after which that kernel counts as gone.
 };
 

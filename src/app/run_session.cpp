@@ -18,7 +18,7 @@ namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
 
-/// Time after which a run that has not ended is ended by force; all output was written.
+/// Seconds after the first signal after which the process ends in any case. Its output so far has been written.
 constexpr unsigned kGrace_s = 2;
 
 /// The first signal ends the run properly, the second at once. Uses only async-signal-safe calls.
@@ -155,7 +155,7 @@ void RunSession::Tick() {
 
 void RunSession::CatchUp() {
   followed_->Sync();
-  constexpr int kMostTicks = 3000;  // Else the user waits too long.
+  constexpr int kMostTicks = 3000;  // Limits the time that the user waits.
   for (int i = 0; i < kMostTicks && TakeFollowed(); ++i) AdvanceTick();
 }
 
@@ -218,7 +218,7 @@ Result<void> RunSession::BeginAgain(bool with_next_seed, std::optional<std::uint
   unrecorded_.clear();
   set_up_.clear();
   if (mission_ != nullptr) mission_->Leave();  // It refers to the old simulation.
-  // The old one is destroyed first, because it uses the port for debuggers.
+  // Destroys the old simulation first, because it uses the port for debuggers.
   simulation_.reset();
   Result<std::unique_ptr<sim::Simulation>> made = make_(seed_);
   if (!made) return made.error();
@@ -245,7 +245,8 @@ void RunSession::Watch(OnTick on_tick) {
   record::Observe(*simulation_, is_begun ? set_up_ : unrecorded_, record::Level::kAll, seen_);
   on_tick_(seen_);
   if (recorder_ != nullptr) return;
-  // They have been reported; the next tick does not report them again.
+  // These events have been passed on, so the next tick must not contain them. Those of the set-up are kept for later
+  // observers.
   if (simulation_->tick() == 0 && set_up_.empty()) set_up_ = unrecorded_;
   unrecorded_.clear();
 }
@@ -302,7 +303,7 @@ int RunSession::Finish() {
   footer.problems = problems_;
   footer.findings = findings_.Ranked();
   printer_->End(footer);
-  // A script's exit code is one byte, like that of a process.
+  // The exit code of a process is one byte. Other codes of scripts become 255.
   constexpr int kMostCode = 255;
   const int asked = simulation_->ExitCode();
   if (asked != 0) return asked > 0 && asked < kMostCode ? asked : kMostCode;

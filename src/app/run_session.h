@@ -25,17 +25,19 @@ namespace soarbox::app {
 /// A run in progress: the simulation and its output. The headless loop and the window's loop drive it.
 class RunSession final : public workbench::LiveRun {
  public:
-  /// `followed`: the run repeats what the agents of another kernel do. It advances by a tick whenever they have
-  /// decided. Null: it is an ordinary run.
+  /// `followed`: the kernel whose agents the run repeats. The run advances by a tick when that kernel has reached it.
+  /// Null: it is an ordinary run.
   RunSession(std::unique_ptr<sim::Simulation> simulation, std::unique_ptr<EventPrinter> printer,
              const RunOptions& options, std::unique_ptr<KernelWatch> followed = nullptr);
 
-  /// Advances one tick and prints what happened.
+  /// Advances one tick and prints what happened. Only waits some ms if the exercise of other simulations is frozen, or
+  /// if the followed kernel has not reached the next tick.
   void Tick();
   /// Serves debuggers while paused, and prints the resulting events. After a command to followed agents, first advances
   /// to what they have done by now.
   void Idle();
-  /// True once the requested time has passed or the user has requested the end (Ctrl-C).
+  /// True once the requested time has passed, or the user has requested the end (Ctrl-C). For a headless run also once
+  /// the scenario, or the followed kernel, has ended.
   bool IsOver() const;
   /// From now on evaluates the checks of a mission. Call it before ticks are recorded or watched. Null: no mission.
   void SetMission(std::unique_ptr<MissionWatch> mission);
@@ -72,8 +74,8 @@ class RunSession final : public workbench::LiveRun {
   const std::filesystem::path& lesson() const { return lesson_; }
 
   sim::Simulation& simulation() override { return *simulation_; }
-  /// Whether inputs for ticks after the end of the run are an error: they are in a file of inputs, but not if they are
-  /// keys pressed in a paused window.
+  /// Whether Finish warns about inputs for ticks after the end of the run. It should if they come from a file of
+  /// inputs, but not if they are keys pressed in a paused window.
   void ExpectInputs(bool expects) { expects_inputs_ = expects; }
 
  private:
@@ -81,11 +83,11 @@ class RunSession final : public workbench::LiveRun {
   void RecordTick();
   void AdvanceTick();
   void CatchUp();
-  /// Submits what the followed agents did in the next tick. False: nothing has happened.
+  /// Submits what the followed agents did in the next tick. Returns false if they have not reached it.
   bool TakeFollowed();
   /// Reports that the followed kernel has ended: on standard error, and to the user of a window or page as a problem.
   void ReportNews();
-  /// Command lines of this simulation go to the kernel that is followed.
+  /// Lets the simulation send command lines to the followed kernel, if there is one.
   void SendCommandsToFollowed();
   /// Reloads files that were edited, twice per second of real time.
   void TakeEdits();

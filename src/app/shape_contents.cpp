@@ -27,7 +27,7 @@ using viewer::MeshData;
 using viewer::MeshVertex;
 using world::DrawableSnapshot;
 
-/// By world::BodyLook.
+/// Keys of the shapes of bodies, in the order of world::BodyLook.
 constexpr const char* kBodies[] = {"body/soldier", "body/dark", "body/rifle"};
 
 /// Scripts may request sizes that are not finite.
@@ -173,7 +173,7 @@ void ShapeContents::AddAssets(const world::SceneSnapshot& scene, std::vector<Tol
   const auto add = [&](const std::string& key) {
     if (world::AssetName(key).empty() || told_.size() >= kMost || !told_.insert(key).second) return;
     const auto file = world::FindAsset(key);
-    // A recording of a world whose files were too large to be kept: nothing is shown or played.
+    // The file is missing if it was too large for a recording. Then nothing is shown or played.
     if (file != nullptr) found.push_back({"assets:" + key, Json{{"bytes", ToBase64(*file)}}});
   };
   for (const world::UiSnapshot& panel : scene.ui) add(panel.material);

@@ -11,8 +11,9 @@
 
 namespace soarbox::app {
 
-/// What bodies and things look like, and the images and sounds that scripts show and play (as "assets:KEY"), as
-/// contents for pages: the window's own shapes, each sent once when a scene first shows it (docs/dev/stream.md#shapes).
+/// Contents for pages: the shapes of bodies and things ("shapes:KEY", the same as in the window), and the images and
+/// sounds that scripts show and play ("assets:KEY"). Each is sent once, when a scene first needs it
+/// (docs/dev/stream.md#shapes).
 class ShapeContents {
  public:
   struct Told {

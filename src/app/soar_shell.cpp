@@ -198,7 +198,7 @@ class Shell {
     std::fwrite(result.text.data(), 1, result.text.size(), stdout);
     if (!result.text.empty() && result.text.back() != '\n') std::fputc('\n', stdout);
     if (red) std::fputs(kPlain, stdout);
-    // The texts of Soar contain no hints; sourced files print theirs with the place.
+    // Prints the hints of errors that the text does not contain yet. Errors in sourced files already have theirs.
     for (const Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.severity != Severity::kError || diagnostic.hint.empty()) continue;
       if (result.text.find(diagnostic.hint) != std::string::npos) continue;

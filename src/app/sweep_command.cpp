@@ -54,7 +54,7 @@ void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady
 bool LockFolder(const fs::path& folder) {
   const int file = open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (file < 0) return true;
-  // The runs of a killed sweep end shortly after it.
+  // Waits for a while: if a sweep was killed, its runs hold the lock until they end, too.
   for (int wait = 0; wait < kLockWaits; ++wait) {
     if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
     usleep(kLockWait_us);
@@ -165,7 +165,7 @@ int Sweep(const SweepOptions& asked) {
     settings.memory = options.memory;
     settings.processors = options.processors;
     settings.more = options.sbatch;
-    // Runs that a failed node leaves undone are assigned again.
+    // If nodes fail, some runs are missing at the end. These are submitted again.
     const auto made = [&] {
       std::vector<Diagnostic> found;
       return sweep::RowsOf(spec, *plan, folder, found).size();

@@ -92,7 +92,7 @@ class LinesInOrder {
       Print(at);
     std::cout << std::flush;
   }
-  /// The remaining runs were interrupted.
+  /// Prints the remaining lines, also if runs between them are missing because of an interrupt.
   void Finish() {
     for (; next_ < seeds_.size(); ++next_)
       if (const auto at = waiting_.find(seeds_[next_]); at != waiting_.end()) Print(at);

@@ -42,7 +42,7 @@ bool HasDisplay() {
 
 void GoOnInWindow(char** argv) {
   if (ProgramWindow() != nullptr || !HasDisplay()) return;
-  // Both programs belong to one build, but the linker gives each its own id.
+  // Passes this program's build id on. Both programs belong to one build, but the linker gives each its own id.
   setenv(kWindowOf, record::BuildId().c_str(), 1);
   GoOnAs("soarbox-window", argv);
   unsetenv(kWindowOf);
@@ -58,7 +58,7 @@ WindowSize WindowSizeOf(const RunOptions& options) {
   const Window* window = ProgramWindow();
   if (!options.width_px && !options.height_px && is_looked_at && window != nullptr) {
     if (const auto room = window->RoomOnDisplay()) {
-      // Up to this size, panels and picture gain from space; users cannot take in a larger window at a glance.
+      // Maximum size. A larger window does not show more that a user can see at a glance.
       constexpr int kMostWidth = 2560, kMostHeight = 1440;
       const auto share = [](int whole, int least, int most) {
         constexpr double kShare = 0.92;

@@ -14,7 +14,7 @@
 
 namespace soarbox::app {
 
-/// The origin of a run, with which a window can create it again; updated when the run restarts.
+/// The data from which a run was created, so that a window can create it again. Updated when the run restarts.
 struct WindowRun {
   const sim::Scenario& scenario;
   const sim::SimulationSettings& settings;

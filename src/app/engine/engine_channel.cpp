@@ -14,7 +14,8 @@
 namespace soarbox::app {
 namespace {
 
-/// If more bytes wait, scenes are left out; above the second limit, the reader counts as gone.
+/// Limits of the bytes that wait to be sent. Above the first, scenes are left out; above the second, the connection is
+/// considered closed.
 constexpr std::size_t kScenesWaitAbove = 256u << 10, kMostWaiting = 64u << 20;
 
 std::string Replaced(std::string text, std::string_view what, std::string_view with) {
@@ -71,7 +72,8 @@ std::string EngineChannel::Hidden(std::string_view text) const {
 
 std::string EngineChannel::Found(std::string text) const {
   if (root_.empty()) return text;
-  // Replaced at the beginning of a JSON string and in the address of a file, but not in texts that the user types.
+  // Replaces it only at the beginning of a JSON string, as a path or as the address of a file, and not within texts
+  // that the user types.
   const std::string shown(serve::kShownRoot);
   text = Replaced(std::move(text), "\"" + shown + "/", "\"" + root_ + "/");
   return Replaced(std::move(text), "\"file://" + shown + "/", "\"file://" + root_ + "/");

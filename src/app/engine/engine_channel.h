@@ -22,7 +22,7 @@ class EngineChannel {
   EngineChannel(const EngineChannel&) = delete;
   EngineChannel& operator=(const EngineChannel&) = delete;
 
-  /// Waits at most `most_ms` for data, and sends queued data meanwhile. Returns the received text frames.
+  /// Waits at most `most_ms` for data, or until queued data can be sent. Returns the received text frames.
   std::vector<std::string> Receive(int most_ms);
   void Send(serve::FrameKind kind, std::string_view bytes);
   /// Returns false if too much data is queued, and the block was left out.
@@ -35,7 +35,7 @@ class EngineChannel {
   std::string Hidden(std::string_view text) const;
   std::string Found(std::string text) const;
 
-  std::string root_;  ///< Of the place; empty: no paths are hidden.
+  std::string root_;  ///< Real path of the place; empty: no paths are hidden.
   int socket_;
   bool is_open_ = true;
   serve::FrameReader reader_;

@@ -36,7 +36,7 @@ EMSCRIPTEN_KEEPALIVE void soarbox_take(const char* text) {
 
 EngineChannel::EngineChannel(int socket) : socket_(socket), is_open_(SoarboxHasListener()) {
   Taken().clear();
-  // What a server says: there is one page, which draws documents.
+  // The request with which a server reports that there is one page.
   Taken().emplace_back(R"({"request":"presence","pages":1})");
 }
 

@@ -20,7 +20,7 @@ class LspLanguage final : public EngineLanguage {
   explicit LspLanguage(const std::filesystem::path& folder) : server_(nullptr, {folder}) {}
 
   std::vector<std::string> Handle(const Json& message) override {
-    // Commands of the language server start programs, so they are only for editors on this machine.
+    // Ignores commands, because they start programs: they are only for editors on this machine.
     const auto method = message.find("method");
     if (method != message.end() && (*method == "workspace/executeCommand" || *method == "exit")) return {};
     return TextsOf(server_.Handle(JsonText(message)));

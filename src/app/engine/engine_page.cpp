@@ -30,7 +30,7 @@ std::string TextOf(const Json& json, const char* field) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// A finite number; else 0.
+/// The number of a field, limited to +-1e6; 0 if it is not a finite number.
 float FieldNumber(const Json& json, const char* field) {
   const auto found = json.find(field);
   if (found == json.end() || !found->is_number()) return 0;
@@ -43,7 +43,8 @@ bool FlagOf(const Json& json, const char* field) {
   return found != json.end() && found->is_boolean() && found->get<bool>();
 }
 
-/// A key, a button, the pointer, the wheel, a button of a script or a gamepad, as the world's scripts hear of them.
+/// Converts a page's input to an input of the simulation: a key, a button, the pointer, the wheel, a panel of a script,
+/// a gamepad or the size of the screen. Returns nothing for other kinds.
 std::optional<sim::InputValue> InputOf(const Json& json) {
   const std::string kind = TextOf(json, "kind"), name = TextOf(json, "name").substr(0, 40);
   const float x = FieldNumber(json, "x"), y = FieldNumber(json, "y");
@@ -140,7 +141,7 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
              std::ranges::any_of(*on, [&](const Json& each) { return each == word; });
     };
     const world::OverlayWants wanted{has("navigation"), has("influence"), has("physics"), has("forces")};
-    // Also if the world is paused, the scene must be sent again, with or without overlays.
+    // Sends the scene again with the new overlays, even if the world is paused.
     wants_full_ |= wanted != overlay_wants_;
     overlay_wants_ = wanted;
     return {};
@@ -155,7 +156,8 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   }
   if (request == "input") {
     const std::optional<sim::InputValue> input = InputOf(json);
-    if (!input) return NewProblem("input knows no such kind", "it is one of key, button, pointer, wheel, screen");
+    if (!input)
+      return NewProblem("input knows no such kind", "it is one of key, button, pointer, wheel, screen, panel, pad");
     asked.inputs.push_back(*input);
     return {};
   }

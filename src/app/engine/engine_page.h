@@ -44,17 +44,17 @@ class EnginePage {
   };
   /// Reports that all requests so far have been executed.
   void Done() { channel_.Send(serve::FrameKind::kDone, {}); }
-  /// Sends a heartbeat to the server, twice per second. Call it in each iteration of the loop.
+  /// Sends a heartbeat to the server, at most every 400 ms. Call it in each iteration of the loop.
   void ShowLife();
   /// Waits at most `most_ms` for requests, and adds them. Malformed ones are refused here.
   void Receive(int most_ms, Asked& asked);
   bool is_open() const { return channel_.is_open(); }
-  /// No page is open: the world may pause.
+  /// Whether no page is open. The world then does not advance.
   bool is_alone() const { return pages_ == 0; }
   /// The panels that users who may only watch have open.
   const workbench::PanelSet& watched() const { return watched_; }
 
-  /// A run begins: forgets the state of the previous one.
+  /// Reports that a run begins. Contents, shapes and the scene are then sent completely.
   void Hello(Json about);
   void Tell(const std::string& text) { Say({{"message", "told"}, {"text", text}}); }
   void Refuse(const Diagnostic& problem, const Json& id = {});
@@ -64,7 +64,7 @@ class EnginePage {
   void ShowContents(const workbench::Contents& contents, const workbench::PanelSet& panels);
   /// Whether the next scene must be complete, because a page has no scene yet.
   bool WantsFull() const { return wants_full_; }
-  /// Limits the rate of scenes, depending on their size.
+  /// Whether it is time to send a scene. The interval is 30 to 100 ms, depending on the number of agents.
   bool WantsScene(std::size_t agents) const;
   /// `overlays` may be null.
   void ShowScene(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlays);

@@ -14,7 +14,7 @@ namespace soarbox::app {
 void EndWithServer(int socket) {
   if (getpgrp() != getpid()) return;
   std::thread([socket] {
-    // Signals are handled by the thread that runs the world.
+    // Blocks all signals here, so that the thread that runs the world handles them.
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);

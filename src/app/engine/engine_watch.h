@@ -3,9 +3,9 @@
 
 namespace soarbox::app {
 
-/// Ends this process and its children if the server at the other end of the socket has gone and the process has not
-/// ended by itself within 10 s. A world that hangs would not notice that its server was killed. Call it once, after the
-/// wall is raised. Does nothing if this process is not a process group leader.
+/// Starts a thread that watches the socket. If the other end is closed and this process has not ended within 10 s, the
+/// thread ends it and its children. Otherwise a world that hangs would remain after its server was killed. Call it
+/// once, after RaiseWall. Does nothing if this process is not a process group leader.
 void EndWithServer(int socket);
 
 }  // namespace soarbox::app

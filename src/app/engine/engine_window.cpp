@@ -36,7 +36,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Minimum interval of contents, unless there was a request.
 constexpr auto kContentsEvery = std::chrono::milliseconds(250);
-/// Time after which an engine with a paused world checks files and debuggers again; with and without pages.
+/// Maximum time that an engine waits for requests, before it checks files and debuggers again: while a page is open and
+/// the world is paused, and while no page is open.
 constexpr int kIdle_ms = 50, kAlone_ms = 500;
 
 bool IsStep(Flow flow) {
@@ -115,7 +116,7 @@ class LiveEngine {
         lessons_(run.scenario, session.lesson()),
         surroundings_(page, pace_, &lessons_, options.home),
         panels_(page) {
-    // What a kernel does is shown as soon as it is known; its first agents are there from the start.
+    // A followed kernel's ticks are shown as soon as they are known. The first tick creates its first agents.
     if (session.simulation().sends_commands_elsewhere()) {
       pace_.Obey(Flow::kUnlimited);
       session.Tick();
@@ -264,7 +265,7 @@ class LiveEngine {
   /// Serves pages while a script is stopped in the middle of a tick.
   void WaitInTick() {
     workbench::ScriptDesk& scripts = desk_->scripts();
-    // A page that is loaded again has this time to come back.
+    // A user who loads the page again has this time to connect. After it, the script continues.
     constexpr auto kPatience = std::chrono::seconds(10);
     Clock::time_point seen = Clock::now();
     bool is_new = true, is_shown = false;
@@ -287,7 +288,7 @@ class LiveEngine {
     pace_.Skip();
   }
 
-  /// Commands for the run while a script is stopped. What must wait for the end of the tick is postponed.
+  /// Executes commands for the run while a script is stopped. Postpones restarts to the end of the tick.
   void ObeyInTick(EnginePage::Asked& asked) {
     workbench::ScriptDesk& scripts = desk_->scripts();
     if (asked.pause) {
@@ -303,7 +304,7 @@ class LiveEngine {
         pace_.Resume();
         scripts.GoOn();
       } else if (flow == Flow::kStepTick || flow == Flow::kStepTurn) {
-        pace_.Pause();  // At the end of this tick.
+        pace_.Pause();  // Takes effect at the end of this tick.
         scripts.GoOn();
       } else if (IsStep(flow)) {
         page_.Tell("A script is stopped in the middle of a tick. Let it continue first");
@@ -311,12 +312,12 @@ class LiveEngine {
         pace_.Obey(flow);
       }
     }
-    // They wait for the next tick.
+    // The simulation executes these inputs in the next tick.
     for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));
   }
 
-  /// `is_shown`: the scene was sent after the script had stopped, which may have moved something. Returns whether it
-  /// is sent now.
+  /// Sends the scene once after the script has stopped, because the script may have moved something. `is_shown`: it was
+  /// sent. Returns whether it is sent now.
   bool ShowInTick(bool is_shown) {
     if (page_.is_alone()) return false;
     const std::uint64_t tick = desk_->past().shown_tick();
@@ -357,7 +358,7 @@ class LiveEngine {
   EngineDesk surroundings_;
   std::optional<workbench::Desk> desk_;
   PanelsOfPage panels_;
-  EnginePage::Asked postponed_;  ///< To be done after the tick in which a script is stopped.
+  EnginePage::Asked postponed_;  ///< Requests for after the tick in which a script is stopped.
   bool was_stopped_ = false;     ///< A script was stopped in the last tick.
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
   std::size_t agents_ = 0;  ///< Number of agents in the last scene sent.
@@ -374,7 +375,7 @@ class ReplayEngine {
         panels_(page),
         step_s_(recording.header().step_s),
         turn_ticks_(record::TurnTicks(recording.header())) {
-    // A recorded client makes its agents in the first tick.
+    // If there are no agents yet, shows the next tick: a recorded client makes its agents in the first tick.
     if (desk_.PastScene()->agents.empty() && desk_.past().first_tick() < desk_.past().last_tick())
       desk_.Show(desk_.past().first_tick() + 1);
     const world::SceneSnapshot& scene = *desk_.PastScene();
@@ -452,7 +453,7 @@ class ReplayEngine {
   std::uint64_t shown_tick_ = ~std::uint64_t{0};
 };
 
-/// The window of the commands in an engine.
+/// Implements Window for an engine: it shows runs and recordings to pages.
 class EngineWindow final : public Window {
  public:
   explicit EngineWindow(const EngineOptions& options)
@@ -476,8 +477,8 @@ class EngineWindow final : public Window {
   mutable EnginePage page_;
 };
 
-/// Restricts this process to writing below its place and reading the program's own files, before it has read any file
-/// of the place.
+/// Restricts this process: it may write only below its place, and read only there and in the program's own folders.
+/// Called before any file of the place is read.
 void RaiseWall(const EngineOptions& options) {
   serve::WallSettings wall;
   wall.may_connect = options.may_join;
@@ -524,7 +525,7 @@ int PlayMatch(const EngineOptions& options) {
     scores.push_back(agent.has_score ? nlohmann::ordered_json(agent.score) : nlohmann::ordered_json());
   EngineChannel channel(options.socket);
   channel.Send(serve::FrameKind::kText, nlohmann::ordered_json{{"message", "match"}, {"scores", scores}}.dump());
-  // Queued data are sent before this process ends.
+  // Sends the queued data before this process ends.
   constexpr int kToSend_ms = 100;
   channel.Receive(kToSend_ms);
   return kOk;

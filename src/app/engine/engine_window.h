@@ -10,19 +10,20 @@
 
 namespace soarbox::app {
 
-/// Options of `soarbox engine`, which the server starts; users do not.
+/// Options of `soarbox engine`, which only the server starts. One of `world`, `run`, `follow`, `lesson`, `recording`
+/// and `match` says what to run or show.
 struct EngineOptions {
-  std::string world;           ///< A scenario of the program; the learner gets a copy of it, and keeps it.
-  std::filesystem::path from;  ///< Where the world is copied from, if it is none of the program's.
-  std::string run;             ///< Or what `soarbox run` takes, as it is.
-  std::string follow;          ///< Or the address of a kernel whose agents are watched.
+  std::string world;           ///< A scenario, of which the user gets a copy in `home`. An existing copy is used.
+  std::filesystem::path from;  ///< The folder from which `world` is copied; empty: the program's scenario of that name.
+  std::string run;             ///< A scenario as for `soarbox run`, which is run without a copy.
+  std::string follow;          ///< The address of a kernel whose agents are watched.
   std::optional<std::uint64_t> seed;
-  std::string lesson;               ///< Or a lesson, whose files are put into the learner's folder.
-  std::filesystem::path recording;  ///< Or a recording.
-  std::filesystem::path match;      ///< Or a scenario that runs to its end, for its scores.
-  double match_s = 60;              ///< Maximum duration in simulated seconds.
+  std::string lesson;               ///< A lesson, whose files are copied to the learner's folder.
+  std::filesystem::path recording;  ///< A recording.
+  std::filesystem::path match;      ///< A scenario that is run to its end without pages, for its scores.
+  double match_s = 60;              ///< Maximum duration of a match in simulated seconds.
   std::filesystem::path home;       ///< Files that the learner edits may be written only below this folder.
-  bool is_walled = false;           ///< For strangers: the process can access only its place and the program's data.
+  bool is_walled = false;           ///< The process can access only its place and the program's data (RaiseWall).
   int memory_mb = 256;
   bool may_join = false;  ///< It may join an exercise of other simulations, as the scenario says, or `dis`.
   std::string dis;        ///< As for `soarbox run`.

@@ -91,7 +91,7 @@ Result<void> ReadListen(const std::string& listen, serve::Settings& settings) {
   return {};
 }
 
-/// Whether it is an origin as browsers use it, "https://school.example:8443": a scheme, a name and an optional port.
+/// Whether a text is an origin, "https://school.example:8443": a scheme, a name and an optional port.
 bool IsOrigin(std::string_view site) {
   const std::size_t name = site.starts_with("https://") ? 8 : site.starts_with("http://") ? 7 : std::string_view::npos;
   return name < site.size() && std::ranges::all_of(site.substr(name), [](char c) {
@@ -243,7 +243,7 @@ int ShowInBrowser(const BrowserOptions& shown) {
   ServeOptions options;
   options.listen = "127.0.0.1:0";
   options.page = shown.page;
-  // Other users of this machine must not have access.
+  // Requires a token, because other users of this machine can reach the address.
   options.token = serve::NewId();
   Result<serve::Settings> settings = SettingsFor(options, *data);
   if (!settings) return Refuse(settings.error());

@@ -72,7 +72,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       pace_(options.speed.value_or(1)),
       lessons_(scenario_, session.lesson()),
       window_desk_(viewer, pace_, &lessons_) {
-  // What a kernel does is shown as soon as it is known; its first agents are there from the start.
+  // A followed kernel's ticks are shown as soon as they are known. The first tick creates its first agents.
   if (session.simulation().sends_commands_elsewhere()) {
     pace_.Obey(workbench::Flow::kUnlimited);
     session.Tick();
@@ -160,7 +160,7 @@ void LiveWindow::ObeyInTick(viewer::ViewerCommand command) {
     pace_.Resume();
     scripts.GoOn();
   } else if (command == ViewerCommand::kSingleStep) {
-    pace_.Pause();  // At the end of this tick.
+    pace_.Pause();  // Takes effect at the end of this tick.
     scripts.GoOn();
   } else if (command == ViewerCommand::kReset || command == ViewerCommand::kNextSeed ||
              command == ViewerCommand::kQuit) {

@@ -63,16 +63,16 @@ class LiveWindow {
   viewer::Viewer& viewer_;
   const sim::Scenario& scenario_;
   const sim::SimulationSettings& settings_;  ///< With the seed of the current run.
-  const record::Header& header_;             ///< Likewise.
+  const record::Header& header_;             ///< Of the current run.
   int turn_ticks_;                           ///< sim::TurnTicks of the scenario.
   bool has_script_;                          ///< A script plays the user; the run ends when the script does.
   workbench::Pace pace_;
   LessonDesk lessons_;
   WindowDesk window_desk_;
   std::optional<workbench::Desk> desk_;
-  std::vector<viewer::ViewerCommand> postponed_;  ///< To be done after the tick in which a script is stopped.
+  std::vector<viewer::ViewerCommand> postponed_;  ///< Commands for after the tick in which a script is stopped.
   bool was_stopped_ = false;                      ///< A script was stopped in the last tick.
-  bool is_closed_ = false;                        ///< The window was closed meanwhile.
+  bool is_closed_ = false;                        ///< The window was closed while a script was stopped.
   Deliverer deliverer_;
   SmoothTime frame_time_, tick_time_;
   Clock::time_point frame_start_ = Clock::now();

@@ -36,7 +36,7 @@ class ReplayWindow {
 
   /// Selects this agent, or by default one with a mind. False if it does not exist.
   bool Select(const std::string& wanted) {
-    // A recorded client makes its agents in the first tick.
+    // If there are no agents yet, shows the next tick: a recorded client makes its agents in the first tick.
     if (desk_.PastScene()->agents.empty()) Move(1);
     const world::SceneSnapshot& scene = *desk_.PastScene();
     viewer_.Show(scene);

@@ -86,7 +86,7 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
   viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
-  // Panels request their contents while they are laid out and show them later; the scene is drawn at the end.
+  // Draws several frames: panels request their contents in one frame and show them in a later one.
   const int frames = desk ? 16 : 3;
   for (int i = 0; i < frames; ++i) {
     if (desk) {
