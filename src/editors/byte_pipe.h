@@ -6,7 +6,7 @@
 
 namespace soarbox::editors {
 
-/// The connection to a client by two file descriptors, usually standard input and output. Does not own them.
+/// The connection to a client by two file descriptors, usually standard input and output. Does not close them.
 class BytePipe {
  public:
   BytePipe(int in, int out) : in_(in), out_(out) {}
@@ -15,9 +15,9 @@ class BytePipe {
     std::string bytes;   ///< Empty after a timeout.
     bool ended = false;  ///< The client has closed its end.
   };
-  /// Waits at most `most_ms` for bytes; without a limit if it is negative.
+  /// Waits at most `most_ms` milliseconds for bytes; without a limit if it is negative. A signal can end the wait.
   Got Read(int most_ms);
-  /// Writes all bytes. If the client no longer reads, the pipe is broken.
+  /// Writes all bytes. If that fails, is_broken() becomes true, and later calls write nothing.
   void Write(std::string_view bytes);
   bool is_broken() const { return broken_; }
 

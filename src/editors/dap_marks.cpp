@@ -13,13 +13,14 @@
 namespace soarbox::editors {
 namespace {
 
-/// A comparison of a path's value: "io.input-link.self.health < 50". Without an operator, the path must have a value.
+/// A comparison of the values of a path: "io.input-link.self.health < 50". If `op` is empty, the condition holds if the
+/// path has a value.
 struct MarkCondition {
   std::string path, op, value;
 };
 
 MarkCondition ReadMarkCondition(const std::string& text) {
-  // The operators with two characters come first. "<s>" at the beginning is a state.
+  // The blanks distinguish an operator from the variable <s> in a path.
   constexpr std::array<std::string_view, 7> kOperators = {" == ", " != ", " <= ", " >= ", " = ", " < ", " > "};
   for (const std::string_view op : kOperators)
     if (const std::size_t at = text.find(op); at != std::string::npos)
@@ -43,7 +44,7 @@ bool Compare(const std::string& left, const std::string& op, const std::string& 
   return op == "<" ? a < b : op == "<=" ? a <= b : op == ">" ? a > b : a >= b;
 }
 
-/// Each line of a watch's value is a value.
+/// Whether the condition holds for at least one of the values. Blanks and line ends separate them.
 bool Holds(const MarkCondition& condition, const std::string& values) {
   if (condition.op.empty()) return !values.empty();
   for (std::size_t begin = 0; begin < values.size();) {
@@ -127,7 +128,7 @@ bool DapServer::StopsInScript(std::uint32_t owner) {
 bool DapServer::StopsFor(const std::vector<std::string>& reasons) {
   if (const std::optional<std::uint32_t> script = PausedScript())
     return !(reasons.size() == 1 && reasons.front().ends_with(": breakpoint")) || StopsInScript(*script);
-  // All are looked at, because each may be a log point.
+  // The loop does not end at the first `true`, because a later reason may be a log point, which must print.
   bool stops = false;
   for (const std::string& reason : reasons) stops |= StopsFor(reason);
   return stops;

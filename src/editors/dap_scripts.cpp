@@ -10,7 +10,7 @@
 namespace soarbox::editors {
 namespace {
 
-constexpr std::size_t kNoCall = 1'000'000;  ///< Level of the frame of a script that is not running.
+constexpr std::size_t kNoCall = 1'000'000;  ///< Frame::level for a script that is not running.
 
 std::string TextOf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -113,7 +113,7 @@ Json DapServer::ScriptStack(std::uint32_t owner) {
     list.push_back(std::move(frame));
   }
   if (list.empty()) {
-    // Its global variables can be inspected.
+    // A frame for a script that is not running, so that its global variables can be inspected.
     frames_.push_back({{}, {}, {}, owner, kNoCall});
     list.push_back({{"id", frames_.size()}, {"name", "not running now"}, {"line", 0}, {"column", 0}});
   }
@@ -190,7 +190,8 @@ Json DapServer::EvaluateInScript(std::uint32_t owner, std::size_t level, const s
                       : scripts.EvaluateGlobal(owner, expression);
   });
   if (!value && in_console && !PausedScript()) {
-    // A statement, or a call of a function of the script: an input of the world, like text typed in its console.
+    // Statements and calls of the script's own functions may change the world. They become an input of the world, like
+    // text that is typed in its console.
     Lua().Run(owner, expression);
     return {{"result", "runs in the next tick"}, {"variablesReference", 0}};
   }

@@ -237,7 +237,7 @@ std::vector<Json> DapServer::Advance() {
 Json DapServer::StepBy(const std::string& command, const Json& arguments) {
   const std::optional<std::uint32_t> script = ScriptOf(arguments);
   const bool goes_back = command == "stepBack" || command == "reverseContinue";
-  // Between two ticks, `next` of a script is a tick of the world, as for minds.
+  // If no script is paused, `next` in a thread of a script advances the world by a tick, as in a thread of an agent.
   if (script && !goes_back && (PausedScript() || command != "next")) return StepScript(command, *script);
   const std::string agent = script ? std::string() : AgentOf(arguments);
   Debuggee& minds = Minds();
@@ -261,7 +261,7 @@ Json DapServer::StepBy(const std::string& command, const Json& arguments) {
     for (int i = 0; i < kMostSteps && text.empty() && !minds.HasEnded(); ++i) {
       const std::vector<std::string> why = minds.Advance(step, agent);
       if (!why.empty()) text = why.front();
-      // Out of a substate: until the goal stack is shorter.
+      // stepOut leaves a substate: it repeats the step until the goal stack is shorter.
       if (command != "stepOut" || before <= 1 || depth() < before) break;
     }
   }
@@ -375,7 +375,7 @@ Json DapServer::StackTrace(const Json& arguments) {
       if (!state->operator_id.empty())
         name += ": " + (state->operator_name.empty() ? state->operator_id : state->operator_name);
       Json frame = {{"id", frames_.size()}, {"name", name}, {"line", 0}, {"column", 0}};
-      // The rule that caused the stop, at the lowest state.
+      // The frame of the lowest state shows the rule that caused the stop.
       for (const auto& [file, marks] : marks_)
         for (const Mark& mark : marks)
           if (list.empty() && !stopped_at_.empty() && mark.rule == stopped_at_) {

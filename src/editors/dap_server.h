@@ -22,17 +22,22 @@ namespace soarbox::editors {
 ///
 /// Agents are threads, the states of a goal stack are frames, and states, operators and the objects below them are
 /// variables. The script of the sandbox and the script of each agent are threads as well, whose frames are calls
-/// (dap_scripts.cpp). `next` advances the world by a tick, `stepIn` by a decision, or by a phase with the granularity
-/// "instruction"; `stepBack` goes back by a tick. Breakpoints are set on lines of rules, or as function breakpoints on
-/// events (StopWish). The console accepts Soar commands and `why`. All messages are answered; only `disconnect` ends
-/// the server.
+/// (dap_scripts.cpp).
+///
+/// In a thread of an agent, `next` advances the world by a tick, `stepIn` by a decision, and `stepOut` until the agent
+/// leaves its substate. With the granularity "instruction", each of them makes steps of a phase. `stepBack` goes back
+/// by a tick, `reverseContinue` to the beginning. Breakpoints are set on lines of rules and of scripts, or as function
+/// breakpoints on events (StopWish). The console accepts Soar commands and `why`, for a script Lua.
+///
+/// All requests are answered, including invalid ones. Only `disconnect` ends the server.
 class DapServer {
  public:
   /// `data`: the folders of scenarios; null: scenarios are refused.
   explicit DapServer(const sim::DataFolders* data) : data_(data) {}
 
+  /// Processes one message. Returns the answer and the events in the order in which they must be sent.
   std::vector<Json> Handle(const std::string& message);
-  /// Continues the run. Call it repeatedly while is_running() and no message is waiting.
+  /// Continues the run by a tick and returns the events. Call it repeatedly while is_running() and no message waits.
   std::vector<Json> Advance();
   bool is_running() const { return running_; }
   bool is_over() const { return over_; }
@@ -54,8 +59,10 @@ class DapServer {
   // Conditions of breakpoints, and log points (dap_marks.cpp).
   /// What is wrong with the condition of a breakpoint in a rule; empty: nothing.
   static std::string FaultOfCondition(const std::string& condition);
+  /// Prints the line of a log point, which is in line `at` of the file.
   void Log(const std::string& line, const std::filesystem::path& file, std::size_t at);
-  /// Prints the log points among these reasons to stop. False: none of the others is a reason, so the run goes on.
+  /// Whether one of these reasons stops the run. A log point does not, but its line is printed. A breakpoint does not
+  /// if its condition does not hold.
   bool StopsFor(const std::vector<std::string>& reasons);
   bool StopsFor(const std::string& reason);
   bool StopsInScript(std::uint32_t owner);
@@ -73,7 +80,7 @@ class DapServer {
   ScriptDebuggee& Lua();
   /// The owner of the script that is paused in the middle of a tick.
   std::optional<std::uint32_t> PausedScript();
-  /// The owner of a script's thread; nothing for threads of agents.
+  /// The owner of the script of this thread; nothing for threads of agents.
   std::optional<std::uint32_t> ScriptOf(const Json& arguments);
 
   void Begin(std::unique_ptr<Debuggee> debuggee);
@@ -94,29 +101,31 @@ class DapServer {
   const sim::DataFolders* data_;
   std::unique_ptr<Debuggee> debuggee_;
   language::Workspace workspace_;
-  std::vector<Json> out_, after_;  ///< Events; those in after_ are sent after the answer.
+  std::vector<Json> out_, after_;  ///< Messages to send; events in after_ are sent after the answer.
   int sequence_ = 0;
   bool running_ = false, over_ = false, stop_on_entry_ = true, configured_ = false, ended_ = false;
-  std::string stepping_;  ///< The agent that was stepped last.
+  std::string stepping_;  ///< The agent of the last step or breakpoint.
   struct Frame {
     std::string agent, state, operator_id;
     std::optional<std::uint32_t> script = {};  ///< Owner of the script; `level` then counts calls, the innermost is 0.
     std::size_t level = 0;
   };
-  std::vector<Frame> frames_;  ///< By number, from 1.
+  std::vector<Frame> frames_;  ///< The frame with the id n is frames_[n - 1].
   struct Held {
     std::string agent, id;
     explain::WhyNode why;
     enum class Kind : std::uint8_t { kElements, kWhy, kLocals, kUpvalues, kGlobals, kFields } kind = Kind::kElements;
     std::uint32_t script = 0;
-    int number = 0;  ///< A level, or a reference of the debugger of scripts.
+    int number = 0;  ///< The level of a call; for kFields, a reference of the debugger of scripts.
   };
-  std::vector<Held> held_;  ///< Objects that can be unfolded, by number from 1.
+  std::vector<Held> held_;  ///< Objects that can be unfolded. That with the reference n is held_[n - 1].
   struct Mark {
     std::filesystem::path file;
     std::string rule;
     std::size_t line = 0;
-    std::string condition, log;  ///< Empty: always; stops.
+    /// `condition`: empty if there is none. `log`: the line that a log point prints; empty for a breakpoint, which
+    /// stops the run.
+    std::string condition, log;
   };
   std::map<std::string, std::vector<Mark>> marks_;  ///< Breakpoints by file.
   std::vector<StopWish> wishes_;

@@ -68,7 +68,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   }
 
   Result<void> GoBack() override {
-    // During a tick, its beginning is an earlier moment.
+    // A script is paused in a tick: go back to the beginning of that tick.
     if (task_.is_paused()) return GoTo(ended_tick_);
     if (simulation_->tick() == 0) return NoWorld("this is the beginning of the run: there is nothing before it");
     return GoTo(simulation_->tick() - 1);
@@ -110,7 +110,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
 
   void With(const std::function<void(script::ScriptDebugger&)>& look) override {
     if (task_.is_paused()) return task_.Do([&] { look(scripts_); });
-    // An error during an inspection must not pause.
+    // A script error during the inspection must not pause the run.
     scripts_.SetEnabled(false);
     look(scripts_);
     scripts_.SetEnabled(true);
@@ -153,7 +153,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     scripts_.SetEnabled(true);
   }
 
-  /// Returns what happened in a tick, or why a script has paused during it.
+  /// If the tick has ended, returns the breakpoints that it hit; otherwise where and why a script has paused.
   std::vector<std::string> EndTick(bool has_ended) {
     if (has_ended) return std::exchange(is_set_up_again_, false) ? std::vector<std::string>() : AfterTick();
     std::vector<script::ScriptFrame> calls;
@@ -178,7 +178,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
       if (!event.diagnostic.message.empty()) {
         news_.push_back(Format(event.diagnostic));
       } else if (event.kind == sim::EventKind::kLog ||
-                 // The reply of a mind was returned at once.
+                 // Only results of scripts arrive here: Command() has already returned those of minds.
                  (event.kind == sim::EventKind::kAnswer && std::erase(asked_of_scripts_, event.news) > 0)) {
         news_.push_back((event.agent.empty() ? "" : event.agent + ": ") + event.text);
       }
@@ -193,7 +193,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   std::vector<std::string> Tick() {
     if (simulation_->tick() == 0 && scripts_.HasBreakpoints() && scripts_.IsWanted() &&
         !std::exchange(has_begun_, true)) {
-      // Repeats the set-up, because its breakpoints are now known.
+      // Repeats the set-up of the world, because scripts may have breakpoints in it, which are known only now.
       is_set_up_again_ = true;
       if (!task_.Start([this] { SetUpAgain(); })) return EndTick(false);
       is_set_up_again_ = false;
@@ -218,7 +218,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     if (!again) return news_.push_back(Format(again.error()));
     simulation_ = std::move(*again);
     Watch();
-    news_.clear();  // The first set-up printed the same.
+    news_.clear();  // The first set-up has printed the same.
   }
 
   std::vector<std::string> AfterTick() {
@@ -265,7 +265,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
   PausableTask task_;  ///< Runs ticks in which scripts may pause.
   script::ScriptDebugger scripts_{[this] { task_.Pause(); }};
   bool has_begun_ = false;        ///< A tick or a command was requested since the beginning.
-  bool is_set_up_again_ = false;  ///< The task builds the world, with breakpoints in its set-up.
+  bool is_set_up_again_ = false;  ///< The task repeats the set-up of the world.
   std::uint64_t ended_tick_ = 0;
   std::unique_ptr<sim::Simulation> simulation_;
   std::uint64_t last_tick_ = 0;

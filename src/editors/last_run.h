@@ -8,10 +8,12 @@
 
 namespace soarbox::editors {
 
-/// The newest recording (.soarrec) in a folder or in one of the two folders above it; empty if there is none.
+/// The newest recording (.soarrec) in a folder. If it contains none, the newest in the folder above it, or else in the
+/// next folder above. Empty if there is none.
 std::filesystem::path NewestRecording(const std::filesystem::path& folder);
-/// Counts the firings in a recording; nothing if it cannot be read. Of long recordings, only the last `kMostTicks`
-/// ticks are read.
+/// Counts the firings of each rule in a recording, without retractions; nothing if it cannot be opened. A recording
+/// below the level `all` has no firings (LastRun::has_firings). Of long recordings, only the last `kMostTicks` ticks
+/// are read.
 std::optional<language::LastRun> ReadFirings(const std::filesystem::path& recording);
 inline constexpr std::uint64_t kMostTicks = 18'000;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// Replies of the language server about one file.
+// Requests of the language server: completion, hover, symbols, folding, formatting, colors, quick fixes, and code
+// lenses with the firings in the last run.
 #include <algorithm>
 
 #include "debugger/why.h"
@@ -91,7 +92,7 @@ Json LspServer::Folding(const Json& params) {
     const std::size_t first = lines.LineOf(rule.body.begin), last = lines.LineOf(rule.body.end);
     if (last > first) list.push_back({{"startLine", first}, {"endLine", last}});
   }
-  // Consecutive lines of comments.
+  // Two or more consecutive lines of comments can be folded.
   for (std::size_t line = 0; line < lines.count(); ++line) {
     std::size_t end = line;
     while (end < lines.count() && lines.Line(end).starts_with('#')) ++end;
@@ -178,7 +179,7 @@ Json LspServer::ExecuteCommand(const Json& params) {
   if (data_ == nullptr) return refuse("the scenarios that come with the program are not found");
   Result<std::unique_ptr<record::Reader>> opened = record::Reader::Open(recording);
   if (!opened) return refuse(Format(opened.error()));
-  // At the end of the run in which the rule did what the lens shows.
+  // The moment of the explanation is the end of the recording from which the code lens was made.
   Result<record::Rerun> again = record::GoTo(**opened, (*opened)->last_tick(), *data_);
   if (!again) return refuse(Format(again.error()));
   sim::Simulation& world = *again->simulation;

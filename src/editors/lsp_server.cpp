@@ -19,8 +19,8 @@ constexpr int kLspParseError = -32700, kLspInvalidRequest = -32600, kLspNoSuchMe
 /// Maximum number of published problems per file, because more make editors slow.
 constexpr std::size_t kMostProblems = 500;
 
-/// Maximum number of files of rules in a folder of which all programs are checked, and of programs that one call of
-/// Idle() checks: the editor waits that long for an answer.
+/// Programs without an open file are checked only in folders with at most kMostChecked files of rules. One call of
+/// Idle() checks at most kCheckedAtOnce of them, because the editor waits for answers during the call.
 constexpr std::size_t kMostChecked = 1000, kCheckedAtOnce = 4;
 
 constexpr int kWarningMessage = 2;  ///< A type of window/showMessage.
@@ -44,12 +44,12 @@ Position PositionIn(const Json& json) {
   return {number("line"), number("character")};
 }
 
-/// The folders of a list of WorkspaceFolder; URIs with other schemes than file: are left out.
+/// The paths of a list of WorkspaceFolder. URIs with another scheme than "file" are left out.
 std::vector<fs::path> FoldersIn(const Json& list) {
   std::vector<fs::path> folders;
   for (const Json& one : list) {
     fs::path folder = PathOfUri(one.at("uri").get<std::string>());
-    // "file:///home/me/" is the same folder as without the last slash.
+    // Removes a slash at the end: "file:///home/me/" and "file:///home/me" are the same folder.
     if (!folder.has_filename()) folder = folder.parent_path();
     if (!folder.empty()) folders.push_back(std::move(folder));
   }
@@ -86,7 +86,7 @@ void LspServer::Dispatch(const Json& message) {
   const Json id = is_request ? *id_field : Json();
   const auto method = message.find("method");
   if (method == message.end() || !method->is_string()) {
-    // A reply to a request of ours; none is pending.
+    // The server sends no requests, so it ignores replies.
     const bool is_answer = message.contains("result") || message.contains("error");
     if (!is_answer) out_.push_back(LspError(id, kLspInvalidRequest, "this message has no method"));
     return;
@@ -204,7 +204,7 @@ void LspServer::ChangedOnDisk(const Json& params) {
       PublishNothing(path);
     }
   }
-  // A file may load other files than before. A project or a scenario may have other words.
+  // A file may load other files than before. A project or a scenario may define other names than before.
   if (is_other) CheckFolders();
 }
 
@@ -278,7 +278,7 @@ void LspServer::Changed(const Json& params) {
     if (end < begin) throw LspRefusal{kLspInvalidParams, "this range ends before it begins"};
     text.replace(begin, end - begin, replacement);
   }
-  // Slips after an edit keep their distance from the end of the text.
+  // Slips below the edit move with their lines. Those in its first line are removed.
   const std::shared_ptr<const Document> before = workspace_.Find(path);
   const std::string& old = before->text();
   std::size_t same = 0;
@@ -338,7 +338,8 @@ void LspServer::CheckProgramOf(const fs::path& path, std::set<std::vector<fs::pa
                     {"params", {{"type", kWarningMessage}, {"message", notice}}}});
   if (!checked.insert(program.roots).second) return;
   for (auto& [file, slips] : workspace_.Slips(program)) {
-    // A problem in one program may not exist in another program with this file.
+    // A file can belong to several programs, and a slip in one need not be a slip in all. Therefore, the slips of a
+    // file are published only by a check of all its programs.
     if (workspace_.RootsOf(file) != program.roots) continue;
     slips_[file] = std::move(slips);
     Publish(file);

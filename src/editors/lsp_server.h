@@ -17,12 +17,12 @@ namespace soarbox::editors {
 
 /// The Language Server Protocol (3.17) for Soar rules, without its framing: it converts messages to answers.
 ///
-/// It answers all messages as the protocol demands, including invalid ones; only `exit` ends it. Edits can be complete
+/// It answers all requests as the protocol demands, including invalid ones; only `exit` ends it. Edits can be complete
 /// texts or ranges; positions are in UTF-16 code units.
 class LspServer {
  public:
-  /// `data`: needed to simulate recordings again for *why*; null: such requests are refused. Only files below `folders`
-  /// are read; empty: all files.
+  /// `data`: needed to simulate recordings again for the command soarbox.why; null: the command is refused. Only files
+  /// below `folders` are read; empty: all files.
   explicit LspServer(const sim::DataFolders* data = nullptr, std::vector<std::filesystem::path> folders = {})
       : data_(data), workspace_(std::move(folders)) {}
 
@@ -30,14 +30,14 @@ class LspServer {
   std::vector<Json> Handle(const std::string& message);
   /// The answer to bytes that are not a message.
   static Json Fault(const std::string& what);
-  /// Does slow work: slips of entire programs, for files that were edited since the last call, then for some of the
-  /// programs of which no file is open. Call it when no message is waiting; it returns at once if there is nothing to
-  /// do.
+  /// Does slow work: searches slips in entire programs. After edits, it checks the programs of the edited files;
+  /// otherwise some of the programs of which no file is open. Returns the diagnostics to send. Call it when no message
+  /// is waiting.
   std::vector<Json> Idle();
   bool HasIdleWork() const { return !unchecked_.empty() || !closed_.empty(); }
 
   bool is_over() const { return over_; }
-  /// 0 if the client sent `shutdown` before `exit`.
+  /// 0 if the client sent `shutdown` before `exit`, else 1.
   int exit_code() const { return shut_down_ ? 0 : 1; }
 
  private:
@@ -94,11 +94,11 @@ class LspServer {
   language::Workspace workspace_;
   std::vector<Json> out_;
   bool initialized_ = false, shut_down_ = false, over_ = false;
-  std::set<std::filesystem::path> unchecked_;  ///< Open files.
-  std::set<std::filesystem::path> closed_;     ///< Files of programs that are checked when no edit waits.
+  std::set<std::filesystem::path> unchecked_;  ///< Open files whose programs Idle() must check.
+  std::set<std::filesystem::path> closed_;     ///< Other files whose programs it must check, after those.
   /// Slips by file, from the last check of all rules. Their lines are adjusted when text is typed above them.
   std::map<std::filesystem::path, std::vector<Diagnostic>> slips_;
-  std::map<std::filesystem::path, std::string> published_;
+  std::map<std::filesystem::path, std::string> published_;  ///< The diagnostics that were sent last, as JSON.
   struct KnownRun {
     std::filesystem::file_time_type time;
     std::optional<language::LastRun> run;

@@ -41,7 +41,8 @@ std::string DetailOf(const Datamap::Vertex& vertex) {
   return words;
 }
 
-/// The attributes of objects, down to kDeepest. Objects that contain themselves are shown once on each path.
+/// The tree of the attributes below an object, with at most kDeepest levels and kMostNodes attributes. If an object is
+/// below itself, its attributes are not repeated there.
 class DatamapTree {
  public:
   explicit DatamapTree(const Datamap& datamap) : datamap_(datamap) {}
@@ -72,8 +73,9 @@ struct OperatorNode {
 
 }  // namespace
 
-/// {textDocument}: the operators of the file's program: name, the operators in whose substates they are proposed, and
-/// the rules that propose and apply them. The operator without a name has the rules that are about none.
+/// Parameters: {textDocument}. Returns the operators of the file's program, each with `name`, `parents` (the operators
+/// in whose substates it is proposed) and `rules` (those that propose or apply it). Two names are special: "(any)" has
+/// the rules that do not name their operator, and "" the rules that neither propose nor apply one.
 Json LspServer::OperatorTree(const Json& params) {
   const DocumentPtr document = DocumentOf(params);
   const language::Program program = workspace_.ProgramOf(document->path());
@@ -110,7 +112,8 @@ Json LspServer::OperatorTree(const Json& params) {
   return list;
 }
 
-/// {textDocument}: what working memory may hold, as soarbox datamap finds it: attributes with `detail` and `children`.
+/// Parameters: {textDocument}. Returns what working memory may contain, as `soarbox datamap` finds it: the attributes
+/// of the top state, each with `name`, `detail` and `children`.
 Json LspServer::DatamapOf(const Json& params) {
   const DocumentPtr document = DocumentOf(params);
   const language::Program program = workspace_.ProgramOf(document->path());

@@ -15,8 +15,8 @@ struct PromptArgument {
 };
 struct Prompt {
   std::string_view name, meaning;
-  std::array<PromptArgument, 2> arguments;  ///< Without a name: none.
-  std::string_view text;                    ///< {name} stands for an argument.
+  std::array<PromptArgument, 2> arguments;  ///< Those with an empty name do not exist.
+  std::string_view text;                    ///< McpPrompt replaces "{name}" by the value of the argument `name`.
 };
 
 constexpr Prompt kPrompts[] = {

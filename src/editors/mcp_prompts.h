@@ -12,7 +12,7 @@ namespace soarbox::editors {
 nlohmann::ordered_json McpPrompts();
 
 /// The text of a prompt with these arguments; nothing if there is no prompt of this name. `missing` receives the name
-/// of a required argument that is missing.
+/// of the first required argument that is missing.
 std::optional<std::string> McpPrompt(const std::string& name, const nlohmann::ordered_json& arguments,
                                      std::string& missing);
 

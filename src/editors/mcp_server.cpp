@@ -51,7 +51,7 @@ std::string WordOf(const McpJson& arguments, const char* name, bool required = f
   return word;
 }
 
-/// A word that becomes an argument of the command: it must not be parsed as an option.
+/// A word for the command line. Refuses words that the command would parse as an option.
 std::string PlainWord(const McpJson& arguments, const char* name, bool required = false) {
   std::string word = WordOf(arguments, name, required);
   if (word.starts_with('-')) throw McpRefusal{kMcpInvalidParams, std::string(name) + " may not begin with -"};
@@ -80,7 +80,8 @@ McpServer::McpServer(fs::path program, fs::path folder) : program_(std::move(pro
   std::string own = (fs::temp_directory_path(error) / "soarbox-mcp-XXXXXX").string();
   if (mkdtemp(own.data()) == nullptr) return;
   own_ = own;
-  // The command's recordings and a learner's progress: those of an assistant are separate from the user's.
+  // The commands store recordings and a learner's progress below this folder. Those of an assistant must be separate
+  // from those of the user.
   setenv("XDG_STATE_HOME", own.c_str(), 1);
 }
 
@@ -219,7 +220,7 @@ std::string McpServer::FileOf(const McpJson& arguments, const char* name) {
 std::string McpServer::SourceOf(const McpJson& arguments, const char* name) {
   const std::string word = PlainWord(arguments, name, true);
   if (const auto own = recordings_.find(word); own != recordings_.end()) return own->second.string();
-  // A name without a folder may be a scenario of the program.
+  // A plain name that is not a file may be a scenario of the program.
   std::error_code error;
   if (word.find('/') == std::string::npos && word.find('.') == std::string::npos && !fs::exists(folder_ / word, error))
     return word;
@@ -249,7 +250,7 @@ McpJson McpServer::Run(std::vector<std::string> arguments, std::size_t most) {
   arguments.insert(arguments.begin(), program_.string());
   const ProgramEnd end = RunProgram(arguments);
   std::string text = end.out;
-  // The server's own folder is not revealed.
+  // The assistant does not see the path of the server's own folder.
   const auto hide = [&](std::string& of) {
     for (std::size_t at = of.find(own_.string()); at != std::string::npos; at = of.find(own_.string(), at))
       of.erase(at, std::min(own_.string().size() + 1, of.size() - at));
@@ -396,7 +397,8 @@ McpJson McpServer::ListLessons(const McpJson&) {
   return Run({"learn"});
 }
 
-/// Creates the folder with the files of a lesson and returns it; the lesson's texts are added to `said`.
+/// Creates the folder with the files of a lesson and returns it. `said` receives what `soarbox learn` prints, `number`
+/// the lesson's number.
 fs::path McpServer::OpenLesson(const McpJson& arguments, McpJson& said, std::string& number) {
   const auto found = arguments.find("lesson");
   if (found == arguments.end() || !found->is_number_unsigned())
@@ -411,7 +413,7 @@ fs::path McpServer::OpenLesson(const McpJson& arguments, McpJson& said, std::str
   throw McpRefusal{kMcpInvalidParams, "there is no lesson " + number + "; list_lessons names them"};
 }
 
-/// The file that the learner edits.
+/// The file that the learner edits: the only file of rules in the lesson's folder. Refuses if there is not exactly one.
 fs::path McpServer::RulesOf(const fs::path& lesson) {
   std::vector<fs::path> files;
   std::error_code error;

@@ -13,14 +13,14 @@ namespace soarbox::editors {
 
 /// The Model Context Protocol for coding assistants: tools that give them the data of the kernel.
 ///
-/// An assistant can read and run, but not change anything. Files must be below one folder, with links resolved. Runs
-/// are separate processes with limits, restricted like scenarios of strangers; their recordings are in a temporary
-/// folder of the server. All messages are answered; none ends the server.
+/// An assistant can read files and run agents, but it cannot change the user's files. Files must be below one folder,
+/// with links resolved. Each command is a separate process with limited time and output. Its recordings are in a
+/// temporary folder of the server. All requests are answered, including invalid ones; no message ends the server.
 class McpServer {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `program`: the soarbox command for runs. `folder`: the folder of accessible files.
+  /// `program`: the path of the soarbox command. `folder`: the folder of accessible files.
   McpServer(std::filesystem::path program, std::filesystem::path folder);
   ~McpServer();
   McpServer(const McpServer&) = delete;
@@ -34,7 +34,7 @@ class McpServer {
   Json Request(const std::string& method, const Json& params);
   Json Call(const std::string& tool, const Json& arguments);
 
-  /// The text behind an address of McpResources.
+  /// The text of a resource of McpResources or McpResourceTemplates.
   Json ReadResource(const Json& params);
   static Json GetPrompt(const Json& params);
 
@@ -63,11 +63,13 @@ class McpServer {
   /// A scenario's name, a file, or a recording that this server made.
   std::string SourceOf(const Json& arguments, const char* name);
   std::string NewRecording(std::string& name);
+  /// Runs soarbox with these arguments. Returns its output, at most `most` bytes of it, and the problems it printed.
   Json Run(std::vector<std::string> arguments, std::size_t most = 60'000);
   /// The path of a file that does not exist, in a new folder.
   std::filesystem::path NewPath(const std::string& name);
   std::filesystem::path WriteText(const std::string& text, const std::string& name);
 
+  /// own_: the server's temporary folder; empty if it could not be created.
   std::filesystem::path program_, folder_, own_;
   std::map<std::string, std::filesystem::path> recordings_;  ///< By the names that the assistant uses.
   int count_ = 0;

@@ -58,7 +58,7 @@ std::optional<MessageStream::Message> MessageStream::Next() {
   if (*length > kLongest) {
     bytes_.erase(0, end + behind);
     skip_ = *length;
-    return Message{{}, "a message may have " + std::to_string(kLongest) + " bytes"};
+    return Message{{}, "this message has more than " + std::to_string(kLongest) + " bytes"};
   }
   if (bytes_.size() - end - behind < *length) return std::nullopt;
   Message message{bytes_.substr(end + behind, *length), {}};
@@ -79,7 +79,7 @@ std::optional<MessageStream::Message> LineStream::Next() {
     searched_ = 0;
     if (skips_) return std::nullopt;
     skips_ = true;
-    return MessageStream::Message{{}, "a message may have " + std::to_string(kLongest) + " bytes"};
+    return MessageStream::Message{{}, "this message has more than " + std::to_string(kLongest) + " bytes"};
   }
   std::string line = bytes_.substr(0, end);
   bytes_.erase(0, end + 1);

@@ -17,7 +17,7 @@ class MessageStream {
 
   void Add(std::string_view bytes) { bytes_ += bytes; }
 
-  /// A message, or an error in the stream. After an error, the stream continues at the next header.
+  /// A message, or an error in the stream. After an error, Next() continues with the bytes that follow.
   struct Message {
     std::string body;
     std::string fault;  ///< If not empty, there is no body.

@@ -9,8 +9,8 @@
 
 namespace soarbox::editors {
 
-/// Runs work that can pause in the middle, on a separate thread. Either this thread or the caller's runs, never both:
-/// each call below returns when the work has paused or ended. Both can therefore use the same data.
+/// Runs work that can pause in the middle, on a separate thread. The caller waits while the work runs: Start and Resume
+/// return when it has paused or ended. Therefore, both threads can use the same data without locks.
 class PausableTask {
  public:
   PausableTask() = default;
@@ -23,11 +23,12 @@ class PausableTask {
   bool Start(std::function<void()> work);
   /// Continues after a pause. Returns the same as Start.
   bool Resume();
-  /// Executes a job on the thread of the paused work, which stays paused.
+  /// Executes a job on the thread of the paused work, and waits for its end. The work stays paused. Does nothing if no
+  /// work is paused.
   void Do(const std::function<void()>& job);
   bool is_paused() const { return paused_; }
 
-  /// For the work: pauses it until Resume. Does nothing while the task is being destroyed.
+  /// The work calls this to pause until Resume. Does nothing while the task is being destroyed.
   void Pause();
 
  private:

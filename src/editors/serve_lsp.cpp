@@ -5,7 +5,7 @@
 namespace soarbox::editors {
 
 int ServeLsp(int in, int out, const sim::DataFolders* data) {
-  constexpr int kIdle_ms = 150;  // Time without typing after which all rules are checked.
+  constexpr int kIdle_ms = 150;  // After this time without messages, entire programs are checked.
   LspServer server(data);
   ServeStream(
       server, in, out,
