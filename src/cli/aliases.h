@@ -21,7 +21,7 @@ class AliasTable {
 
   void Define(std::string name, std::vector<std::string> expansion);
   void Remove(const std::string& name);
-  /// The expansion as it would be typed; empty if there is no such alias.
+  /// The words of the expansion, separated by blanks; empty if there is no such alias.
   std::string Expansion(const std::string& name) const;
   /// All names with their expansions, sorted by name.
   std::vector<std::pair<std::string, std::string>> All() const;

@@ -15,7 +15,7 @@ namespace {
 using kernel::Agent;
 using kernel::BacktraceStep;
 
-/// The element that a condition tested last comes first.
+/// Lists the elements in reverse order, as Soar does.
 std::string TestedText(const Agent& agent, std::string_view title, std::span<const kernel::WmeId> wmes) {
   std::string text = fmt::format("  -->{}:\n", title);
   for (std::size_t n = wmes.size(); n-- > 0;) text += "     " + WmeText(agent, wmes[n]) + "\n";

@@ -53,8 +53,8 @@ bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) 
 
 bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
                    std::string_view also_known) {
-  // Soar checks the options against those of all sub-commands before the sub-command. If two sub-commands use a letter
-  // differently, the named sub-command's meaning is used.
+  // Like Soar, first check the options against those of all sub-commands. The options of the named sub-command come
+  // first in the list: if another one uses the same letter in another way, they count.
   std::vector<OptionSpec> all;
   for (const SubcommandInfo& subcommand : command.subcommands) {
     if (subcommand.name == call.words[1].text) all.assign(subcommand.options.begin(), subcommand.options.end());

@@ -26,7 +26,8 @@ struct CommandCall {
   Session& session;
   std::span<const Word> words;  ///< words[0] is the command's full name; aliases are expanded.
   CommandResult& result;
-  /// Set after a failure: which closing line the text still needs.
+  /// Determines the line that Execute appends after a failure: nothing more (kReported), a line end (kPlain), "Error
+  /// while sourcing file" (kWithMessage), or "command failed" (kWithoutMessage).
   enum class Failure { kNone, kPlain, kWithMessage, kWithoutMessage, kReported } failure = Failure::kNone;
 
   kernel::Agent& agent() const;
@@ -55,7 +56,8 @@ struct SubcommandInfo {
   std::string_view summary;  ///< One line.
   std::span<const OptionSpec> options = {};
   bool (*handler)(CommandCall& call) =
-      nullptr;  ///< Called with the subcommand's name as words[0]. If null, CommandInfo::handler is called.
+      nullptr;  ///< Called with the subcommand's name as words[0]. Null: CommandInfo::handler executes it, and
+                ///< RunSubcommand must not be called.
 };
 
 /// A command: its implementation and its help.
@@ -84,7 +86,7 @@ std::string DidYouMean(std::vector<std::string_view> names);
 bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
                    std::string_view also_known = {});
 
-/// The names of commands and subcommands that are most similar to a misspelt word.
+/// The name of a command or alias that is most similar to a misspelt word; empty if none is similar.
 std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);
 
 // The commands, by file.

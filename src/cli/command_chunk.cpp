@@ -228,7 +228,7 @@ bool Singleton(CommandCall& call) {
   if (call.agent().learning().automatic_singletons) singletons.NoteAll();
   const kernel::Symbol attribute = call.agent().mutable_symbols().String(words[1]);
   const std::string pattern = PatternText(*id, words[1], *value);
-  // Settings in files are not reported.
+  // While a file is read, changes of settings are not reported.
   const auto tell = [&](const std::string& text) {
     if (call.interpreter.source_run() == nullptr) call.Out(text);
   };
@@ -263,7 +263,8 @@ bool IsChunkMode(std::string_view word) {
   return std::ranges::find(kModes, word) != std::end(kModes) || word == "on" || word == "all" || word == "off";
 }
 
-/// Returns the sub-command that begins with a word; `error` lists them if there are several.
+/// Returns the sub-command that begins with a word, or the word itself if there is none. If there are several, `error`
+/// lists them.
 std::string FullChunkWord(const std::string& word, std::string& error) {
   if (IsChunkMode(word)) return word;
   std::vector<std::string_view> found;
@@ -276,7 +277,7 @@ std::string FullChunkWord(const std::string& word, std::string& error) {
   return found.empty() ? word : std::string(found.front());
 }
 
-/// Sets the mode, as a setting.
+/// `chunk learn [MODE]`: shows or sets the mode.
 bool LearnSetting(CommandCall& call) {
   if (call.words.size() == 2) {
     call.Out("learn is " + call.session.settings().Get("chunk", "mode") + "\n");
@@ -296,7 +297,7 @@ bool Chunk(CommandCall& call) {
       std::string_view("singleton").starts_with(call.words[1].text)) {
     return Singleton(call);
   }
-  // Soar's chunk has no options and ignores them.
+  // Soar's chunk has no options: alone, they are ignored; together with other words, they are an error.
   const auto plain = std::count_if(call.words.begin() + 1, call.words.end(),
                                    [](const Word& word) { return !word.text.starts_with('-'); });
   if (plain == 0) {
@@ -320,7 +321,7 @@ bool Chunk(CommandCall& call) {
   if (word == "all") mode = "always";
   if (word == "off") mode = "never";
   if (!mode.empty() && call.words.size() == 2) {
-    // A prefix of several names, but also a mode.
+    // "all" is a mode, but Soar also mentions the settings whose names begin with it.
     if (word == "all") call.Out("%?  Did you mean allow-local-negations, or allow-opaque?\n");
     SetChunkMode(call, mode);
     call.Out("Learns rules in states: " + (word == "all" || word == "off" ? word : mode) + "\n");

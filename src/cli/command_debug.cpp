@@ -42,7 +42,7 @@ bool Allocate(CommandCall& call) {
 }
 
 bool InternalSymbols(CommandCall& call) {
-  // Only symbols that the agent currently uses: rules and working memory contain all of them.
+  // Only the symbols in working memory, with the number of their occurrences there.
   const kernel::Agent& agent = call.agent();
   std::vector<std::string> strings, integers, floats, identifiers, variables;
   std::vector<std::uint32_t> seen;

@@ -52,7 +52,7 @@ std::string Exclusions(const EpisodicMemory& memory) {
   return text;
 }
 
-/// The kernel processes the setting `force` once and then resets it.
+/// Updates the stored setting `force`: the kernel obeys it once and then resets it.
 void Refresh(CommandCall& call) {
   const EpisodicMemory* memory = EpisodicMemory::Find(call.agent().long_term());
   if (memory == nullptr) return;
@@ -69,7 +69,7 @@ bool GetEpmemParameter(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// Sets where episodes are stored from the next opening on.
+/// Sets the file that the memory uses when it is opened the next time.
 void ApplyDatabase(CommandCall& call) {
   const Database database = DatabaseOf(call, kEpisodic);
   if (!database.is_file || database.path.empty()) {
@@ -83,7 +83,7 @@ void ApplyDatabase(CommandCall& call) {
   Memory(call).SetOpener(open, !database.options.overwrite);
 }
 
-/// For commands that use the memory. False if its file cannot be opened; then the command has failed.
+/// Opens the memory for a command that uses it. If its file cannot be opened, fails the command and returns false.
 bool Use(CommandCall& call) {
   const Result<void> opened = Memory(call).TryOpen();
   return opened || FailWith(call, opened.error());
@@ -228,7 +228,7 @@ bool EpmemTimers(CommandCall& call, std::string_view wanted) {
   return ShowTimers(call, "         Episodic Memory Timers         ", kNames, wanted);
 }
 
-/// The episode with this number, or 0.
+/// The number of an episode, or 0 if the word is not the number of an existing one.
 kernel::EpisodeNumber EpisodeOf(CommandCall& call, const std::string& word) {
   const auto number = ParseInteger(word);
   const EpisodicMemory& memory = Memory(call);

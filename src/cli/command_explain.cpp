@@ -36,8 +36,8 @@ bool AnyExplained(CommandCall& call, bool justifications) {
                              [&](const ExplainedRule& rule) { return rule.justification == justifications; });
 }
 
-/// Lists the recorded rules of one kind, one per line after `margin` blanks, the first one after `first`. At most
-/// `most`; `listed` is set to their number.
+/// Lists at most `most` recorded rules of one kind, one per line. The first line begins with `first`, the others with
+/// `margin` blanks. `listed` receives the number of rules in the list.
 std::string ListedRules(CommandCall& call, bool justifications, std::string_view first, std::size_t margin,
                         std::size_t most, std::size_t& listed) {
   std::string text(first);
@@ -84,7 +84,7 @@ void ExplainOverview(CommandCall& call) {
       summary.Text(ListedRules(call, justifications, fmt::format("{:<54}", kind + " available for explanation:"), 54,
                                kMostInOverview, listed) +
                    "\n");
-      // As in Soar 9.6.3, rules of the other kind are included in the number of rules that are not listed.
+      // As in Soar 9.6.3, the number of rules that are not listed includes those of the other kind.
       const std::string plural = justifications ? "justifications" : "chunks";
       if (const std::size_t all = call.agent().explanations().rules().size(); all > listed) {
         summary.Text(fmt::format(
@@ -203,7 +203,7 @@ LoadedRules LoadedIn(CommandCall& call) {
   return [&call](const std::string& name) { return IsLoadedRule(call, name); };
 }
 
-/// Of the elements that the learned rule's own instance tested, only firings that are part of an explanation are named.
+/// A copy of the rule in which a tested element has a creator only if a recorded explanation contains that firing.
 ExplainedRule WithKnownCreators(CommandCall& call, ExplainedRule rule) {
   const std::vector<ExplainedRule>& explained = call.agent().explanations().rules();
   for (ExplainedRule::Condition& condition : rule.conditions) {
@@ -238,7 +238,8 @@ bool ExplainChunk(CommandCall& call) {
   return true;
 }
 
-/// The firing as the rule recorded it, or as another rule did, in which case it made no result here.
+/// Finds a firing by its number: the instance of this rule, a firing that it recorded, or one of another recorded rule.
+/// The latter made no result of this rule.
 std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const ExplainedRule& rule, std::uint32_t serial) {
   if (serial == rule.instance) return LearnedInstance(WithKnownCreators(call, rule));
   if (const ExplainedRule::Firing* const firing = rule.FindFiring(serial); firing != nullptr) return *firing;
@@ -246,7 +247,7 @@ std::optional<ExplainedRule::Firing> FindFiring(CommandCall& call, const Explain
     const ExplainedRule::Firing* const known = other.FindFiring(serial);
     if (known == nullptr && serial != other.instance) continue;
     ExplainedRule::Firing firing = known != nullptr ? *known : LearnedInstance(WithKnownCreators(call, other));
-    // (As in Soar 9.6.3, the instance of a rule that was learned before has made its results.)
+    // As in Soar 9.6.3, there is an exception: the instance of a rule that was learned earlier.
     firing.made_result = known == nullptr && other.number < rule.number;
     firing.path.clear();
     return firing;
@@ -282,7 +283,8 @@ bool ExplainFiring(CommandCall& call, const ExplainedRule& rule) {
   return true;
 }
 
-/// Completes the abbreviations that the menu names, and other unique ones; `error` lists the possible words.
+/// Completes the one-letter abbreviations of the menu, and unique prefixes. If several words are possible, `error`
+/// lists them.
 std::string FullExplainWord(const std::string& word, std::string& error) {
   if (word == "f") return "formation";
   if (word == "c") return "constraints";

@@ -38,7 +38,8 @@ void FreshLine(CommandCall& call) {
   if (!call.result.text.empty() && call.result.text.back() != '\n') call.Out("\n");
 }
 
-/// Reports the file and line in which a command failed, with each error if there are any.
+/// Prints the errors of a failed command with their file and line; without errors, the file and line of the command.
+/// Adds the place to all diagnostics from `first_diagnostic` on that have none.
 void ReportPlace(CommandCall& call, const std::string& path, int line, std::size_t first_diagnostic) {
   FreshLine(call);
   bool reported = false;
@@ -102,12 +103,12 @@ bool RunCommands(CommandCall& call, SourceRun& run, const std::string& path, std
     const std::size_t length = call.result.text.size();
     const bool command_ok = call.interpreter.ExecuteWords(call, words);
     if (stars) {
-      // Any command other than a rule ends the line of stars, even without output, unless a file that was read in
-      // between ended it.
+      // Every command other than `sp` ends the line of stars, even if it prints nothing. If the command read a file,
+      // the line may have ended already.
       if (call.result.text.compare(length, 2, " \n") != 0) call.result.text.insert(length, " \n");
       run.stars_pending = false;
     }
-    if (generates) run.stars_pending = false;  // Its own stars continue in the next line.
+    if (generates) run.stars_pending = false;  // The next command does not end the line of the stars of gp.
     if (!command_ok) {
       ok = false;
       ReportPlace(call, path, line, first_diagnostic);
@@ -210,7 +211,7 @@ std::string Chain(const SourceRun& run, const std::string& next) {
   return text + next;
 }
 
-/// Limits the nesting and the number of files: files that source each other would never end.
+/// Refuses a file that is open already, because it would source itself without end, and more than kMostFiles files.
 bool MayOpen(CommandCall& call, SourceRun& run, const std::string& path) {
   if (std::ranges::any_of(run.files, [&](const auto& open) { return open.text() == path; }))
     return call.Fail("This file sources itself: " + Chain(run, path));

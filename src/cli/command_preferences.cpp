@@ -109,11 +109,11 @@ class PreferencePrinter {
               [&](WmeId a, WmeId b) { return ArrivalOf(agent_.rete(), a) > ArrivalOf(agent_.rete(), b); });
     for (const WmeId link : links) {
       std::string text = WmeText(agent_, link);
-      if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // As Soar prints proposals.
+      if (text.ends_with(" +)")) text.replace(text.size() - 3, 2, "");  // Soar prints proposals here without the sign.
       Print("Support for " + text + "\n");
       const kernel::WmeRecord& record = memory.record(link);
       if (record.slot() == SlotId::kNone || record.preference == PreferenceId::kNone) {
-        // Of the architecture's elements, only the items of a tie are printed like this.
+        // Like Soar, call only the items of a tie "arch"; other elements of the architecture are called "input" too.
         const std::string attribute = SymbolText(agent_, memory.wme(link).attribute);
         const bool is_item =
             record.kind == kernel::WmeKind::kArchitecture && (attribute == "item" || attribute == "non-numeric");
@@ -171,7 +171,7 @@ class PreferencePrinter {
       text += " = " + value;
     }
     text += preference.o_supported ? " :O " : " :I ";
-    // Created in a substate.
+    // The level is shown only for substates.
     if (!chance && preference.level > 1) text += fmt::format(" [level {}] ", preference.level);
     if (chance) text += fmt::format("({:.2f}%)", chance->probability * 100);
     Print(text + "\n");
@@ -193,7 +193,7 @@ class PreferencePrinter {
     }
     if (detail_ == Detail::kWmes) {
       for (const WmeId wme : wmes) {
-        // Elements of the top state may have been removed: then only their time tags are printed.
+        // Of elements of the top state, only the time tags are printed, because they may have been removed.
         Print(MatchedText(agent_, wme, agent_.memory().level(agent_.memory().wme(wme).id)) + "\n");
         AddWmeNode(node, agent_, wme);
       }
@@ -214,7 +214,7 @@ class PreferencePrinter {
   Detail detail_;
 };
 
-/// Whether a constant is used anywhere: rules may use an attribute that no element has.
+/// Whether a number is the attribute or value of an element; true for strings.
 bool IsKnown(const Agent& agent, Symbol constant) {
   if (!constant.IsNumber()) return true;
   const kernel::WmeTable& wmes = agent.memory().wmes();
@@ -225,7 +225,8 @@ bool IsKnown(const Agent& agent, Symbol constant) {
   return false;
 }
 
-/// The attribute of a word; the none symbol if it is not used anywhere.
+/// The identifier or constant that a word names; the null symbol if there is no such string, or no element with such a
+/// number.
 Symbol FindAttribute(Agent& agent, const std::string& word) {
   if (const Symbol identifier = FindIdentifier(agent, word)) return identifier;
   const bool quoted = word.size() > 1 && word.front() == '|' && word.back() == '|';

@@ -39,11 +39,11 @@ constexpr OptionSpec kPrintOptionList[] = {
     {'v', "varprint", OptionArgument::kNone, "identifiers in angle brackets"},
 };
 
-/// The destination and the format of a list of rules.
+/// The format of a list of rules.
 struct RuleListStyle {
-  bool full = false;
-  bool internal = false;
-  bool file = false;
+  bool full = false;      ///< Complete rules instead of names.
+  bool internal = false;  ///< One condition per line.
+  bool file = false;      ///< With the file that the rule came from.
 };
 
 std::string FileOf(const kernel::Production& rule) {
@@ -183,7 +183,8 @@ std::string InBrackets(std::string name, bool as_variable) {
   return as_variable ? "<" + std::move(name) + ">" : name;
 }
 
-/// Prints the object of a single word: an object, a time tag, a long-term identifier or a rule.
+/// Prints what a single word names: an object, the object of the element with a time tag, a long-term identifier, or a
+/// rule.
 void PrintThing(CommandCall& call, const std::string& word, const ObjectStyle& style, RuleListStyle rule_style) {
   kernel::Agent& agent = call.agent();
   PrintStream& out = call.stream();
@@ -228,7 +229,7 @@ bool CommandPrint(CommandCall& call) {
 
   ObjectStyle style;
   style.depth = call.session.output().print_depth;
-  // A depth is parsed in its place, before errors in the words after it.
+  // A wrong depth is reported before errors in the words after it.
   if (const auto depth = parsed.Argument('d')) {
     const auto number = ParseLeadingInteger(*depth);
     if (!number || *number < 0) return call.Fail("Non-negative depth expected.");

@@ -200,7 +200,7 @@ bool Find(CommandCall& call) {
   std::string pattern;
   for (const Word& word : parsed.arguments) pattern += (pattern.empty() ? "" : " ") + word.text;
   PrintStream::Capture capture(call.stream(), &call.result.text);
-  // With any other option, Soar finds nothing. We do the same, with an explanation.
+  // With options, but without --lhs and --rhs, Soar finds nothing. We do the same, and add a hint.
   const bool searches = parsed.options.empty() || parsed.Has('l') || parsed.Has('r');
   if (!searches) call.Hint("nothing is searched", "give --lhs as well");
   FindRules(call.stream(), call.agent(), pattern, searches, parsed.Has('s'), [&](const Production& rule) {
@@ -224,7 +224,8 @@ void PrintCounts(CommandCall& call, const std::vector<Counted>& lines) {
   }
 }
 
-/// The selected rules by type, newest first within a type. `in_bars`: puts names in bars if necessary.
+/// The wanted rules with their counts, in the order of `types`, and newest first within a type. `in_bars`: puts names
+/// in bars if necessary.
 template <typename Wanted, typename Count>
 std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<ProductionType> types, bool in_bars,
                                 Wanted&& wanted, Count&& count) {
@@ -247,8 +248,8 @@ std::vector<Counted> CountRules(CommandCall& call, std::initializer_list<Product
   return lines;
 }
 
-/// Sorts by count, largest first. Equal counts are in the order of Soar's library, which sorts in ascending order, and
-/// is stable only for short lists.
+/// Sorts by count, largest first, and cuts the list to `limit` lines (0: all). Equal counts are in the same order as in
+/// Soar: it sorts in ascending order, with a sort that is stable only for short lists, and reverses the list.
 void SortCounts(std::vector<Counted>& lines, std::size_t limit) {
   SortLikeSoar(lines, [](const Counted& a, const Counted& b) { return a.number < b.number; });
   std::reverse(lines.begin(), lines.end());
@@ -280,7 +281,7 @@ bool FiringCounts(CommandCall& call) {
     number_given = true;
     limit = static_cast<std::size_t>(*number);
   }
-  // Templates are not distinguished here: their option shows all rules.
+  // Like in Soar, the option for templates shows all rules.
   const auto asks_for = [&](char letter) { return parsed.Has(letter); };
   const bool all = parsed.Has('a') || parsed.Has('T') || std::ranges::none_of(std::string_view("cdjru"), asks_for);
   const auto wanted = [&](const Production& rule) {
@@ -388,7 +389,7 @@ bool Matches(CommandCall& call) {
   if (parsed.arguments.size() > 1) return call.Fail("Error.");
   if (!parsed.arguments.empty() && (parsed.Has('a') || parsed.Has('r'))) return call.Fail("Error.");
   WmeDetail detail = WmeDetail::kNone;
-  bool assertions = true, retractions = true;  // Of both options the last one counts.
+  bool assertions = true, retractions = true;  // If both options are given, the last one counts.
   for (const ParsedOption& option : parsed.options) {
     if (option.letter == 'a' || option.letter == 'r') {
       assertions = option.letter == 'a';

@@ -97,7 +97,7 @@ bool Statistics(CommandCall& call, const std::optional<std::string>& name) {
   return !name || call.Fail("Invalid statistic.");
 }
 
-/// The tree of a level as a Graphviz graph, nearest choices first.
+/// The tree of the choices of a level as a Graphviz graph, in breadth-first order.
 std::string GraphText(const ChoiceGraph::Node& root) {
   std::string text = "digraph RL_Trace {\n";
   std::deque<std::pair<const ChoiceGraph::Node*, std::size_t>> open{{&root, 0}};

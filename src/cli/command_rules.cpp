@@ -12,7 +12,7 @@
 namespace soarbox::cli {
 namespace {
 
-/// `output warnings off` suppresses remarks about a rule, but not errors in its text.
+/// Whether `output warnings off` suppresses this message. It does not suppress errors in the text of a rule.
 bool IsWarning(std::string_view text) {
   while (text.starts_with('\n')) text.remove_prefix(1);
   return text.starts_with("Warning: On the LHS") || text.starts_with("Attempted to add rule with ungrounded");

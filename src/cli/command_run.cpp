@@ -41,7 +41,7 @@ std::uint64_t CyclesOf(const kernel::Agent& agent, const RunRequest& request) {
   return request.count > 0 && !at_stop ? request.count - 1 : request.count;
 }
 
-/// Whether an interrupt cut off nothing, so that the run is complete.
+/// Whether an interrupted run is nevertheless complete, because the interrupt came at its end.
 bool IsComplete(const RunRequest& request, bool by_phase, std::uint64_t cycles, std::uint64_t wanted_cycles) {
   if (by_phase) return true;
   return request.unit == RunUnit::kElaboration || (request.unit == RunUnit::kDecision && cycles >= wanted_cycles);

@@ -31,7 +31,7 @@ std::string RulesText(const kernel::Agent& agent, std::initializer_list<kernel::
   return text;
 }
 
-/// The settings that Soar always writes; other settings only if they differ from their defaults.
+/// The settings of `chunk` that Soar always writes. Others are written only if they differ from their defaults.
 constexpr std::string_view kAlwaysOfChunk[] = {"bottom-only",   "add-osk",    "allow-local-negations",
                                                "add-ltm-links", "max-chunks", "max-dupes"};
 
@@ -76,7 +76,8 @@ std::string SettingsText(CommandCall& call) {
         changed.group == "soar") {
       text += fmt::format("{} {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
     } else if (changed.name == "apoptosis-thresh") {
-      text += fmt::format("rl --set apoptosis-thresh {}\n", changed.value.substr(1));  // It is set without its sign.
+      // The command takes the threshold without its sign.
+      text += fmt::format("rl --set apoptosis-thresh {}\n", changed.value.substr(1));
     } else {
       text += fmt::format("{} --set {} {}\n", changed.group, changed.name, QuoteWord(changed.value));
     }

@@ -112,14 +112,14 @@ void Apply(CommandCall& call) {
 
 // The database --------------------------------------------------------------------------------------------------------
 
-/// Opens the file and loads its contents.
+/// Replaces the contents of the memory by those of the file, which stores changes from now on.
 Result<void> OpenFile(SemanticMemory& memory, const Database& database) {
   memory.SetJournal(nullptr);
   memory.Clear();
   return LoadFrom(memory, database, kSemantic.kind);
 }
 
-/// The file is opened when the memory is first used, by a command or in a run.
+/// Lets the memory open its file when it is used the next time, by a command or in a run.
 void OpenLater(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   const Database database = DatabaseOf(call, kSemantic);
@@ -130,7 +130,7 @@ void OpenLater(CommandCall& call) {
   memory.SetOpener([database](SemanticMemory& opened) { return OpenFile(opened, database); });
 }
 
-/// For commands that use the memory. False if its file cannot be opened; then the command has failed.
+/// Opens the memory for a command that uses it. If its file cannot be opened, fails the command and returns false.
 bool Use(CommandCall& call) {
   SemanticMemory& memory = MemoryOf(call);
   if (memory.opened()) return true;
@@ -142,7 +142,7 @@ bool Use(CommandCall& call) {
   const Result<void> result = OpenFile(memory, database);
   if (result) return true;
   memory.NoteClosed();
-  OpenLater(call);  // A run reports it again.
+  OpenLater(call);  // The next run tries it again, and reports the problem too.
   return FailWith(call, result.error());
 }
 
@@ -180,7 +180,8 @@ bool GetSmemParameter(CommandCall& call, const std::string& name) {
   return true;
 }
 
-/// Adds a number to the list, or removes it.
+/// The list after a number was added, or removed if it was there. Empty if the value is not a number above 0; a blank
+/// if the list has no numbers.
 std::string Toggled(const std::string& list, const std::string& value) {
   const auto number = ParseInteger(value);
   if (!number || *number <= 0) return {};
@@ -215,7 +216,7 @@ bool SetSmemParameter(CommandCall& call, const ParsedWords& parsed) {
   if (name == "initial-variable-id") {
     const std::int64_t number = ParseLeadingInteger(value).value_or(0);
     if (number < 1) return call.Fail("The id counter must be at least 1.");
-    // For a memory in use, this changes only future numbers.
+    // For an open memory, the setting is not changed, only the number of the next object.
     if (!memory.opened() && store.Set("smem", name, value) != SettingStore::SetResult::kOk) {
       return call.Fail("Invalid setting for SMem parameter.");
     }
@@ -371,7 +372,7 @@ bool SmemTimers(CommandCall& call, std::string_view wanted) {
   return ShowTimers(call, "         Semantic Memory Timers         ", kNames, wanted);
 }
 
-/// Reads the text of an option that requires braces; else fails.
+/// Reads the argument of an option. Fails the command if there is none.
 bool TextOf(CommandCall& call, const ParsedWords& parsed, char letter, std::string& text) {
   if (const auto argument = parsed.Argument(letter)) {
     text = *argument;

@@ -39,7 +39,7 @@ constexpr OptionSpec kStopPhaseOptions[] = {
     {'i', "input"}, {'p', "propose"}, {'d', "decide"}, {'a', "apply"}, {'o', "output"}, {'B', ""}, {'A', ""},
 };
 
-/// Words and options that name a phase.
+/// Reads the name of a phase; false for other words.
 bool ReadPhase(std::string_view word, Phase& phase) {
   if (word == "input")
     phase = Phase::kInput;
@@ -121,7 +121,7 @@ bool SoarOverview(CommandCall& call) {
     rules += agent.CountProductions(type);
   }
   std::string stack;
-  // For a deep stack, the first two and the last two states.
+  // Of a deep stack, only the first two and the last two states are shown.
   const std::size_t depth = agent.goals().depth();
   for (std::size_t level = 1; level <= depth; ++level) {
     if (depth > 4 && level == 3) {
@@ -275,8 +275,8 @@ bool Tcl(CommandCall& call) {
   return ShowSetting(call, "tcl");
 }
 
-/// Maximum values that a stranger's files may set for the limits of a decision. A world always advances, and no limit
-/// depends on wall time.
+/// Maximum values that a stranger's files may set for the limits of a decision, so that a world always advances. They
+/// may not set max-dc-time, because a run must not depend on wall time.
 constexpr std::pair<std::string_view, std::int64_t> kMostOfStrangers[] = {{"max-elaborations", 10'000},
                                                                           {"max-goal-depth", 1'000},
                                                                           {"max-nil-output-cycles", 1'000},
@@ -431,7 +431,7 @@ constexpr SubcommandInfo kSoarSubcommandList[] = {
 const std::span<const SubcommandInfo> kSoarSubcommands = kSoarSubcommandList;
 
 bool CommandSoar(CommandCall& call) {
-  // Like no words, more than a setting and its value show the summary.
+  // The command shows the summary if it has no words, or more than a setting and its value.
   const auto plain =
       std::count_if(call.words.begin(), call.words.end(), [](const Word& word) { return !word.text.starts_with('-'); });
   if (plain < 2 || plain > 3) return SoarOverview(call);

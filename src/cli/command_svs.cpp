@@ -13,7 +13,7 @@ namespace {
 
 using kernel::Imagery;
 
-/// Handles the switches: true if the word was one of them. `ok`: whether it succeeded.
+/// Executes the switches (--on, --off, ...). Returns true if the word is a switch; `ok` receives its success.
 bool Switch(CommandCall& call, const std::string& word, bool& ok) {
   const bool enable = word == "--enable" || word == "-e" || word == "--on";
   const bool disable = word == "--disable" || word == "-d" || word == "--off";

@@ -237,7 +237,7 @@ bool CommandTrace(CommandCall& call) {
       return false;
     }
   }
-  // A level is applied last and overrides the options, except the detail of elements and learned rules.
+  // A level is applied last and overrides the options. Only level 0 changes the detail of elements and learned rules.
   const auto level = parsed.Argument('l');
   if (level && !ParseLeadingInteger(*level)) return call.Fail("Syntax: trace [options]");
   if (level && !SetLevel(call, *level)) return false;

@@ -77,7 +77,7 @@ bool VisualizeHelp(CommandCall& call) {
   return true;
 }
 
-/// The file of the drawing: with the next free number, unless one file is to be used.
+/// The file of the drawing. Its name ends with the first unused number, unless `use-same-file` is on.
 std::filesystem::path NextFile(CommandCall& call) {
   const SettingStore& store = call.session.settings();
   std::string name = store.Get("visualize", "file-name");
@@ -90,7 +90,8 @@ std::filesystem::path NextFile(CommandCall& call) {
   }
 }
 
-/// Creates and shows the image, if requested and supported by this machine.
+/// Creates and shows the image, if the settings request it. Fails without the program dot. If nothing can be shown,
+/// prints a remark.
 bool Present(CommandCall& call, const std::filesystem::path& file) {
   const SettingStore& store = call.session.settings();
   const auto show = [&](const std::filesystem::path& shown) {
@@ -141,7 +142,7 @@ bool Write(CommandCall& call, const std::string& text) {
   return Present(call, file);
 }
 
-/// The rule chosen with `explain chunk`, or the one that was recorded last.
+/// Draws the rule that was chosen with `explain chunk`, or else the one that was recorded last.
 bool LearnedRule(CommandCall& call, bool identities) {
   const std::vector<kernel::ExplainedRule>& rules = call.agent().explanations().rules();
   if (rules.empty()) {

@@ -21,13 +21,14 @@ namespace {
 
 using kernel::Symbol;
 
-/// Maximum number of identifiers that `wm add` creates, so that others can follow.
+/// Identifiers that `wm add` creates by name have smaller numbers, so that numbers remain for later ones.
 constexpr std::uint64_t kMostOfName = 1'000'000'000'000;
 
-/// The attribute or value that a word of `wm add` denotes. Reports an error and returns the none symbol if there is
-/// none. Each `*` is a new identifier; it takes its letter from Soar's habit for input. An identifier in `parent`'s
-/// place that is not there yet is made; without a parent, it must be there. Only an attribute has no parent. Unless it
-/// is quoted or a number, it has no dots: `wm add` makes one element.
+/// The attribute or value that a word of `wm add` denotes. `parent` is the object for a value, and null for an
+/// attribute. `*` creates an identifier with the letter I. A value may also be the name of an identifier that does not
+/// exist yet: it is created, except in the behavior of Soar 9.6.3. A string as an attribute must not contain a dot,
+/// unless it is quoted, because `wm add` adds only one element. If the word is wrong, fails the command and returns the
+/// null symbol.
 Symbol ReadField(CommandCall& call, const std::string& word, std::string_view field, Symbol parent) {
   kernel::Agent& agent = call.agent();
   if (word == "*") return agent.NewIdentifier('I');
@@ -118,7 +119,7 @@ bool Watch(CommandCall& call) {
   constexpr std::string_view kSyntax = "Syntax: wm watch -[a|r]  -t <type>  <pattern>\nwm watch -[l|R] [-t <type>]";
   ParsedWords parsed;
   if (!call.Parse(kWmSubcommands[3].options, parsed)) return false;
-  // The newest filter is the first one.
+  // The list begins with the newest filter.
   std::vector<WmeFilter>& filters = call.session.wme_filters();
   const std::optional<std::string> type = parsed.Argument('t');
   if (type && *type != "adds" && *type != "removes" && *type != "both") {
@@ -196,7 +197,7 @@ bool SetActivation(CommandCall& call, const std::string& name, const std::string
   if (!SettingStore::Find("wma", name)) return call.Fail("Invalid activation setting.");
   std::string kept = value;
   if (name == "decay-rate" || name == "decay-thresh") {
-    // Both are stored as negative numbers, with either sign in the input.
+    // Both are stored as negative numbers. Users may type them with or without the sign.
     const double size = std::abs(std::strtod(value.c_str(), nullptr));
     const bool fits = name == "decay-rate" ? size <= 1 : size > 0;
     if (!fits) return call.Fail("Invalid value for activation setting.");

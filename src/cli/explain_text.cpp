@@ -23,7 +23,7 @@ std::string Padded(std::string text, std::size_t width) {
   return text;
 }
 
-/// Pads a text to a column; a longer text gets no blank after it.
+/// Pads a text to a column. Unlike Padded, it adds no blank to a longer text.
 std::string AtColumn(std::string text, std::size_t column) {
   text.resize(std::max(column, text.size()), ' ');
   return text;
@@ -51,8 +51,9 @@ std::string ActionText(const ExplainedRule::Action& action, Column column, bool 
   return sign_inside ? text + rest + ")" : text + ")" + rest;
 }
 
-/// Numbered rows of conditions. A negated conjunction is in braces (`joins`: consecutive ones share a pair). `rest`
-/// returns the text after a condition; for a negated one, it gets the part.
+/// Numbered rows of conditions. A negated conjunction is in braces; with `joins`, consecutive ones share a pair. `rest`
+/// gets the beginning of a row, its condition and, for a negated one, the part of it in this row; it returns the
+/// complete row.
 template <typename Rest>
 std::string ConditionRows(const std::vector<ExplainedRule::Condition>& conditions, Column column, bool shows_state,
                           bool joins, Rest&& rest) {
@@ -121,7 +122,7 @@ std::string EventsIn(const ExplainedRule& rule, std::uint32_t firing) {
                         : "Identity operations:\n\n" + events;
 }
 
-/// A firing whose rule was excised: its matched elements next to the identities.
+/// The text about a firing whose rule was excised: the elements that it matched, with their identities.
 std::string WithoutRule(const ExplainedRule& rule, const ExplainedRule::Firing& firing) {
   const bool learned = firing.serial == rule.instance;
   const std::string title = fmt::format("Explanation trace of instantiation # {}", firing.serial);

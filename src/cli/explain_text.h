@@ -12,7 +12,8 @@ namespace soarbox::cli {
 /// Whether a rule of this name is still loaded. If a rule was excised, the tests of its firings are not shown.
 using LoadedRules = std::function<bool(const std::string& name)>;
 
-/// The learned rule, with the identities of its variables.
+/// The learned rule, with the identities of its variables. With `elements`, the elements that it matched when it was
+/// learned.
 std::string ExplainedRuleText(const kernel::ExplainedRule& rule, bool elements, const LoadedRules& loaded);
 /// The match from which the rule was learned, in the form of a firing.
 kernel::ExplainedRule::Firing LearnedInstance(const kernel::ExplainedRule& rule);

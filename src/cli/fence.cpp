@@ -21,9 +21,9 @@ constexpr std::string_view kAllowed[] = {"cd",    "chunk",      "decide", "dirs"
                                          "sp",    "stats",      "svs",    "trace", "wm"};
 /// Commands that are additionally allowed when a recorded run is repeated, so that the run is the same.
 constexpr std::string_view kAllowedInRecordings[] = {"alias", "debug", "run"};
-/// Commands that matter when files are checked.
+/// The commands that are executed for Source::kRulesOnly. Others are skipped.
 constexpr std::string_view kRules[] = {"cd", "gp", "load", "popd", "production", "pushd", "sp"};
-/// The sub-commands of these that matter; others are skipped.
+/// If a command is in this table, only these sub-commands of it are executed for Source::kRulesOnly.
 constexpr Subcommand kRuleWords[] = {{"load", "file"}, {"production", "excise"}, {"production", "optimize-attribute"}};
 
 /// Words of commands of long-term memories that open no file. All other words are refused.
@@ -42,7 +42,8 @@ bool IsBelow(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// `--set path FILE` and `--set database file` refer to a file; `--set path :memory:` and other settings do not.
+/// Whether a command opens a file or connects to a viewer. Examples: `smem --set path FILE` and `smem --set database
+/// file` open a file, `smem --set path :memory:` does not.
 bool OpensFile(std::span<const Word> words) {
   const std::string& name = words.front().text;
   if (name == "svs") return words.size() > 1 && LowerCase(words[1].text).starts_with("connect_viewer");
@@ -92,7 +93,7 @@ Fence::Answer Fence::Ask(std::span<const Word> words) const {
   const std::string& name = words.front().text;
   if (source_ == Source::kRulesOnly) {
     if (!IsIn(kRules, name)) {
-      // A rule after another command is a rule whose first word is misspelt.
+      // A skipped command with "-->" is probably a rule whose `sp` is misspelt.
       const auto holds_rule = [](const Word& word) { return word.text.find("-->") != std::string::npos; };
       return {false, std::ranges::any_of(words, holds_rule) ? "no such command for a rule: " + name : std::string()};
     }

@@ -110,7 +110,7 @@ GeneratedRules GenerateRules(std::string_view text, std::uint64_t limit) {
       rules.error = "gp syntax error, a values bracket is empty.";
       return rules;
     }
-    // Prevents overflow of products beyond any limit.
+    // The product stops growing before it can overflow. It is then already above every limit.
     if (rules.count <= 1'000'000'000'000) rules.count *= values.size();
     rules.texts.push_back(std::exchange(part, {}));
     rules.values.push_back(std::move(values));

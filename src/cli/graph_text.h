@@ -11,7 +11,7 @@ namespace soarbox::cli {
 /// The format of a graph of working memory (`visualize`).
 struct GraphStyle {
   bool records = true;          ///< An object is a table of its values; otherwise each value is a node.
-  bool separate_states = true;  ///< Links between states are omitted.
+  bool separate_states = true;  ///< Links to states are omitted.
   bool architecture = false;    ///< Elements of the architecture are shown (superstate, type, impasse, ...).
   std::string line_style = "polyline";
 };

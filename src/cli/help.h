@@ -8,7 +8,7 @@
 
 namespace soarbox::cli {
 
-/// The output of `help NAME`: usage, options, subcommands, aliases.
+/// The output of `help NAME`: usage, details, options, subcommands, aliases.
 std::string HelpText(const CommandInfo& command, const AliasTable& aliases);
 
 /// The reference of all commands as Markdown, for docs/.

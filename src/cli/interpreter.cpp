@@ -13,7 +13,7 @@ namespace {
 
 /// Maximum nesting of commands (sourced files, rules that run commands), so that the program's stack does not overflow.
 constexpr int kMaxDepth = 50;
-/// Files with hundreds of thousands of rules are smaller.
+/// Maximum size of a file that a command reads. Files with hundreds of thousands of rules are smaller.
 constexpr std::uintmax_t kMostFileBytes = 256u << 20;
 
 void CloseFailure(CommandResult& result, CommandCall::Failure failure) {
@@ -115,7 +115,7 @@ bool Interpreter::ExecuteWords(CommandCall& call, std::vector<Word>& words) {
     const Fence::Answer may = fence_ ? fence_->Ask(words) : Fence::Answer{};
     ok = may.carry_out ? command->handler(call) : may.refusal.empty() || call.Fail(may.refusal);
   } catch (const std::bad_alloc&) {
-    // The reply was too large; runs of agents limit their output themselves.
+    // The likely cause is a very large reply, because runs of agents limit their own output.
     call.result.text = std::string();
     call.Fail("There is no memory for this command.");
   }
@@ -168,7 +168,7 @@ bool Interpreter::ResolveForReading(CommandCall& call, const std::string& file, 
   path = Resolve(file);
   if (fence_ && !fence_->MayRead(path))
     return call.Fail("The files of a scenario may read plain files in its folder only: " + file);
-  // A special file may report any size.
+  // For special files, file_size reports an error: they have no limit.
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   return error || size <= kMostFileBytes ||

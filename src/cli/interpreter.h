@@ -58,7 +58,8 @@ class Interpreter {
   /// Called for each file of commands before it is executed, with its content. May be empty.
   std::function<void(const std::filesystem::path& file, std::string_view content)> on_file_read;
 
-  /// For commands that read a file: sets its path. Fails the call if the fence does not allow to read it.
+  /// For commands that read a file: sets its path. Fails the call if the fence does not allow to read it, or if it is
+  /// larger than 256 MiB.
   bool ResolveForReading(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
   /// For commands that write a file: sets its path. Fails the call if there is a fence.
   bool ResolveForWriting(CommandCall& call, const std::string& file, std::filesystem::path& path) const;
@@ -95,7 +96,8 @@ class Interpreter {
   int depth_ = 0;
 };
 
-/// Returns the line unchanged, unless it only loads a file. Then the line contains the file's absolute path.
+/// If the line is one `source` or `load` command that names an existing file, returns the line with the absolute path
+/// of the file. Otherwise returns it unchanged.
 std::string WithWholeFileName(const Interpreter& interpreter, std::string_view line);
 
 }  // namespace soarbox::cli

@@ -22,7 +22,7 @@ using kernel::Edge;
 using kernel::Knowledge;
 using kernel::StoreTerm;
 
-/// The names of a memory's objects in a text.
+/// Names the objects of a memory, by number or, as in Soar 9.6.5, by alias.
 class Names {
  public:
   Names(const kernel::SemanticMemory& memory, kernel::SoarVersion like) : memory_(memory) {

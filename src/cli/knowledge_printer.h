@@ -16,9 +16,9 @@ class SemanticMemory;
 namespace soarbox::cli {
 
 /// An object as `print @12` shows it: (@12 ^name tank ^has @13 @14 [+0.000]), with its line end. Attributes are sorted
-/// by name, the values of one attribute in order of creation, with links after constants and by number. `activation`:
-/// what to show in the brackets instead of the object's own.
-/// `like`: as in Soar 9.6.5, an object that has a name is shown by it: @steel.
+/// by name. Of the values of one attribute, links come first, by number; constants follow in order of their first use.
+/// `activation`: the number in the brackets; nothing: that of the object. `like`: for Soar 9.6.5, an object with an
+/// alias is shown by it: @steel.
 std::string ObjectLine(const kernel::SemanticMemory& memory, std::uint32_t object, kernel::SoarVersion like,
                        std::optional<double> activation = {});
 
@@ -37,7 +37,7 @@ std::string ExportText(const kernel::SemanticMemory& memory, std::optional<std::
 std::string KnowledgeGraph(const kernel::SemanticMemory& memory, std::optional<std::uint32_t> root, int depth,
                            kernel::SoarVersion like);
 
-/// `print @`, `print @12 --depth 2`, `print @steel`.
+/// The output of `print @` (all objects), `print @12 --depth 2` and `print @steel`, or that there is no such object.
 std::string PrintedKnowledge(kernel::Agent& agent, const std::string& word, int depth);
 
 }  // namespace soarbox::cli

@@ -53,7 +53,8 @@ Symbol FindIdentifier(const Agent& agent, std::string_view text) {
   const std::optional<IdentifierName> name = ParseIdentifierName(text);
   const Symbol id = name ? agent.symbols().FindIdentifier(name->letter, name->number) : Symbol();
   if (!id || !agent.memory().identifier(id).live) return {};
-  // Firings may contain identifiers of a removed state, which are no longer valid.
+  // A firing can keep an identifier of a removed state alive. It has no elements and is the value of none: for users,
+  // it does not exist.
   const kernel::IdentifierRecord& record = agent.memory().identifier(id);
   const bool dropped = !record.is_goal && record.value_of == 0 && agent.memory().WmesOf(id).empty();
   return dropped && record.level > 1 ? Symbol() : id;

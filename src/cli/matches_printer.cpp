@@ -32,7 +32,6 @@ class PartialMatchPrinter {
     ResultNode& node = structured_.Add("production");
     bool failed = false;
     PrintConditions(production.conditions, {}, "", failed);
-    // A failure in a conjunctive negation is not a failure of the rule.
     const std::vector<std::uint16_t> last{static_cast<std::uint16_t>(production.conditions.size() - 1)};
     const std::size_t complete = failed ? 0 : agent_.rete().CountAfter(rule_, last);
     node.Set("matches", std::to_string(complete));
@@ -51,6 +50,7 @@ class PartialMatchPrinter {
       const Condition& condition = conditions[i];
       if (condition.kind == ConditionKind::kConjunctiveNegation) {
         stream_.Print(indent + "    -{\n");
+        // A failure in a conjunctive negation is not a failure of the rule.
         bool inner_failed = failed;
         PrintConditions(condition.conditions(), path, indent + std::string(kBeyond), inner_failed);
         PrintMark(path, indent, failed);
@@ -63,7 +63,8 @@ class PartialMatchPrinter {
     }
   }
 
-  /// Prints the count or mark before a condition; true if matching ends here.
+  /// Prints the count before a condition, or the mark at the first condition that fails, or blanks after it. Returns
+  /// true at that first condition.
   bool PrintMark(const std::vector<std::uint16_t>& path, const std::string& indent, bool& failed) {
     if (failed) {
       stream_.Print(indent + std::string(kBeyond));

@@ -37,10 +37,11 @@ Database DatabaseOf(CommandCall& call, const LongTermMemory& memory);
 /// Fails with the problem, a colon and its hint.
 bool FailWith(CommandCall& call, const Diagnostic& problem);
 
-/// Whether a setting may have this value; files may be written only where that is allowed. Fails the command if not.
+/// Whether a setting may have this value: with a fence, the database must stay in memory. Otherwise fails the command.
 bool MayTake(CommandCall& call, std::string_view setting, const std::string& value);
 
-/// Stores a setting. Fails the command if the setting is one of `closed_only` and the memory is open.
+/// Stores a setting. Fails the command if the setting or the value is invalid, or if the memory is open and the setting
+/// is one of `closed_only`.
 bool Store(CommandCall& call, const LongTermMemory& memory, const std::string& setting, const std::string& value,
            bool is_open, std::span<const std::string_view> closed_only);
 

@@ -40,10 +40,10 @@ struct ParsedWords {
 /// Parses the words after the command's name.
 ///
 /// `-x` is a short option, `-xyz` several of them, `--name` a long one (a unique prefix is sufficient); `--` ends the
-/// options. A required argument is the next word, whatever it is. An optional argument is the next word if that does
-/// not begin with a dash. A word of one character is never an option. A negative number is an option only if the
-/// command has an option of its first digit. `takes_negatives`: if false, negative numbers are parsed as options, as in
-/// Soar 9.6.3.
+/// options. A required argument is the next word, whatever it is; after an option in `-xyz`, it is a dash and the rest
+/// of that word. An optional argument is the next word if that does not begin with a dash. A word of one character is
+/// never an option. A negative number is an option only if the command has an option of its first digit.
+/// `takes_negatives`: if false, negative numbers are parsed as options, as in Soar 9.6.3.
 ParsedWords ParseOptions(std::span<const Word> words, std::span<const OptionSpec> specs, bool takes_negatives = true);
 
 }  // namespace soarbox::cli

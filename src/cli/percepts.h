@@ -84,15 +84,15 @@ class PerceptRecorder : public kernel::InputTap {
   std::uint64_t cycle_ = 0, changes_ = 0;
 };
 
-/// Replaces the agent's input by recorded input. The input of clients is dropped until the recording ends. Detects when
-/// the run differs from the recorded one.
+/// Replaces the agent's input by recorded input. The input of clients is dropped until the recording ends. Reports once
+/// if the run differs from the recorded one.
 class PerceptPlayer : public kernel::InputTap {
  public:
   /// `tell` prints a line for the user.
   PerceptPlayer(kernel::Agent& agent, PerceptFile file, std::function<void(const std::string&)> tell);
   ~PerceptPlayer() override;
 
-  /// False after the recording has ended, or if it no longer matches the run.
+  /// False after the recording has ended, or if a change of it is impossible in this run.
   bool playing() const { return playing_; }
 
   void OnInputPhase(kernel::InputLink& link) override;

@@ -11,8 +11,8 @@ namespace soarbox::cli {
 /// The output of one agent, and the column at which the next text begins.
 ///
 /// The column is kept between commands, because the line breaks of objects depend on it. While a Capture exists, texts
-/// go to its string instead of the sink. Captures can be nested; Uncaptured sends texts to the sink again. Copies, such
-/// as a log file, receive all texts.
+/// go to its string instead of the sink. Captures can be nested; Uncaptured sends texts to the sink again. The function
+/// of SetCopy, such as a log file, receives all texts.
 class PrintStream {
  public:
   using Sink = std::function<void(std::string_view)>;

@@ -21,7 +21,8 @@ inline std::string RuleName(const kernel::Agent& agent, const kernel::Production
   return RuleName(agent, rule.name);
 }
 
-/// "  UPDATES VALUE" for a rule that reinforcement learning can change; else empty.
+/// " UPDATES VALUE" for a rule that reinforcement learning can change (with delta-bar-delta " BETA H UPDATES VALUE");
+/// else empty.
 std::string LearnedValueText(const kernel::Agent& agent, const kernel::Production& rule);
 
 /// The rules of one type, newest first.

@@ -8,7 +8,7 @@
 
 namespace soarbox::cli {
 
-/// The outcome of `rl --set NAME VALUE`.
+/// The outcome of `rl --set NAME VALUE`. kLocked: the setting cannot change while `apoptosis` is on.
 enum class RlSetResult { kOk, kUnknown, kInvalid, kLocked };
 
 /// Stores a value as Soar reads it: the number at the start of the text, or 0 if there is none; `apoptosis-thresh`

@@ -48,8 +48,8 @@ struct Member {
   std::vector<std::size_t> way;
 };
 
-/// Whether many other conditions test for the same value of the same variable, as for all things on one peg. Such a
-/// test does not distinguish them.
+/// Whether at least kFewestConditions conditions test this attribute for this variable, like a rule in which all things
+/// must be on the same peg. Such a test does not distinguish the things.
 bool IsShared(const Production& rule, const Condition& condition) {
   const Symbol attribute = EqualitySymbol(condition.attribute), value = EqualitySymbol(condition.value);
   return value && value.IsVariable() && std::ranges::count_if(rule.conditions, [&](const Condition& other) {

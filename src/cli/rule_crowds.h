@@ -18,9 +18,9 @@ namespace soarbox::cli {
 /// matches.
 struct RuleCrowd {
   kernel::Symbol attribute;
-  std::size_t values = 0;        ///< Number of consecutive conditions on the attribute, which is also the expected
-                                 ///< number of values.
-  std::size_t first = 0;         ///< The first of them, in match order.
+  std::size_t values = 0;        ///< Maximum number of conditions on the attribute whose values are not distinguished
+                                 ///< yet. It is also used as the number of values.
+  std::size_t first = 0;         ///< The first condition on the attribute, in match order.
   std::size_t settled = 0;       ///< The condition that distinguishes its value.
   std::vector<std::size_t> way;  ///< The conditions from `first` to `settled`, both included.
 
@@ -28,7 +28,7 @@ struct RuleCrowd {
   double PartialMatches() const;
 };
 
-/// The worst crowd of a rule. Nothing if it has fewer than six conditions (46,656 partial matches).
+/// The worst crowd of a rule; nothing if RuleCrowd::values would be below six (46,656 partial matches).
 std::optional<RuleCrowd> FindCrowd(const kernel::Production& rule);
 /// Suggests a better order of conditions, and other improvements: a sentence without a full stop.
 std::string AdviceFor(const kernel::Production& rule, const RuleCrowd& crowd, const kernel::SymbolTable& symbols);

@@ -26,7 +26,7 @@ class Agent;
 ///     version     4 bytes, lowest first: 1
 ///     length      8 bytes: of the payload
 ///     checksum    8 bytes: FNV-1a of the payload
-///     payload     symbols: count, then kind and contents of each, in the order in which they came up;
+///     payload     symbols: count, then kind and contents of each: constants in order of age, then variables;
 ///                 files: count, then their names; rules: count, then each (see rule_image_write.cpp)
 ///
 /// Derived data, such as where variables are bound and which functions the names refer to, are not stored but

@@ -107,7 +107,7 @@ class Reader {
   std::size_t Count(std::string_view what) {
     const std::uint64_t count = Number();
     if (count <= bytes_.size() - place_) return static_cast<std::size_t>(count);
-    Fail(fmt::format("it speaks of {} {}, which the rest of the image has no room for", count, what));
+    Fail(fmt::format("it announces {} {}, but the rest of the image is too short for them", count, what));
     return 0;
   }
 

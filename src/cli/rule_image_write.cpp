@@ -135,7 +135,8 @@ class Writer : public ByteWriter {
   std::string bytes_;
 };
 
-/// Collects the symbols of rules: constants by age, because the parser of rules breaks ties by it, then variables.
+/// Collects the symbols of rules: first constants, ordered by age, because the rule parser breaks ties by age; then
+/// variables.
 class Collector {
  public:
   explicit Collector(const kernel::SymbolTable& table) : table_(table) {}

@@ -61,7 +61,7 @@ bool RunProgram(const std::vector<std::string>& words) {
 bool StartProgram(const std::vector<std::string>& words) {
   const pid_t child = Spawn(words);
   if (child == 0) return false;
-  // The exit status must be collected at some time.
+  // Collects the exit status when the program ends.
   std::thread([child] { Await(child); }).detach();
   return true;
 }

@@ -53,7 +53,8 @@ constexpr SettingInfo kSettings[] = {
     {"rl", "meta", kSwitch, "off"},
     {"rl", "meta-learning-rate", kReal, "0.1", {}, 0, 1},
     {"rl", "update-log-path", kText, ""},
-    // (Before apoptosis itself: while it is on, they cannot be set.)
+    // These two come before `apoptosis`, because a saved file sets them in this order, and they cannot change while it
+    // is on.
     {"rl", "apoptosis-decay", kReal, "0.5", {}, 0, 1},
     {"rl", "apoptosis-thresh", kReal, "-2"},
     {"rl", "apoptosis", kChoice, "none", "none chunks rl-chunks"},
@@ -143,7 +144,8 @@ bool IsChoice(std::string_view choices, std::string_view value) {
   return padded.find(" " + std::string(value) + " ") != std::string::npos;
 }
 
-/// Long-term memories use the numeric prefix of a word, like Soar 9.6.3: 8k is 8, and a word without one is 0.
+/// The settings of long-term memories and of activation use the numeric prefix of a word, as in Soar 9.6.3: 8k is 8,
+/// and a word without a number is 0.
 std::string AsNumber(const SettingInfo& info, const std::string& value) {
   // Limits of learning use the part before the decimal point.
   if (info.group == "chunk" && info.kind == kInteger && ParseDouble(value)) return value.substr(0, value.find('.'));

@@ -11,7 +11,7 @@ namespace soarbox::cli {
 
 enum class SettingKind { kSwitch, kInteger, kReal, kChoice, kText };
 
-/// A setting of learning or a long-term memory, which the kernel reads by name.
+/// A setting that is stored as a text. The command of its group applies it to the kernel.
 struct SettingInfo {
   std::string_view group;  ///< The command it belongs to: "chunk", "rl", "smem", ...
   std::string_view name;

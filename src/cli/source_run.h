@@ -20,14 +20,14 @@ struct SourceRun {
 
     bool empty() const { return sourced + ignored == 0 && excised.empty(); }
   };
-  Counts counts;  ///< Since the last file ended; Soar counts in this way for the innermost file.
+  Counts counts;  ///< Since the end of the last file. Like Soar, these are printed as the counts of the innermost file.
   Counts total;   ///< Of the files that have ended.
   bool verbose = false, per_file = false, silent = false;  ///< The options of the outermost command.
-  std::vector<kernel::FileName> files;                     ///< Files that are open, as typed; the innermost is the
+  std::vector<kernel::FileName> files;                     ///< Absolute paths of the open files; the innermost is the
                                                            ///< last.
   /// Maximum number of files that one command reads, nested or one after another.
   static constexpr int kMostFiles = 5'000;
-  int opened = 0;
+  int opened = 0;              ///< Number of files so far.
   bool stars_pending = false;  ///< The last printed line ends with stars, so the next output must begin on a new line.
   int line = 0;                ///< Line of the current command in the innermost file.
   /// Index of each warning in the answer's diagnostics, by a hash of its message, because large sources repeat

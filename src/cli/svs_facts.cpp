@@ -291,7 +291,7 @@ class ExtractWriter {
     out_.End(']');
   }
 
-  /// Along the axis, from side to side.
+  /// Writes a line along the axis between the facing sides of two nodes; none if they overlap.
   void WriteAxis(const Node& a, const Node& b, int axis) {
     SightLine line{a.Centroid(), a.Centroid()};
     const auto &of_a = a.Bounds(), &of_b = b.Bounds();

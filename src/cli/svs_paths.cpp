@@ -245,7 +245,7 @@ std::string SvsPaths::Use(std::string_view path, Arguments arguments) {
 
 std::string SvsPaths::UseRoot(Arguments arguments) {
   if (!arguments.empty() && arguments[0] == "help") return {};
-  // In the order of the names; the names of states are in upper case.
+  // In alphabetical order: states come first, because their names are in upper case.
   std::vector<StateScene*> states;
   for (const auto& state : imagery_.states()) states.push_back(state.get());
   std::sort(states.begin(), states.end(),

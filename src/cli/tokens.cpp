@@ -25,8 +25,9 @@ constexpr std::array<bool, 256> kBraceCharacters = [] {
   return table;
 }();
 
-/// The index of the next of them, or the end. Tests eight characters at once. The test also matches other control
-/// characters, ~ and non-ASCII characters, so its results are tested again.
+/// The index of the next character of kBraceCharacters, or the end. Tests eight characters at once. This test also
+/// matches other control characters, ~ and non-ASCII characters; therefore, the character that it finds is tested
+/// again.
 std::size_t SkipOrdinary(std::string_view text, std::size_t at) {
   constexpr std::uint64_t kEach = 0x0101010101010101ull, kTop = kEach * 0x80;
   const auto has_zero = [](std::uint64_t bytes) { return (bytes - kEach) & ~bytes; };
@@ -71,7 +72,7 @@ void CommandReader::SkipComment() {
   while (!AtEnd() && Peek() != '\n') Advance();
 }
 
-/// Skips blanks, comments and joined lines between words; stops at the end of the command.
+/// Skips blanks, comments, and line ends after a backslash. Stops at the end of the command.
 void CommandReader::SkipBlanksAndComments() {
   while (!AtEnd()) {
     const char c = Peek();

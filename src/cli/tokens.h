@@ -17,10 +17,10 @@ struct Word {
 /// Splits text into commands that consist of Tcl-like words, without any substitution.
 ///
 /// A command ends at a newline or a semicolon. A word is bare, "quoted" or {braced}. A bare word that begins with a bar
-/// is literal up to the next bar. A quoted word can span lines and has backslash escapes. Braces can be nested; text
-/// between |bars| in them is literal; the content is kept as written, without comments. A `#` begins a comment to the
-/// end of the line, except in quoted words and between bars inside braces. Outside braces, a backslash escapes the next
-/// character; before a newline it joins two lines.
+/// ends at the next bar; only backslashes are special between them. A quoted word can span lines. Braces can be nested;
+/// text between |bars| in them is literal. The content of braces is kept as written, without comments, and with joined
+/// lines. A `#` begins a comment to the end of the line, except in quoted words and between bars. Outside braces, a
+/// backslash escapes the next character; before a newline it joins two lines.
 ///
 /// Accepts any text: the result is words, the end, or an error with its position. After an error, Recover() skips to
 /// the next line that begins a command, so that the rest of a file can be read.
@@ -38,7 +38,8 @@ class CommandReader {
   int error_line() const { return error_line_; }
   int error_column() const { return error_column_; }
 
-  /// After kError: continues at the first line after the error that begins with a letter in the first column.
+  /// After kError: continues at the first line that begins with a letter, after the line in which the unfinished word
+  /// begins.
   void Recover();
 
   /// Offset of the first character that was not read.

@@ -362,7 +362,7 @@ void TracePrinter::OnInterrupt(const Agent&, std::string_view reason) {
     return;
   }
   if (reason.starts_with("(interrupt)")) {
-    // By an action; Soar prints nothing about it unless it runs by phases.
+    // The action (interrupt). Soar prints an empty line for it only if the run is by phases.
     if (reason.size() > std::string_view("(interrupt)").size()) Print("\n\n");
   } else {
     Print("\n" + std::string(reason) + (reason.empty() ? "" : "\n"));

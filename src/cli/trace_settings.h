@@ -42,7 +42,7 @@ struct TraceFlagInfo {
   TraceFlag flag;
   char letter;
   std::string_view option;    ///< The long option.
-  std::string_view title;     ///< In the table of `trace`.
+  std::string_view title;     ///< Its name in the table that `trace` prints.
   std::string_view message;   ///< "Now printing <message>." and "Will not print <message>."
   std::string_view argument;  ///< Its name in the structured answer; empty if it has none.
 };
@@ -52,7 +52,7 @@ class TraceSettings {
  public:
   static constexpr int kMaxLevel = 5;
 
-  /// Level 1.
+  /// The trace of level 1.
   TraceSettings();
 
   /// Turns on what the levels 1 to `level` show, and turns off what higher levels show; level 0 turns everything off.
