@@ -96,7 +96,7 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
       const auto* made = std::get_if<mind::StateMade>(&event);
       if (made == nullptr || made->level <= 1) return std::nullopt;
       const std::string impasse = wording::ImpasseText(made->reason, made->on_operator);
-      if (impasse.find(point.what) == std::string::npos) return std::nullopt;
+      if (!IsLikePattern(impasse, "*" + point.what + "*")) return std::nullopt;
       return "impasse: " + wording::DecisionLine(event);
     }
     case BreakKind::kCommand: {

@@ -39,7 +39,7 @@ struct BreakKindWords {
 };
 /// In the order of BreakKind.
 inline constexpr BreakKindWords kBreakKinds[] = {
-    {"fire", "a rule fires", "the rule's name; * for anything"},
+    {"fire", "a rule fires", "the rule's name; * for any text"},
     {"match", "a rule matches", "the rule's complete name"},
     {"element", "an element appears", "* ^attribute value"},
     {"removed", "an element is removed", "* ^attribute value"},
@@ -61,7 +61,8 @@ struct Breakpoint {
   int number = 0;
   BreakKind kind = BreakKind::kFire;
   std::string agent;  ///< Empty: any agent with a Soar mind; for kDeath, any agent.
-  std::string what;   ///< The pattern; words may contain * for any text. For kImpasse, a part of the impasse's name.
+  std::string
+      what;  ///< The pattern; words may contain * for any text. For kImpasse, it may be a part of the impasse's name.
   bool enabled = true;
   std::uint64_t hits = 0;
 };

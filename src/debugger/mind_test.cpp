@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <set>
 
 #include "debugger/agents.h"
 #include "debugger/breakpoints.h"
@@ -267,6 +268,20 @@ sp {hero*apply*fly (state <s> ^operator.name fly ^io.output-link <out>) --> (<ou
   ASSERT_FALSE(told[4].empty());
   EXPECT_THAT(told[4][0], HasSubstr("hero: command move-to failed"));
   EXPECT_EQ(told[5], std::vector<std::string>{"breakpoint 5: it is 0.2 s"});
+}
+
+TEST_F(Debugger, BreakpointsOnImpassesTakePartsOfNamesAndPatterns) {
+  Start(kTie);
+  Breakpoints points;
+  for (const char* what : {"", "*", "tie", "t*e", "conflict"})
+    ASSERT_TRUE(points.Set(BreakKind::kImpasse, "", what).ok());
+  std::set<int> hit;
+  for (int i = 0; i < 3; ++i) {
+    points.Prepare(*simulation_);
+    Tick();
+    for (const BreakHit& each : points.Check(*simulation_, record_.events)) hit.insert(each.number);
+  }
+  EXPECT_EQ(hit, (std::set<int>{1, 2, 3, 4}));
 }
 
 TEST_F(Debugger, ARunIsTheSameWhetherSomebodyLooksOrNot) {

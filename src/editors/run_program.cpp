@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <thread>
 
 extern char** environ;
 
@@ -96,8 +97,18 @@ ProgramEnd RunProgram(const std::vector<std::string>& arguments, const ProgramLi
       end.is_cut |= static_cast<std::size_t>(size) > room;
     }
   }
+  // A program may close its outputs and go on.
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  pid_t ended = waitpid(child, &status, WNOHANG);
+  while (ended == 0 && !end.hung && Clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ended = waitpid(child, &status, WNOHANG);
+  }
+  if (ended == 0) {
+    end.hung = true;
+    kill(child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
   }
   if (WIFEXITED(status)) end.code = WEXITSTATUS(status);
   return end;

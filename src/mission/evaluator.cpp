@@ -202,7 +202,6 @@ void Evaluator::Note(Slot& slot, const Check& check, const Found& found) {
   if (!is_better) return;
   slot.most = found.conditions;
   slot.nearest = found.away;
-  slot.best_tick = last_tick_;
   slot.best_s = last_time_s_;
   slot.best_detail = found.detail;
   slot.missing = found.missing;

@@ -67,7 +67,6 @@ class Evaluator {
     std::vector<double> deadlines_s;  ///< kWhenever: occurrences that still need an answer.
     double nearest = 1e30;            ///< The minimum distance in its time window.
     std::size_t most = 0;             ///< The maximum number of conditions that were true in one tick.
-    std::uint64_t best_tick = 0;
     double best_s = 0;
     std::string best_detail, missing;  ///< What was found in that tick.
     std::string last_agent;

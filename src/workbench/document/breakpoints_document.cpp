@@ -23,8 +23,8 @@ Form NewBreakpoint(const Contents& contents) {
   form.fields.push_back(
       {Field::Kind::kLine, "what",
        "A rule, ID ^attribute value, ^attribute < number, an operator, an impasse, a command, a check or seconds; "
-       "* or nothing: any",
-       "the rule's name, ^health < 20, ...; * for any"});
+       "* stands for any text",
+       "the rule's name, ^health < 20, ..."});
   form.button = "Add";
   form.clears = true;
   return form;
