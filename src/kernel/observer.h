@@ -200,7 +200,7 @@ class Observer : public BacktraceObserver {
   // kFiring
   /// Called before the actions run. Text that they write is reported after this call.
   virtual void OnFiring(const Agent&, const FiringInfo&) {}
-  /// Called after the actions have run. `preferences` is in the order of FiringPreferences() of the instantiation.
+  /// Called after the actions have run. `preferences`: those that the actions created, newest first.
   virtual void OnFired(const Agent&, const FiringInfo&, std::span<const PreferenceId> preferences) {
     (void)preferences;
   }

@@ -173,8 +173,8 @@ class Filter : private SceneWatcher {
   Slots SlotsOf(std::string_view name) const;
   /// The first value of a parameter name, or null.
   const Value* Argument(const Combination& combination, const Slots& slots) const;
-  /// The value as a node, text or number; null or none if it is missing. A value of another kind counts as missing,
-  /// which the status reports (if `tell`).
+  /// The value as a node, text or number; null or none if it is missing. A value of another kind counts as missing, and
+  /// the status reports it. TextOf does not report it if `tell` is false.
   Node* NodeOf(const Combination& combination, const Slots& slots, std::string_view name);
   const std::string* TextOf(const Combination& combination, const Slots& slots, std::string_view name,
                             bool tell = true);

@@ -143,7 +143,7 @@ class Chunker final : public Module {
  private:
   void AskForHooks();
   InstantiationId Learn(InstantiationId base);
-  /// `made` is none if it was a duplicate.
+  /// Counts the result of Justifier::Build in the statistics: a justification, or none for a duplicate. Returns it.
   InstantiationId CountJustification(InstantiationId made);
   /// Returns true if a rule may be learned from the explanation.
   bool MayLearn() const;

@@ -47,8 +47,8 @@ struct Origin {
   bool is_operator = false;
   GoalLevel level = 0;  ///< Level of `state`.
   Symbol state;         ///< The lowest state that the rule matched, or the state in which the operator was selected.
-  /// The operator selected in `state` or, if there was none, in the nearest state above; none if there was none at all.
-  /// For an operator: itself.
+  /// The operator that was selected in `state`, or in the nearest state above that had one; else none. For an operator:
+  /// itself.
   Symbol op, op_name;
   std::uint32_t op_origin = 0xFFFFFFFFu;
   std::vector<OriginElement> matched;    ///< At most Origins::kMostMatched.

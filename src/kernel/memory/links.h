@@ -106,8 +106,9 @@ class LinkGraph {
   std::vector<Symbol> gone_;       ///< During Settle: removed goals that have been processed.
   std::vector<Symbol> roots_;      ///< During Reattach: identifiers without a parent, the newest loss first.
   std::vector<Symbol> subtree_;    ///< During Reattach: these with their subtrees.
-  /// By identifier index: not 0 if it is in `subtree_` and not rescued. The value minus 1 is the number of elements
-  /// with it as their value, without items and without those found to belong to the subtree or to a removed goal.
+  /// By identifier index: not 0 if the identifier is in `subtree_` and not rescued. The value minus 1 is the number of
+  /// elements that have it as their value. Items are not counted, and neither are elements that were found to belong to
+  /// the subtree or to a removed goal.
   std::vector<std::uint32_t> suspended_;
   std::vector<Symbol> stack_;
   struct Candidate {
