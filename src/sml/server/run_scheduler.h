@@ -26,7 +26,7 @@ class RunControl {
  public:
   explicit RunControl(KernelHost& host) : host_(host) {}
 
-  /// `interleave` is that of the request, unless the request does not specify it (see InterleaveOf).
+  /// `interleave_given`: the request specifies the interleave step. Otherwise, InterleaveOf chooses it.
   kernel::RunResult Run(HostedAgent& addressed, const cli::RunRequest& request, bool interleave_given);
   bool running() const { return running_; }
   /// Like running(), but false until clients have been informed that the run begins.
