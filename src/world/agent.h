@@ -93,7 +93,7 @@ class Agent {
   bool SetMass(float mass_kg);
   float MaxForce() const { return max_force_n_; }
   bool SetMaxForce(float newtons);
-  /// Not enforced: scripts must clamp the velocity themselves.
+  /// The world does not limit the velocity to it; callers must do so (ClampHorizontalSpeed).
   float MaxSpeed() const { return max_speed_mps_; }
   bool SetMaxSpeed(float mps);
   float Health() const { return health_; }
@@ -134,7 +134,7 @@ class Agent {
   // Path.
   /// The radius of the path's tube is the present radius of the agent. Points that are not finite are skipped.
   void SetPath(std::span<const Vec3> points, bool cyclic);
-  /// HasPath becomes false, but the path forces still steer along the old points (spec 17, quirk 5).
+  /// HasPath becomes false, but the path forces still steer along the old points (lua_api.md 17, quirk 5).
   void RemovePath() {
     has_path_ = false;
     PropertyChanged();
@@ -147,8 +147,8 @@ class Agent {
   std::optional<float> DistanceAlongPath(Vec3 point) const;
   std::optional<Vec3> PointOnPath(float distance_m) const;
 
-  // Steering (spec 7). Each function returns a vector that the caller scales. Only functions that say so limit it to
-  // MaxForce. Look-ahead times are raised to at least 0.1 s.
+  // Steering (lua_api.md 7). Each function returns a vector that the caller scales. Only functions that say so limit it
+  // to MaxForce. Look-ahead times are raised to at least 0.1 s.
   static constexpr float kDefaultLookAhead_s = 0.1f;
   Vec3 ForceToPosition(Vec3 target) const;
   Vec3 ForceToFleePosition(Vec3 danger) const;
@@ -157,7 +157,8 @@ class Agent {
   Vec3 ForceToEvade(EntityId menace, float max_prediction_s) const;
   /// Along forward; limited to MaxForce.
   Vec3 ForceToTargetSpeed(float speed_mps) const;
-  /// Draws two numbers from the agent's stream. The sandbox passes milliseconds as `delta`, which saturates (quirk 4).
+  /// Draws two numbers from the agent's stream. Scripts pass milliseconds as `delta`; so large numbers saturate
+  /// (lua_api.md 17, quirk 4).
   Vec3 ForceToWander(float delta);
   Vec3 ForceToFollowPath(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToStayOnPath(float look_ahead_s = kDefaultLookAhead_s) const;

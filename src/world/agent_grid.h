@@ -15,10 +15,10 @@ namespace soarbox::world {
 /// Finds the agents near a place: a grid over the ground plane, sorted by counting. Its cells lie row by row, so that a
 /// query reads each row at once. If agents are too far apart for that, cells are hashed.
 ///
-/// Invariant: every agent that was not removed is either in the cell of its position, stored together with the
-/// position, or on the list of strays, which every query searches. Moved() puts an agent on that list; when it grows
-/// long, the next query rebuilds the grid. Queries may also find agents beyond the range; callers test the distance
-/// themselves. After Update, several threads may query at a time.
+/// Invariant: every agent that was not removed is in the cell of its position, stored together with the position, or on
+/// the list of strays. Every query searches that list. Moved() puts an agent on it. When the list is long, the next
+/// Update rebuilds the grid. Queries may also find agents beyond the range; callers test the distance themselves. After
+/// Update, several threads may query at a time.
 class AgentGrid {
  public:
   /// Call it after the number of agents or all their positions have changed.

@@ -21,8 +21,8 @@ class Camera {
   bool SetPosition(Vec3 position);
   bool SetOrientation(Quat orientation);
   bool SetRotationVector(Vec3 degrees);
-  /// Sandbox.SetCameraForward: rotates the camera's +z axis to `direction`, so that it looks along -direction (quirk
-  /// 3).
+  /// Sandbox.SetCameraForward: rotates the camera's +z axis to `direction`, so that it looks along -direction
+  /// (lua_api.md 17, quirk 3).
   bool SetBackward(Vec3 direction);
 
   /// Whether the viewer should keep this pose instead of following agents.

@@ -7,7 +7,7 @@
 namespace soarbox::world {
 
 /// Two bodies that overlapped after the last step. There is one entry per pair and step, in world coordinates. For the
-/// callbacks of b, swap a and b and the points, and negate the normal (spec 4.3).
+/// callbacks of b, swap a and b and the points, and negate the normal (lua_api.md 4.3).
 struct Collision {
   EntityId a = kNoEntity;
   EntityId b = kNoEntity;

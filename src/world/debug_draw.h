@@ -7,8 +7,8 @@
 
 namespace soarbox::world {
 
-/// Lines and shapes that scripts draw for one tick; BeginTick removes them (spec 13). Colours are 0..1 per channel.
-/// Shapes with values that are not finite are ignored.
+/// Lines and shapes that scripts draw for one tick (lua_api.md 13). BeginTick removes them. Colours are 0..1 per
+/// channel. Shapes with values that are not finite are ignored.
 class DebugDraw {
  public:
   void Line(Vec3 from, Vec3 to, Vec3 color);

@@ -10,7 +10,7 @@
 namespace soarbox::world {
 namespace {
 
-// The names that the sandbox's scripts can use without loading resources (spec 11).
+// The names that the sandbox's scripts can use without loading resources (lua_api.md 11).
 constexpr const char* kMaterials[] = {
     "White", "Red", "Green", "Blue", "RedGlow", "GreenGlow", "BlueGlow", "TransparentRed", "TransparentGreen",
     "TransparentBlue", "TransparentYellow", "TransparentWhite", "Ground", "Ground2", "NobiaxModular", "base_material",

@@ -54,7 +54,7 @@ class Object {
 
   /// Applies a force in newtons at the centre of mass, for the next step only; forces add up.
   bool ApplyForce(Vec3 force_n);
-  /// The sandbox's impulse is a force that acts for one step (spec 17, quirk 1): 15000 on 15 kg gives 33.3 m/s.
+  /// The sandbox's impulse is a force that acts for one step (lua_api.md 17, quirk 1): 15000 on 15 kg gives 33.3 m/s.
   bool ApplyImpulse(Vec3 force_n) { return ApplyForce(force_n); }
   /// In N m s; changes the angular velocity at once.
   bool ApplyAngularImpulse(Vec3 impulse);

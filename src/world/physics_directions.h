@@ -37,8 +37,8 @@ class Directions {
       Mark(n % kDirections, number);
   }
 
-  /// Calls visit(number) for each circle that a line in this direction may enter, and possibly for others, until it
-  /// returns false. Returns whether no call returned false.
+  /// Calls visit(number) for each circle that a line in this direction may enter, and possibly for others. If visit
+  /// returns false, stops and returns false.
   template <class Visit>
   bool VisitAlong(btScalar x, btScalar z, const Visit& visit) const {
     const std::size_t n = static_cast<std::size_t>(TurnOf(x, z) * kOfTurn) % kDirections;

@@ -31,8 +31,8 @@ class BodyField {
   /// Calls visit(const BoxedBody&) for each body whose box overlaps this box, and possibly for others.
   template <class Visit>
   void VisitBox(const btVector3& low, const btVector3& high, const Visit& visit) const;
-  /// The same for each body whose box intersects the segment, until visit returns false. Returns whether no call
-  /// returned false. The segment must not be longer than kLongest_m.
+  /// The same for each body whose box intersects the segment. If visit returns false, stops and returns false. The
+  /// segment must not be longer than kLongest_m.
   template <class Visit>
   bool VisitAlong(const btVector3& from, const btVector3& to, const Visit& visit) const;
 

@@ -163,7 +163,7 @@ struct NearBodies::Line {
 };
 
 /// Calls visit for each body that the line may enter, with the positions of its centre along and beside the line, both
-/// multiplied by the line's length. Stops when visit returns false. Returns whether no call returned false.
+/// multiplied by the line's length. If visit returns false, stops and returns false.
 template <class Visit>
 bool NearBodies::VisitNear(const Line& line, const Visit& visit) const {
   for (const Plane& plane : planes_)

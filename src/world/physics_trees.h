@@ -12,7 +12,7 @@
 namespace soarbox::world {
 
 /// Calls visit(box, body) for each body in the tree whose bounding box, and those of all its ancestors, `meets`
-/// accepts. Stops when visit returns false. Returns whether no call returned false.
+/// accepts. If visit returns false, stops and returns false.
 template <class Meets, class Visit>
 bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
   std::array<const btDbvtNode*, 64> waiting;

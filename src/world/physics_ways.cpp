@@ -122,8 +122,8 @@ bool LevelWays::IsBlockedForCertain(const Way& way, std::uint64_t& groups) const
   return false;
 }
 
-/// Calls visit for each body of the groups that one of the segments may enter, until it returns false. Returns whether
-/// no call returned false.
+/// Calls visit for each body of the groups that one of the segments may enter. If visit returns false, stops and
+/// returns false.
 template <class Visit>
 bool LevelWays::VisitNear(const Way& way, std::uint64_t groups, const Visit& visit) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -25,7 +25,7 @@
 namespace soarbox::world {
 namespace {
 
-// A body that moves more than half its length per step needs continuous collision detection (spec 6).
+// A body that moves farther than this in a step gets continuous collision detection (lua_api.md 6).
 constexpr float kSweepThreshold_m = 0.5f;
 // Bullet links its pools of contacts before the first step. The default is 4 MB, which takes a quarter of a short run.
 // Contacts that do not fit into a pool come from the heap.

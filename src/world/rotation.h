@@ -14,8 +14,8 @@ Quat FromRotationVector(Vec3 degrees);
 /// The inverse: y in -90..90, x and z in -180..180; z = 0 in gimbal lock.
 Vec3 ToRotationVector(Quat rotation);
 
-/// The result of Core.GetRotation (spec 5.2): pitch, yaw and roll in degrees, each computed from one rotated axis. In
-/// general not the inverse of FromRotationVector.
+/// The result of Core.GetRotation (lua_api.md 5.2): pitch, yaw and roll in degrees, each computed from one rotated
+/// axis. In general not the inverse of FromRotationVector.
 Vec3 ToPitchYawRoll(Quat rotation);
 
 /// The rotation whose matrix has these columns, which should be orthonormal and right-handed. Other columns give the

@@ -110,8 +110,8 @@ class Scene {
   };
   FoundAnimation FindAnimation(AnimationId animation);
   /// Attaches a node to a bone of a mesh. It then moves with the bone; position and orientation are relative to the
-  /// bone. Fails if the mesh has no such bone, if the node belongs to an agent, an object or the sandbox, if the mesh
-  /// is a descendant of the node, or if the tree would become too deep.
+  /// bone. Returns false and changes nothing in four cases: the mesh has no such bone; the node belongs to an agent, an
+  /// object or the sandbox; the mesh is a descendant of the node; the tree would become too deep.
   bool AttachToBone(NodeId mesh, std::size_t bone, NodeId node, Vec3 position, Quat orientation);
   /// The pose of a bone in world coordinates. Searches the node's own skeleton, then those of meshes attached to its
   /// bones.

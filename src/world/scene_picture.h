@@ -12,9 +12,9 @@ namespace soarbox::world {
 
 /// The visible content of the last snapshot, and the changes since then.
 ///
-/// Invariants: each node that differs from the cache, or is a descendant of a node that moved, is in `waiting`, has an
-/// ancestor there, or is below a body whose pose has changed. `waiting` contains each node once. Of removed nodes, only
-/// the ids of their drawables remain, in `gone`.
+/// Invariants: a node is out of date if it differs from the cache, or if it is a descendant of a node that moved. Each
+/// node that is out of date is in `waiting`, has an ancestor there, or is below a body whose pose has changed.
+/// `waiting` contains each node once. Of removed nodes, only the ids of their drawables remain, in `gone`.
 struct Scene::Picture {
   std::vector<Node*> waiting;
   std::vector<NodeId> gone;

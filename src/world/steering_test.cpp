@@ -6,7 +6,7 @@
 
 #include "world/world.h"
 
-// The steering forces in known situations, for agents without gravity and floor (spec 7).
+// The steering forces in known situations, for agents without gravity and floor (lua_api.md 7).
 namespace soarbox::world {
 namespace {
 

@@ -16,7 +16,7 @@ constexpr int kLayers = 16;
 constexpr std::array<std::string_view, 6> kFontNames{"small",       "small_mono", "medium",
                                                      "medium_mono", "large",      "large_mono"};
 
-// The palette before a script sets another (spec 10), 0..255.
+// The palette before a script sets another (lua_api.md 10), 0..255.
 constexpr std::array<std::array<int, 3>, 10> kPalette{{{255, 255, 255},
                                                        {0, 0, 0},
                                                        {204, 204, 204},

@@ -20,8 +20,8 @@ struct UiPoint {
 
 enum class UiGradient : std::uint8_t { kNorthSouth, kWestEast, kDiagonal };
 
-/// The user-interface components of scripts: boxes with a background, a plain caption and a markup text (spec 10). They
-/// are data only; renderers lay out the text. Calls with an unknown component return false or nothing.
+/// The user-interface components of scripts (lua_api.md 10): boxes with a background, a plain caption and a markup
+/// text. They are data only; renderers lay out the text. Calls with an unknown component return false or nothing.
 class Ui {
  public:
   Ui();

@@ -36,7 +36,7 @@ struct OverlayWants;
 /// The physical world of one sandbox: bodies, agents, scene, user interface, camera. It does not depend on scripts or
 /// minds.
 ///
-/// One tick, in the order of spec 1.3:
+/// One tick, in the order of section 1.3 of docs/spec/lua_api.md:
 ///   1. BeginTick(): time advances, debug lines of the last tick are removed, removed objects are destroyed.
 ///   2. The caller delivers events, then updates each agent in creation order, each followed by SyncAgent().
 ///   3. Step(): the nodes of objects follow their bodies, physics advances, collisions are gathered.

@@ -14,7 +14,7 @@
 #include "world/world.h"
 #include "world/world_random.h"
 
-// The numbers were measured in the sandbox (spec 6 and 18).
+// The numbers were measured in the sandbox (lua_api.md 6 and 18).
 namespace soarbox::world {
 namespace {
 
@@ -219,7 +219,7 @@ TEST(WorldPhysics, AThrownBlockComesToRest) {
   EXPECT_LT(block.Position().y, 0.42f);
 }
 
-// A walker that seeks five points in turn, steered like the sandbox's steering helper (spec 16.5).
+// A walker that seeks five points in turn, steered like the sandbox's steering helper (lua_api.md 16.5).
 TEST(WorldPhysics, AWaypointWalkerNeedsTwentyThreeSecondsPerRound) {
   World world;
   world.CreatePlane(200, 200);
