@@ -130,7 +130,8 @@ class Actor {
   void Cancel(std::uint64_t tag);
   /// One tick: weapons, then commands, then legs.
   void Step();
-  /// Whether the actor only walks and turns in the next Step. Other actors then find all bodies at the same places.
+  /// Returns true if the next Step at most sets the velocity and the orientation of the actor's own body. After it, the
+  /// other actors still find all bodies at the same places.
   bool OnlyWalks() const;
   /// Computes in advance the most expensive search of the next Step. Reads the world and changes only this actor.
   void Foresee();

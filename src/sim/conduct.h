@@ -24,7 +24,7 @@ std::span<const Conduct> CarryingConducts();   // command_carry.cpp
 std::span<const Conduct> OtherConducts();      // command_other.cpp
 /// The step of a command of the vocabulary. Null for other words.
 ConductStep FindConduct(std::string_view command);
-/// Whether a command moves at most the legs and the neck.
+/// Whether a command only makes an agent walk: one of MovingConducts().
 bool IsWalk(std::string_view command);
 /// For `wander` only: computes in advance the direction that its next step will find if nothing else moves until then.
 void ForeseeWander(Actor& actor, Running& command);

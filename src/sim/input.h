@@ -144,7 +144,7 @@ using InputValue = std::variant<KeyInput, ButtonInput, PointerInput, WheelInput,
 struct Input {
   std::uint64_t tick = 0;
   InputValue value;
-  /// It comes from a recording, possibly by a stranger. Its commands may not write files or start programs.
+  /// It comes from a recording, possibly by an untrusted author. Its commands may not write files or start programs.
   bool recorded = false;
   friend bool operator==(const Input&, const Input&) = default;
 };

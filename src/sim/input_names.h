@@ -7,7 +7,7 @@
 
 namespace soarbox::sim {
 
-/// All names of keys that scripts can receive (spec 4.1), sorted.
+/// All names of keys that scripts can receive (lua_api.md 4.1), sorted.
 const std::vector<std::string>& KeyNames();
 /// All names of buttons of the mouse, sorted.
 const std::vector<std::string>& ButtonNames();

@@ -46,7 +46,7 @@ void Hold(Kernel& kernel, bool on) {
   if constexpr (requires { kernel.HoldIncomingCommands(on); }) kernel.HoldIncomingCommands(on);
 }
 
-/// Rule files may come from strangers: our own kernel restricts their commands to the scenario's folders.
+/// Rule files may come from untrusted authors: our own kernel restricts their commands to the scenario's folders.
 template <typename Kernel>
 void PutUpFence(Kernel& kernel, const SoarSettings& settings) {
   if constexpr (requires { kernel.FenceFiles(std::vector<std::string>(), false); }) {
@@ -62,7 +62,8 @@ void WriteInTurns(::sml::Kernel& kernel) {
   kernel.SetAutoCommit(false);
 }
 
-/// A recording may also come from a stranger. Other kernels have no fence, so they get none of its commands.
+/// A recording may also come from an untrusted author. Only our own kernel can restrict commands (PutUpFence). For
+/// other kernels, returns null and executes nothing.
 template <typename Kernel>
 const char* ExecuteRecorded(Kernel& kernel, const char* line, const char* agent) {
   if constexpr (requires { kernel.ExecuteRecordedCommandLine(line, agent); })
@@ -287,7 +288,7 @@ Result<std::string> SoarHost::Execute(const std::string& agent, const std::strin
   const char* text = recorded ? ExecuteRecorded(kernel, line.c_str(), agent.c_str())
                               : kernel.ExecuteCommandLine(line.c_str(), agent.c_str());
   if (text == nullptr)
-    return NewProblem("the command '" + line + "' comes from a recording, and this kernel has no fence");
+    return NewProblem("the command '" + line + "' comes from a recording, and this kernel cannot restrict it");
   std::string answer = text == nullptr ? "" : text;
   if (kernel.GetLastCommandLineResult()) return answer;
   // Soar adds these texts to every failure, even if no file is read. They do not help a user who typed a line.
