@@ -16,10 +16,10 @@ class LuaMachine;
 /// Arrays of all agents, for one machine. The scripts of a flock request one in each step and pass it to several
 /// steering forces. Creating and reading such an array element by element would take most of the time of a large flock.
 ///
-/// LuaJIT keeps the elements of a long array in one block of our memory (ScriptMemory). A new array is a copy of that
-/// block of a template that no script can reach, and an array that a script passes back is compared with that block in
-/// one operation. If blocks do not have the expected size, as in other implementations of Lua, elements are used one by
-/// one.
+/// LuaJIT keeps the elements of a long array in one block of our memory (ScriptMemory). This class keeps a template: an
+/// array that no script can reach. A new array is made by copying the template's block. An array that a script passes
+/// back is compared with that block in one operation. If blocks do not have the expected size, as in other
+/// implementations of Lua, elements are used one by one.
 class AgentLists {
  public:
   /// Pushes a new array of the handles of these agents.

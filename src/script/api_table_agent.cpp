@@ -32,10 +32,11 @@ print(agent:GetLeader() == other)  --> true)",
     {"Agent.GetMass", "agent: Agent", "number [kg]", "The agent's mass; initially 90.7.",
      R"(print(string.format("%.1f", agent:GetMass()))  --> 90.7)"},
     {"Agent.GetMaxForce", "agent: Agent", "number [N]",
-     "The maximum force of ForceToTargetSpeed, Push and WalkTo; initially 1000. ApplyForce does not observe it.",
+     "The maximum force of ForceToTargetSpeed, Push and WalkTo; initially 1000. It does not limit ApplyForce.",
      R"(print(agent:GetMaxForce())  --> 1000)"},
     {"Agent.GetMaxSpeed", "agent: Agent", "number [m/s]",
-     "The top speed that scripts observe; initially 7. The world does not enforce it.",
+     "The top speed of WalkTo, WalkToTarget and ClampSpeed; initially 7. Forces and SetVelocity can make the agent "
+     "faster.",
      R"(print(agent:GetMaxSpeed())  --> 7)"},
     {"Agent.GetNeighbours", "agent: Agent, distance: number 0..1e6 [m], team: string = any", "table",
      "The agents within a distance, without the agent itself, in the order of their creation. With a team, only the "

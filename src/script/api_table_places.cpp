@@ -42,7 +42,8 @@ print(floor.y < 0.2)  --> true)"},
 agent:SetPath(path)
 print(#path > 1)  --> true)"},
     {"Sandbox.GetInertia", "sandbox: Sandbox, layer: number, position: Vector [m]", "number",
-     "GetInfluence, as the first sandbox calls it.", R"(print(Sandbox.GetInertia(sandbox, 0, Vector.new()))  --> 0)"},
+     "The same as GetInfluence: its name in the first sandbox.",
+     R"(print(Sandbox.GetInertia(sandbox, 0, Vector.new()))  --> 0)"},
     {"Sandbox.GetInfluence", "sandbox: Sandbox, layer: number, position: Vector [m]", "number",
      "The value of the cell at a place, -1 to 1; 0 off the map.",
      R"(Sandbox.SetInfluence(sandbox, 0, agent:GetPosition(), 0.5)

@@ -12,7 +12,7 @@
 #include "script/plain_call.h"
 #include "world/agent_store.h"
 
-// Agent: steering forces (spec 7).
+// Agent: steering forces (lua_api.md 7).
 
 namespace soarbox::script {
 namespace {

@@ -10,7 +10,7 @@
 #include "script/binding.h"
 #include "world/animation/animator.h"
 
-// Animation: the animations of a body with a skeleton, and their playback (spec 5.5).
+// Animation: the animations of a body with a skeleton, and their playback (lua_api.md 5.5).
 
 namespace soarbox::script {
 namespace {

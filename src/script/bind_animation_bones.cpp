@@ -12,7 +12,7 @@
 #include "world/animation/animator.h"
 #include "world/rotation.h"
 
-// Animation: the bones of a body, attachments, and locomotion (spec 5.5).
+// Animation: the bones of a body, attachments, and locomotion (lua_api.md 5.5).
 
 namespace soarbox::script {
 namespace {

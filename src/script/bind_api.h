@@ -5,7 +5,7 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// The tables of the sandbox's API (spec 5). Each function registers one table or a part of one.
+/// The tables of the sandbox's API (docs/spec/lua_api.md, 5). Each function registers one table or a part of one.
 void BindCoreCreate(lua_State* state);
 void BindCoreScene(lua_State* state);
 void BindCorePhysics(lua_State* state);

@@ -7,7 +7,7 @@
 #include "script/lua_machine.h"
 #include "script/script_path.h"
 
-// Sandbox: custom events and collision callbacks (spec 4.3, 4.4).
+// Sandbox: custom events and collision callbacks (lua_api.md 4.3, 4.4).
 
 namespace soarbox::script {
 namespace {

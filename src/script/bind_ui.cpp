@@ -9,7 +9,7 @@
 #include "script/binding.h"
 #include "world/rotation.h"
 
-// UI: components of the user interface (spec 5.6, 10).
+// UI: components of the user interface (lua_api.md 5.6, 10).
 
 namespace soarbox::script {
 namespace {

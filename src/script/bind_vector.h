@@ -5,10 +5,10 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// The table Vector (spec 5.1). Needs no world.
+/// The table Vector (lua_api.md 5.1). Needs no world.
 void BindVector(lua_State* state);
 
-/// Fills the metatable on top of the stack with the operators of vectors (spec 2.2).
+/// Fills the metatable on top of the stack with the operators of vectors (lua_api.md 2.2).
 void InstallVectorMetamethods(lua_State* state);
 
 }  // namespace soarbox::script

@@ -9,7 +9,7 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// What a call with too few or too many arguments does (see the spec: arity classes).
+/// What a call with too few or too many arguments does ("arity class" in docs/spec/lua_api.md).
 enum class WrongCount : unsigned char {
   kIgnored,  ///< Nothing, with a warning, once per place.
   kError,    ///< A Lua error.

@@ -11,7 +11,7 @@
 
 namespace soarbox::script {
 
-/// Functions that scripts registered for the collisions of an object (spec 4.3).
+/// Functions that scripts registered for the collisions of an object (lua_api.md 4.3).
 class CollisionCallbacks {
  public:
   /// An object may have several; they are called in the order of their registration.

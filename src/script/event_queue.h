@@ -15,7 +15,7 @@ namespace soarbox::script {
 /// A field of a custom event. It can be copied between machines.
 using EventValue = std::variant<float, bool, std::string, world::Vec3, Handle>;
 
-/// A custom event (spec 4.4): a type and its fields.
+/// A custom event (lua_api.md 4.4): a type and its fields.
 struct ScriptEvent {
   std::string type;
   std::map<std::string, EventValue> fields;

@@ -5,7 +5,7 @@
 
 namespace soarbox::script {
 
-/// A key, mouse or gamepad event as scripts see it (spec 4.1, 4.2). Names are the sandbox's: "space_key",
+/// A key, mouse or gamepad event as scripts see it (lua_api.md 4.1, 4.2). Names are the sandbox's: "space_key",
 /// "left_button".
 struct InputEvent {
   enum class Source { kKeyboard, kMouse, kGamepad };

@@ -13,7 +13,7 @@
 namespace soarbox::script {
 namespace {
 
-/// Metatables by kind. Sandbox, SandboxObject and SceneNode share one and are distinguished by the kind.
+/// Metatables by kind. kSandbox, kObject and kNode share one; code distinguishes them by their kind.
 const char* MetatableOf(ValueKind kind) {
   switch (kind) {
     case ValueKind::kVector:

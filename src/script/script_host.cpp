@@ -567,7 +567,7 @@ Result<EntityId> ScriptHost::MakeAgent(const AgentCreationRequest& request) {
   return id;
 }
 
-/// The order of spec 16.2: chunk, target, Agent_Initialize, mind.
+/// The order of lua_api.md 16.2: chunk, target, Agent_Initialize, mind.
 void ScriptHost::InitializeAgent(AgentScript& script) {
   auto error = script.machine->Protected([](lua_State* state) { BindApi(state, ApiSide::kAgent); });
   if (!error) error = script.machine->RunFile(script.request.script);

@@ -28,8 +28,9 @@ class ScriptPath {
  public:
   explicit ScriptPath(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  /// Reads `name` ("SeekingAgent.lua"). Fails if no folder has it (the error names the folders, and a similar name if
-  /// there is one), if it cannot be read, or if the name leads out of the folders. The pointer stays valid.
+  /// Reads `name` ("SeekingAgent.lua"). Fails if no folder has it, if it cannot be read, or if the name leads out of
+  /// the folders. If no folder has it, the error names the folders and, if there is one, a similar name. The pointer
+  /// stays valid.
   Result<const ScriptSource*> Load(std::string_view name);
 
   /// Reads a file that is not a script, with the same bounds: an image, a model, a sound. `kind` names it in messages.
