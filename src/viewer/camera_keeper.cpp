@@ -25,8 +25,8 @@ constexpr float kRecent_s = 3, kRecentStep_s = 0.25f;
 /// Maximum distance of the camera for showing places. For agents it is kFurthest_m; those in the middle have priority.
 constexpr float kPlacesWithin_m = 46, kFurthest_m = 260;
 constexpr float kPlaceRadius_m = 0.6f, kPlaceHeight_m = 0.6f;
-/// Scenery is added up to kBeside_m from what is already in the picture, if it is at most kLongestPiece_m long, and not
-/// in a world that is full of it.
+/// Scenery is added to the picture if it is at most kBeside_m from what is already there and at most kLongestPiece_m
+/// long. If a world has more than kMostPieces pieces of scenery, none is added.
 constexpr float kBeside_m = 6, kLongestPiece_m = 16, kSceneryWithin_m = 58;
 constexpr std::size_t kMostPieces = 100;
 

@@ -62,8 +62,8 @@ MeshData BoxAt(Vec3 middle, Vec3 size, float chamfer_m = 0.02f) {
   return BoxMesh(middle - size * 0.5f, middle + size * 0.5f, {.chamfer_m = chamfer_m});
 }
 
-/// Moves a mesh that stands on the ground at the origin to the centre of a shape, in its natural size for a body of the
-/// usual height.
+/// Fits a mesh that stands on the ground at the origin to a shape of this size, whose centre is at the origin. The mesh
+/// keeps its proportions: a shape of height kUsual_m gets it in its original size.
 MeshData Standing(MeshData mesh, Vec3 size) {
   constexpr float kUsual_m = 1.7f;
   const float scale = size.y / kUsual_m;

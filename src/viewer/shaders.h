@@ -13,7 +13,7 @@ namespace soarbox::viewer {
 enum class Placing : std::uint8_t {
   kOne,    ///< One thing, placed by Ogre's own matrix.
   kMany,   ///< Many things in one draw call, each with its matrix (instance_batch.h).
-  kBones,  ///< Many bodies in one draw call, placed by their bones (bone_rows.h).
+  kBones,  ///< Many bodies in one draw call, placed by their bones (BoneTexture, body_library.h).
 };
 
 /// The shader programs in media/shaders, compiled on first use, and the values that they share.

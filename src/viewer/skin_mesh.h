@@ -60,7 +60,9 @@ class SkinBuilder {
     float square = 0;
     float light = 1;
   };
-  /// Joins rings whose planes are perpendicular to `along`, with `ahead` as their second direction. Ends are closed.
+  /// Joins rings by a surface. The plane of each ring is perpendicular to the line between its neighbours. `ahead` is
+  /// the direction in which Ring::ahead is measured, and must not be parallel to that line. With `closed_ends`, both
+  /// ends are closed.
   void Loft(const std::vector<Ring>& rings, int segments, world::Vec3 ahead, bool closed_ends = true);
 
   /// A superquadric around `centre` with half sizes `half`. `round`: 1 is an ellipsoid, 0.2 a box with round edges.

@@ -115,8 +115,8 @@ class Viewer {
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Sets the newest snapshot. With the previous one and a blend from 0 (previous) to 1 (newest), bodies are drawn
-  /// between the two, so that a world of 30 ticks per second looks smooth at any frame rate. Call it for each frame.
+  /// Sets the snapshot to draw. Call it for each frame. With the previous snapshot, bodies are drawn between the two:
+  /// `blend` 0 is the previous one, 1 the newest. A world of 30 ticks per second then looks smooth at any frame rate.
   void Show(const world::SceneSnapshot& newest, const world::SceneSnapshot* previous = nullptr, double blend = 1);
 
   void SetStatus(const RunStatus& status);

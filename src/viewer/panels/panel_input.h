@@ -12,8 +12,8 @@ namespace soarbox::viewer {
 
 /// Passes the user's input to the panels: the mouse over panels and menus, and keys while the user types there.
 ///
-/// ImGui receives all events in order, and never a press and its release in one frame, so that a click that is shorter
-/// than a frame is not lost.
+/// ImGui receives all events in order. It never receives a press and its release in the same frame. So a click that is
+/// shorter than a frame is not lost.
 class PanelInput {
  public:
   PanelInput();
