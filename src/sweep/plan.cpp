@@ -225,8 +225,8 @@ Result<fs::path> CopyOf(const sim::Scenario& scenario, const fs::path& folder) {
   return folder / file.filename();
 }
 
-/// A sweep's folder and file may come from a stranger. Nothing is written, removed or read through links, pipes and
-/// devices in the folder.
+/// Refuses a folder that contains links, pipes or devices. A sweep's folder and file may come from an untrusted author.
+/// Nothing may be written, removed or read through such files.
 Result<void> RefuseLinks(const fs::path& folder) {
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {

@@ -48,8 +48,9 @@ class RowWriter {
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 
-/// Reads all rows below the folder, one for each key: the first complete one, a good one before a crashed one, and one
-/// with a recording before one without. Two rows of a key with different state hashes are reported, with both hosts.
+/// Reads the files *.rows in the folder and returns one row for each key: the first whose run succeeded, else the last.
+/// If that row has no recording, it gets the recording of a later row of the key. Adds a problem, which names both
+/// hosts, if two successful runs of a key with the same build have different state hashes.
 std::map<std::string, Row> ReadRows(const std::filesystem::path& folder, std::vector<Diagnostic>& problems);
 
 std::string KeyOf(const Plan& plan, std::size_t variant, std::uint64_t seed);

@@ -56,8 +56,8 @@ bool IsJob(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The last job of this folder's sweep; empty if there is none. The file may come from a stranger. Only a job number is
-/// accepted, because Slurm's commands would also accept options.
+/// The last job of this folder's sweep; empty if there is none. Only a job number is accepted: the file may come from
+/// an untrusted author, and Slurm's commands would also accept options.
 std::string JobOf(const fs::path& folder) {
   std::string job = ReadText(folder / "slurm" / "job").value_or("");
   while (!job.empty() && (job.back() == '\n' || job.back() == ' ')) job.pop_back();

@@ -9,9 +9,10 @@
 
 namespace soarbox::sweep {
 
-/// The manifest of a sweep as JSON, stored in `manifest.json`: version, build, commit, command line, folder, host,
-/// system, time, the digest of the sweep's file, seeds, and for each variant its digest, its parameters and the SHA-256
-/// of each of its files. It contains date and host, so nothing that must be equal on all machines may contain it.
+/// The manifest of a sweep as JSON, stored in `manifest.json`. It contains the version, build, commit, command line,
+/// folder, host, system, time, seeds and the digest of the sweep's file. For each variant, it contains the digest, the
+/// parameters and the SHA-256 of each file. Because of the time and the host, it differs between machines: do not
+/// include it in anything that must be equal on all machines.
 std::string ManifestOf(const Spec& spec, const Plan& plan, const std::vector<Row>& rows,
                        const std::filesystem::path& folder);
 
