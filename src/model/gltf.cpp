@@ -33,7 +33,8 @@ struct Frame {
   Vec3 Turned(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3 Placed(Vec3 v) const { return Turned(v) + place; }
   float Determinant() const { return Dot(Cross(x, y), z); }
-  /// Normals under uneven scales want the cofactors.
+  /// Turns a normal. It stays perpendicular to the surface even if the axes have different scales: the matrix of
+  /// cofactors does that.
   Vec3 TurnedNormal(Vec3 n) const {
     const Vec3 turned = Cross(y, z) * n.x + Cross(z, x) * n.y + Cross(x, y) * n.z;
     return Normalized(Determinant() < 0 ? -turned : turned);

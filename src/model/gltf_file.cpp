@@ -101,7 +101,7 @@ void GltfFile::CheckVersion() {
   if (required == json_.end() || required->empty()) return;
   const Json& extension = required->is_array() ? required->front() : *required;
   const std::string name = extension.is_string() ? extension.get<std::string>().substr(0, 80) : "?";
-  Fail("it requires the extension " + name + ", which is not supported: export it without");
+  Fail("it requires the extension " + name + ", which is not supported: export it without this extension");
 }
 
 void GltfFile::Fail(std::string problem) {

@@ -137,8 +137,9 @@ TEST(Gltf, WhatIsWrongIsNamed) {
   const std::string whole = Glb(TriangleJson(), kTriangle);
   EXPECT_EQ(ProblemOf(whole.substr(0, whole.size() - 1)), "the file is cut off");
   EXPECT_EQ(ProblemOf(Glb(TriangleJson(), kTriangle.substr(4))), "buffers[0] is shorter than its \"byteLength\"");
-  EXPECT_EQ(ProblemOf(Glb(TriangleJson(R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"), kTriangle)),
-            "it requires the extension KHR_draco_mesh_compression, which is not supported: export it without");
+  EXPECT_EQ(
+      ProblemOf(Glb(TriangleJson(R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"), kTriangle)),
+      "it requires the extension KHR_draco_mesh_compression, which is not supported: export it without this extension");
   EXPECT_EQ(ProblemOf(Glb(TriangleJson("", R"("children": [0])"), kTriangle)),
             "its nodes are nested in a circle, too deep or too many");
   EXPECT_EQ(ProblemOf(Glb(TriangleJson("", R"("mesh": 7)"), kTriangle)),

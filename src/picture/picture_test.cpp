@@ -257,7 +257,7 @@ TEST(Png, SaysWhyAFileIsNotRead) {
     return picture::ReadPng(std::string_view(changed)).problem;
   };
   EXPECT_EQ(with(24, 16), "16 bits per channel are not read: save it with 8");
-  EXPECT_EQ(with(28, 1), "interlaced images are not read: save it without");
+  EXPECT_EQ(with(28, 1), "interlaced images are not read: save it without interlacing");
   EXPECT_EQ(with(16, 1), "an image has 1 to 4096 pixels on each side");
   EXPECT_EQ(with(19, 3), "its pixels are damaged");
   EXPECT_EQ(with(25, 7), "its colour type is unknown");

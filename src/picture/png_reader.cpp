@@ -78,7 +78,7 @@ void ReadHead(std::string_view content, Parts& parts) {
     parts.problem = head.bits == 16 ? "16 bits per channel are not read: save it with 8" : "its colour type is unknown";
     return;
   }
-  if (ByteAt(content, 12) != 0) parts.problem = "interlaced images are not read: save it without";
+  if (ByteAt(content, 12) != 0) parts.problem = "interlaced images are not read: save it without interlacing";
   head.kind = static_cast<ColorKind>(kind);
 }
 
