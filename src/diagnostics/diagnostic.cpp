@@ -45,7 +45,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t mos
   return row[b.size()];
 }
 
-/// Truncates a message, which may contain a long text of a stranger.
+/// Truncates a message, which may contain a long text of an untrusted author.
 std::string Bounded(const std::string& text) {
   constexpr std::size_t kMost = 4'000, kShown = 1'000;
   if (text.size() <= kMost) return text;
@@ -106,8 +106,8 @@ std::string Format(const Diagnostic& diagnostic) {
 
 std::string_view Suggest(std::string_view word, const std::vector<std::string_view>& candidates) {
   std::string_view best;
-  // Words may come from strangers and have any length. Real names are shorter than this, and typing mistakes are
-  // smaller.
+  // Words may come from untrusted authors and have any length. No real name is longer than kLongestName, and no typing
+  // mistake changes more than kMostChanges characters.
   constexpr std::size_t kLongestName = 100, kMostChanges = 6;
   if (word.size() > kLongestName) return best;
   std::size_t most = std::clamp<std::size_t>(word.size() / 3, 1, kMostChanges);

@@ -10,7 +10,7 @@ namespace soarbox {
 
 enum class Severity : std::uint8_t { kNote, kWarning, kError };
 
-/// What a diagnostic is about, if other code must know that: it ranks by it, or drops what turned out to be false.
+/// What a diagnostic is about, for code that treats some diagnostics differently.
 enum class Topic : std::uint8_t {
   kOther,
   kEndless,        ///< Rules fire endlessly in one phase.

@@ -36,8 +36,8 @@ struct OpenedJournal {
   std::vector<std::string> records;  ///< Oldest first.
 };
 
-/// Opens or creates a file. Fails with the reason, and does not change the file, if it is not a database, belongs to
-/// another program, another memory or a newer Soarbox, is damaged, or is open in another process.
+/// Opens or creates a file. Fails with the reason if the file is not a database, is damaged, is open in another
+/// process, or belongs to another program, another memory or a newer Soarbox. A failure does not change the file.
 Result<OpenedJournal> Open(const std::string& path, Memory memory, const OpenOptions& options);
 
 /// Writes a memory's image to a separate file (`smem --backup`). Replaces a file of Soarbox, but no other file.

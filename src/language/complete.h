@@ -32,10 +32,10 @@ struct Proposals {
   std::vector<Proposal> list;
 };
 
-/// Completions at a position. After ^ or a dot: the attributes of the object (percepts, commands and their parameters
-/// from the world's vocabulary, attributes of the architecture, and those that the program's rules use for the same
-/// kind of object, or for any object if its kind is not known). After an attribute: its values. After <: the variables
-/// of the rule. Outside rules: Soar's commands.
+/// Completions at a position. After ^ or a dot: the attributes of the object. These are percepts, commands and their
+/// parameters from the world's vocabulary, attributes of the architecture, and attributes that the program's rules use
+/// for the same kind of object (for any object if its kind is not known). After an attribute: its values. After <: the
+/// variables of the rule. Outside rules: Soar's commands.
 Proposals Complete(const Program& program, const Document& document, std::size_t offset);
 
 }  // namespace soarbox::language

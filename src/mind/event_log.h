@@ -27,8 +27,9 @@ bool TakeFrame(std::string_view& log, EventFrame& frame);
 
 /// What one mind did, in order, as bytes. Adding an event and copying the log are fast. Files store the same bytes.
 ///
-/// An event consists of its kind (a byte), the number of bytes that follow (in groups of seven bits, the lowest first,
-/// at least two groups), and its fields. A text is its size and its bytes. Readers skip kinds that they do not support.
+/// An event consists of its kind (a byte), the number of bytes that follow, and its fields. That number is in at least
+/// two groups of seven bits, the lowest first. A text is its size and its bytes. Readers skip kinds that they do not
+/// support.
 class EventLog {
  public:
   EventLog() = default;

@@ -35,8 +35,8 @@ std::string CutText(std::string text, std::size_t most_bytes);
 /// that uses most space, so that rare events stay and the rest is distributed over the entire run. Keeps the order.
 void ThinEvents(std::vector<StoryEvent>& events, std::size_t most_bytes);
 
-/// Merges spans of one agent that begin in the same of `columns` columns and are each narrower than a column, because
-/// they cannot be distinguished in a picture of that width. The longest of them gives the name.
+/// Merges spans of one agent that cannot be distinguished in a picture with this number of columns: each is narrower
+/// than a column, and they begin in the same column. The merged span has the name of the longest of them.
 std::vector<StorySpan> MergeSpans(const std::vector<StorySpan>& spans, double seconds, std::size_t columns);
 
 /// Indices of the moments that remain if only each `every`-th and the last are kept.

@@ -109,8 +109,9 @@ class Teller {
     return nullptr;
   }
 
-  /// "a (O3) and b (O2) are each better than the other (rules R and S), so both were dropped", if this drop and another
-  /// one were caused by each other, and the subject is better than neither.
+  /// A sentence about two candidates that were dropped because each is better than the other: "a (O3) and b (O2) are
+  /// each better than the other (rules R and S), so both were dropped". `other` becomes the other candidate. Empty if
+  /// `drop` has no such counterpart, or if the subject is better than one of the two.
   std::string Mutual(const Decision::Drop& drop, std::uint32_t& other) const {
     if (decision_.drops.size() > kMostCompared || drop.stage != Stage::kDominated) return {};
     if (subject_ != Decision::kNoOperator && DominatedBy(drop, subject_) != nullptr) return {};
