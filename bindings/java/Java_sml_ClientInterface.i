@@ -383,7 +383,7 @@ struct OpenAnswer : sml::ClientAnalyzedXML {
     String clientMessageHandler(int eventID, Object data, String agentName, String clientName, String message);
   }
 
-  /** Ends the kernel and its agents; a remote one is left. Afterwards only delete() is of use. */
+  /** Destroys the kernel and its agents; disconnects from a remote one. Afterwards, call only delete(). */
   public void Shutdown() {
     ShutdownInternal();
     KERNELS.remove(this);
@@ -426,13 +426,13 @@ struct OpenAnswer : sml::ClientAnalyzedXML {
 
 // Java has its own strings.
 %typemap(javacode) sml::ClientXML, sml::ClientAnalyzedXML %{
-  /** There is nothing to give back; for programs that do as in C++. */
+  /** Does nothing. It exists for programs that call it as in C++. */
   public static void DeleteString(String text) {}
 %}
 %typemap(javacode) soarxml::ElementXML %{
-  /** There is nothing to give back; for programs that do as in C++. */
+  /** Does nothing. It exists for programs that call it as in C++. */
   public static void DeleteString(String text) {}
-  /** As SetTagName(tagName): the name is copied. */
+  /** The same as SetTagName(tagName). The name is always copied; copyName has no effect. */
   public boolean SetTagName(String tagName, boolean copyName) {
     return SetTagName(tagName);
   }

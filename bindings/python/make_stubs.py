@@ -18,7 +18,7 @@ from typing import Any, Callable, List, Optional, Union, overload
 
 '''
 
-#: What is None where there is nothing of that name or number.
+#: Functions that return None if nothing has the given name or index.
 MAY_BE_NONE = re.compile(r"Get(ParameterValue|Child|Agent|AgentByIndex|Command|ConnectionInfo|ConnectionStatus|AgentStatus|"
                          r"OutputLink|OutputLinkChange|Attribute|IDAtt\w*|ValueAsString)$|FindBy|Find\w*|ConvertTo")
 TEXTS = ("char", "string")
@@ -89,7 +89,7 @@ def functions_of(node, indent, classes, is_static):
         if indent and not is_static and "self" not in parameters:
             parameters.insert(0, "self")
         types = [parameter.partition(": ")[2].replace("int", "float") for parameter in parameters]
-        # To Python, a whole number is a number: such signatures are one.
+        # Signatures that differ only in int and float count as one, because Python accepts an int for a float.
         if all(types != others for others, _ in made):
             made.append((types, f"{indent}def {node.name}({', '.join(parameters)}) -> {kind}: ..."))
     for _, text in made:

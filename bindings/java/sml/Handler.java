@@ -3,7 +3,7 @@ package sml;
 
 /** A handler that the library calls. Exceptions are printed and not passed on; the run continues. */
 final class Handler {
-  /** What the library says. */
+  /** The arguments of one call of a handler. Which of them are set depends on the event. */
   static final class Told {
     final int event;
     private final long object;

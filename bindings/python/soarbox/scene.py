@@ -10,8 +10,9 @@
     scene.line(0, 0, 4, 0)
     scene.body("robot", x=1, y=2, heading=90)
 
-Metres and degrees: x to the right, y to the front; a heading of 0 is along x, counter-clockwise. Colours: white, black,
-gray, red, green, blue, yellow, orange. Elements are changed when a value changes only. docs/client_recordings.md says more.
+Positions are in metres: x to the right, y to the front. Headings are in degrees, counter-clockwise; 0 is along x. Colours:
+white, black, gray, red, green, blue, yellow, orange. An element is changed only if its value changes. See
+docs/client_recordings.md.
 """
 from typing import Any, Dict, Optional, Union
 
