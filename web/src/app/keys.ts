@@ -35,7 +35,7 @@ export const KEYS: readonly Key[] = [
   { keys: "F8, F10, F11, Shift+F11", does: "A stopped script: continue, step over, into, out", group: "Rules" },
   { keys: "F2", does: "Rename what is at the caret, in all files", group: "Rules" },
   { keys: "F12", does: "Go to where the name at the caret is made", group: "Rules" },
-  { keys: "Shift+Alt+F", does: "Lay the rules out", group: "Rules" },
+  { keys: "Shift+Alt+F", does: "Format the rules", group: "Rules" },
   { keys: "Escape, then Tab", does: "Leave the editor with the keyboard", group: "Rules" },
   { keys: "?", does: "Show or hide this list", group: "Page" },
   { keys: "Escape", does: "Close what is open", group: "Page" },

@@ -116,7 +116,7 @@ export class EditPanel implements Panel {
   private commands(isRules: boolean): View {
     const small = (label: string, title: string, press: () => void): View => button(label, press, { attributes: { title } }, "button.small");
     return h("div.row.bar.commands", { key: "commands", attributes: { role: "group", "aria-label": "More for the text" } },
-      isRules && [small("Lay out", "Lay the rules out (Shift+Alt+F)", () => this.command("format")), small("Rename", "Rename what is at the caret, wherever it is used (F2)", () => this.command("rename")),
+      isRules && [small("Lay out", "Format the rules (Shift+Alt+F)", () => this.command("format")), small("Rename", "Rename what is at the caret, wherever it is used (F2)", () => this.command("rename")),
         small("Go to definition", "Go where the name at the caret is made (F12)", () => this.command("definition"))],
       this.context.files !== null && small("New file", "A new file beside this one", () => this.ask({ what: "new", old: "", name: "", line: 0, character: 0 })));
   }

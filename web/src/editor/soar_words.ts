@@ -15,7 +15,7 @@ const WORDS: Readonly<Record<string, string>> = {
   "^operator": "**^operator** in a condition: the operator that is selected. After `-->` with a `+`: one that is proposed.",
   "^name": "**^name** is what an operator or a thing is called; rules that apply an operator test it.",
   "^impasse": "**^impasse** says in a substate why no operator could be selected: tie, conflict, no-change or constraint-failure.",
-  "^type": "**^type** of a substate is state; an impasse is told by `^impasse` and `^attribute`.",
+  "^type": "**^type** of a substate is state; `^impasse` and `^attribute` describe the impasse.",
   "nil": "**nil** means nothing: there is no such thing.",
   "+": "**+** after an operator proposes it: it may be selected. Without a sign other preferences follow: > better, < worse, = indifferent, - rejected, ! required, ~ prohibited.",
   "=": "**=** after an operator: it is indifferent, so Soar may choose by chance among those that are.",

@@ -65,8 +65,8 @@ export class Attempt {
 
 export type Standing = "passed" | "failed" | "open";
 
-/** The state of a check at the moment that is shown. It is open if it was decided later, in a discarded future, or with rules
- * that have been changed since, or if the learner has not done anything yet that could be judged.
+/** The state of a check at the moment that is shown. It is open if it was decided after that moment, in a discarded future, or
+ * with rules that have been changed since. A check that failed is also open while the learner has not tried anything.
  */
 export function standingOf(check: Check, time: Pick<Time, "shown_tick" | "is_live" | "branch_tick"> | undefined, attempt: Pick<Attempt, "changedAt" | "isTried">): Standing {
   if (check.state !== "true" && check.state !== "false") return "open";
