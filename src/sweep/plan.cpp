@@ -302,7 +302,7 @@ bool HasRows(const fs::path& folder, const std::string& variant) {
 }
 
 /// The folder of a variant's files. They are first written completely to a temporary folder, so that an interrupted
-/// sweep starts again. Existing files must be the same.
+/// sweep starts again. Existing files must be the same, unless no run has used them.
 Result<fs::path> PlaceOf(const Variant& variant, const Spec& spec, const fs::path& folder, const sim::DataFolders& data,
                          Sources sources) {
   std::error_code error;

@@ -32,13 +32,15 @@ struct Row {
 /// sweep is computed from these files.
 class RowWriter {
  public:
-  /// Creates a new file below the folder. Its name contains host and process.
+  /// Creates a new file in the folder, and the folder if necessary. The file's name contains host and process.
   static Result<std::unique_ptr<RowWriter>> Create(const std::filesystem::path& folder);
   ~RowWriter();
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
-  /// Adds a row. It is written to the disk within a few seconds. Fails if the disk is full.
+  /// Adds a row and passes it to the system. If the last Flush was more than 5 s ago, also calls Flush. Fails if the
+  /// disk is full.
   Result<void> Add(const Row& row);
+  /// Waits until all rows are on the disk.
   Result<void> Flush();
 
  private:

@@ -25,11 +25,13 @@ struct SlurmSettings {
 std::string WhyNoSlurm();
 
 /// Submits a job array and waits until Slurm no longer lists it. If a job of this folder still runs, waits for that job
-/// instead. Calls `goes_on` every few seconds, with Slurm's error message if it did not answer, and with the reason if
-/// tasks cannot start (a held job, a drained node). If that returns false, returns and leaves the job running.
+/// instead. Calls `goes_on` about once per second, with Slurm's error message if it did not answer, and with the reason
+/// if tasks cannot start (a held job, a drained node). If that returns false, returns and leaves the job running.
+/// Fails if Slurm is not installed or does not accept the job, or if CancelOnSlurm cancelled the job.
 Result<void> RunOnSlurm(const std::filesystem::path& folder, const SlurmSettings& settings,
                         const std::function<bool(const std::string& no_answer, const std::string& held)>& goes_on);
-/// Cancels the job of this folder, if there is one. RunOnSlurm then ends.
+/// Cancels the job of this folder. RunOnSlurm then fails. Fails if the folder has no job, or if Slurm does not cancel
+/// it.
 Result<void> CancelOnSlurm(const std::filesystem::path& folder);
 
 }  // namespace soarbox::sweep

@@ -372,7 +372,8 @@ class SpecReader : public sim::TableReader {
   bool is_copy_;
 };
 
-/// Copies the contents of a mission into the spec that refers to it, and stores both texts.
+/// Sets Spec::whole and Spec::judgement. If the spec refers to a mission, they contain the mission's seeds, seconds and
+/// checks.
 void KeepWhole(toml::table root, Spec& spec) {
   if (const auto named = root["mission"].value<std::string>()) {
     const std::string text = ReadText(spec.file.parent_path() / *named).value_or("");
