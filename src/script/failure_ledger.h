@@ -33,8 +33,8 @@ struct ErrorCount {
   std::uint64_t count = 0;
 };
 
-/// Counts failed calls of scripts. Each error is reported once, with all agents in which it occurred, regardless of the
-/// number of agents and ticks.
+/// Counts failed calls of scripts. Each error is reported once, with the agents in which it occurred until that report.
+/// Later occurrences are only counted (Untold).
 class FailureLedger {
  public:
   /// Notes a failed call.
@@ -54,7 +54,7 @@ class FailureLedger {
   static constexpr std::uint64_t kKeepsFailing = 3;
   /// Maximum number of reports about a callback that repeatedly fails and recovers.
   static constexpr int kMostTold = 3;
-  /// Maximum number of distinct errors that are remembered, because error texts may contain changing numbers.
+  /// Maximum number of distinct errors that are counted and reported: error texts may contain changing numbers.
   static constexpr std::size_t kMostErrors = 500;
 
   using Callback = std::pair<world::EntityId, std::string>;

@@ -75,7 +75,8 @@ struct MachineSetup {
 /// and what is compiled does not depend only on the script. The interpreter alone is deterministic.
 ///
 /// Garbage collection is deterministic as well, because the machine decides when it runs: completely, at the first
-/// instruction after the memory has doubled since the last collection. Lua's own collector works in small steps in the
+/// instruction after the memory has doubled since the last collection (near the limit: earlier; see
+/// SetCollectionPoint). Lua's own collector works in small steps in the
 /// order of a hash that differs from process to process. Then the memory of a script at a given moment, and the moment
 /// at which it reaches a limit, would differ too.
 ///
@@ -100,7 +101,9 @@ class LuaMachine {
   /// Runs a text as the chunk `name`.
   std::optional<ScriptError> RunText(std::string_view text, std::string_view name);
 
-  /// Runs body(lua_State*) protected and with a fresh instruction budget (a nested run shares the outer one's).
+  /// Runs body(lua_State*) protected and with a fresh instruction budget (a nested run shares the outer one's). Returns
+  /// the error, if there was one. If the scripts of the world were ended (WorldBudget::end), runs nothing and returns
+  /// no error.
   template <class Body>
   std::optional<ScriptError> Protected(Body&& body) {
     using Plain = std::remove_reference_t<Body>;

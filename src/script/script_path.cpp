@@ -18,7 +18,7 @@ bool LeadsOutside(const fs::path& name) {
   return name.is_absolute() || std::any_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".."; });
 }
 
-/// Returns the names of the Lua files in a folder, sorted, so that the result does not depend on the file system.
+/// Returns the names of everything in a folder, sorted, so that the result does not depend on the file system.
 std::vector<std::string> FileNames(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;

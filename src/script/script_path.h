@@ -13,7 +13,7 @@ namespace soarbox::script {
 
 /// A script file as it was read: bytes, without a certain encoding.
 struct ScriptSource {
-  std::string name;  ///< The name that the script used, with the case of the file's name.
+  std::string name;  ///< The name with which it was loaded; its case may differ from that of the file's name.
   std::string path;  ///< The path of the file, for messages.
   std::string content;
   bool has_tick = false;  ///< It contains the name Agent_Tick.
@@ -22,15 +22,15 @@ struct ScriptSource {
 };
 
 /// The search path of scripts: a list of folders; the first one that has the file wins. The scenario's own folder
-/// precedes the library's, so that a scenario can replace a library module. Names are compared exactly first, then
-/// ignoring case. Files are read once and kept, so that a run uses one version of each.
+/// precedes the library's, so that a scenario can replace a library module. In each folder, names are compared exactly
+/// first, then ignoring case. Files are read once and kept, so that a run uses one version of each.
 class ScriptPath {
  public:
   explicit ScriptPath(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  /// Reads `name` ("SeekingAgent.lua"). Fails if no folder has it, if it cannot be read, or if the name leads out of
-  /// the folders. If no folder has it, the error names the folders and, if there is one, a similar name. The pointer
-  /// stays valid.
+  /// Reads `name` ("SeekingAgent.lua"). Fails if no folder has it, if it cannot be read, is too large or is not plain
+  /// text, or if the name leads out of the folders. If no folder has it, the hint is a similar name or, without one,
+  /// the list of folders. The pointer stays valid.
   Result<const ScriptSource*> Load(std::string_view name);
 
   /// Reads a file that is not a script, with the same bounds: an image, a model, a sound. `kind` names it in messages.
@@ -46,7 +46,8 @@ class ScriptPath {
   /// Returns the path of a loaded file, or the name itself.
   std::string PathOf(std::string_view name) const;
 
-  /// From now on the file has this content, also for machines that load it later and in messages about it.
+  /// From now on the file has this content, also for machines that load it later and in messages about it. Does nothing
+  /// if the file was not loaded.
   void Replace(std::string_view name, std::string_view content);
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
