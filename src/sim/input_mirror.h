@@ -87,7 +87,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   // For a queue, in which elements are added at the end and removed at the beginning.
   /// The key of the next element of the previous update that was not yet reported; 0 if there is none.
   std::uint32_t NextKey() const;
-  /// Removes that element.
+  /// Removes that element. There must be one (NextKey).
   void Drop();
   /// Keeps that element and all later ones unchanged.
   void KeepRest();
