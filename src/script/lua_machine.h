@@ -76,9 +76,9 @@ struct MachineSetup {
 ///
 /// Garbage collection is deterministic as well, because the machine decides when it runs: completely, at the first
 /// instruction after the memory has doubled since the last collection (near the limit: earlier; see
-/// SetCollectionPoint). Lua's own collector works in small steps in the
-/// order of a hash that differs from process to process. Then the memory of a script at a given moment, and the moment
-/// at which it reaches a limit, would differ too.
+/// SetCollectionPoint). Lua's own collector works in small steps in the order of a hash that differs from process to
+/// process. Then the memory of a script at a given moment, and the moment at which it reaches a limit, would differ
+/// too.
 ///
 /// All Lua code runs in protected calls, which return errors as values. Use it on one thread at a time.
 class LuaMachine {
