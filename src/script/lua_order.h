@@ -13,8 +13,8 @@ namespace soarbox::script {
 /// Call it inside a protected call.
 void InstallOrder(lua_State* state);
 
-/// Whether the table at `index` contains exactly the keys 1 to `count`, in this order in Lua, too. Then it can be
-/// iterated by number, without PushOrderedKeys.
+/// Returns true, and sets `count`, if the table at `index` contains exactly the keys 1 to `count` and Lua also visits
+/// them in this order. Then it can be iterated by number, without PushOrderedKeys.
 bool IsPlainArray(lua_State* state, int index, int& count);
 
 /// Pushes an array of the keys of the table at `index`, in that order. May raise for lack of memory.

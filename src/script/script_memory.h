@@ -70,7 +70,7 @@ class ScriptMemory {
   struct Chunk {
     std::unique_ptr<std::byte[]> bytes;  ///< Null: released.
     std::size_t size = 0;
-    std::size_t handed_out = 0;  ///< Number of blocks created from it.
+    std::size_t handed_out = 0;  ///< Bytes of the blocks that were created from it.
   };
 
   static std::size_t ClassOf(std::size_t size);

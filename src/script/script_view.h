@@ -66,7 +66,7 @@ class ScriptView {
   Result<ScriptVariable> Evaluate(std::size_t frame, std::string_view expression, MayCall may_call = MayCall::kBuiltIn);
 
   // At any time:
-  /// Global variables of a machine's scripts, without those of the language and the API.
+  /// Global variables of a machine's scripts, without functions and without those of the language and the API.
   std::vector<ScriptVariable> Globals(std::uint32_t owner);
   /// Fields of a value, by ScriptVariable::reference. References become invalid when scripts continue.
   std::vector<ScriptVariable> Fields(int reference);

@@ -38,9 +38,9 @@ struct ScriptsEnd {
   int exit_code = 0;
 };
 
-/// The unused part of these limits. A call may use a tenth of the remaining instructions, and a machine may grow by an
-/// eighth of the remaining memory. Therefore scripts that need more than their share are stopped long before the others
-/// have too little.
+/// The unused part of these limits. A call may use a tenth of the remaining instructions. A machine that has 1 MiB or
+/// more may grow to at most an eighth of the memory that is still free. Therefore scripts that need more than their
+/// share are stopped long before the others have too little.
 class WorldBudget {
  public:
   explicit WorldBudget(const WorldLimits& limits = {})
@@ -64,14 +64,14 @@ class WorldBudget {
   void UseInstructions(std::uint64_t count) { instructions_left_ -= std::min(count, instructions_left_); }
   std::uint64_t instructions_left() const { return instructions_left_; }
 
-  /// Reserves memory for a machine that has `has_bytes`; false: refused.
+  /// Reserves memory for a machine that has `has_bytes`. Returns false and reserves nothing if a limit forbids it.
   bool TakeMemory(std::size_t bytes, std::size_t has_bytes) {
     const std::size_t left = memory_left();
     if (bytes > left || (has_bytes >= kSmallMachine && has_bytes + bytes > left / 8)) return false;
     used_bytes_ += bytes;
     return true;
   }
-  /// True if a machine of this size has most of its share.
+  /// True if a machine of this size has more than half of its share.
   bool IsNearShare(std::size_t has_bytes) const { return has_bytes >= kSmallMachine && has_bytes > memory_left() / 16; }
   void GiveMemoryBack(std::size_t bytes) { used_bytes_ -= bytes; }
   std::size_t used_bytes() const { return used_bytes_; }
