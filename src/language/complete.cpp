@@ -153,7 +153,7 @@ class Completer {
           if (word.kind != WordKind::kAttribute || word.text.empty()) continue;
           ++any[word.text];
           const std::string_view parent = Kindly(Parent(word.path));
-          // Objects with the same attribute path are of one kind.
+          // Objects that are values of the same attribute count as one kind.
           if (parent == kind ||
               (!kind.empty() && LastStep(parent) == LastStep(kind) && !LastStep(kind).starts_with('<')))
             ++same[word.text];

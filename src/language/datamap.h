@@ -37,9 +37,10 @@ struct Datamap {
   std::size_t ObjectAt(std::size_t object, std::string_view attribute);
 };
 
-/// Warnings about attributes and values of rules that the datamap does not contain, each with the most similar one. An
-/// attribute is valid if any state of the datamap (the top state, and all objects with ^superstate) has it at the end
-/// of the rule's path. Paths that do not begin at a state are not checked.
+/// Warnings about attributes and values of rules that the datamap does not contain. The hint is the most similar known
+/// word or, without one, a list of the known words. An attribute is valid if any state of the datamap (the top state,
+/// and all objects with ^superstate) has it at the end of the rule's path. Paths that do not begin at a state are not
+/// checked.
 std::vector<Diagnostic> FindUnknown(const Datamap& datamap, const Document& document);
 
 /// Builds a datamap from the world's vocabulary (percepts and commands), and from what rules test and make.

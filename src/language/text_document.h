@@ -25,7 +25,7 @@ struct DocumentCommand {
 /// The words of a rule and its position in the file.
 struct DocumentRule {
   Span span;  ///< To the next rule.
-  Span body;  ///< Without the blanks and comments after its last brace.
+  Span body;  ///< `span` without the blanks and comments at its end.
   std::shared_ptr<const RuleWords> words;
 };
 
@@ -38,8 +38,8 @@ class WordCache {
   std::unordered_map<std::string, std::shared_ptr<const RuleWords>> known_;
 };
 
-/// A file of rules after reading. Immutable: an edit creates another document, at a cost that depends only on the
-/// edited part.
+/// A file of rules after reading. Immutable: an edit creates another document. Then only rules and commands whose text
+/// is new are parsed.
 class Document {
  public:
   Document(std::filesystem::path path, std::string text, RuleReader& reader, WordCache& words);

@@ -19,15 +19,15 @@ struct VisualSoarProject {
 
 /// Whether a file has the name of a project file.
 bool IsVisualSoarProject(const std::filesystem::path& file);
-/// The project of a folder, or of one of the four folders above it. If it exists in both formats, the newer one. Empty
-/// if there is none.
+/// The project of a folder, or of one of the four folders above it. If a folder has projects in both formats, one in
+/// JSON. Empty if there is none.
 std::filesystem::path FindVisualSoarProject(const std::filesystem::path& folder);
 /// The file that loads all rules of a project. It is in the same folder and has the same name. Empty if there is none.
 std::filesystem::path RootOfProject(const std::filesystem::path& project);
 
 /// Reads both formats: text, with a .dm file that contains the datamap, and JSON (format 6). Files outside the
-/// project's folder are skipped. Fails with a line number if the file is invalid. Optional parts that are invalid are
-/// skipped and added to `problems`.
+/// project's folder, and files that do not exist, are skipped with a warning in `problems`. Fails if the file is
+/// invalid; for the text format, the error has a line number.
 Result<VisualSoarProject> ReadVisualSoar(const std::filesystem::path& file, std::vector<Diagnostic>& problems);
 
 }  // namespace soarbox::language
