@@ -24,7 +24,7 @@ class In : public ByteReader {
 // The input may be anything. Real decisions are far below these limits.
 constexpr std::size_t kMostBytes = 4u << 20;
 constexpr std::size_t kMostNamed = 16u << 20;  ///< Total bytes of names, counted for each reference.
-constexpr std::size_t kMostCauses = 1u << 16;  ///< Number of drops times their sufficient preferences.
+constexpr std::size_t kMostCauses = 1u << 16;  ///< How far the sum of Drop::count may exceed the size of `by`.
 
 bool HasReferent(PreferenceKind kind) {
   return kind == PreferenceKind::kBetter || kind == PreferenceKind::kWorse || kind == PreferenceKind::kEqual;

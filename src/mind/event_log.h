@@ -72,7 +72,7 @@ class EventLog {
   void Add(const Kind& event);
 
   /// Reads the event at offset `at` (0 for the first) and advances `at`. Returns false after the last event. Texts of
-  /// the event belong to this log and are valid until the next Add. Skips invalid events.
+  /// the event belong to this log and are valid until the log changes. Skips invalid events.
   bool Next(std::size_t& at, Event& event) const;
   /// Calls `see` with each event, as its own type.
   template <typename See>

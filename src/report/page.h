@@ -24,15 +24,15 @@ struct PageTexts {
 /// Returns a recorded run in 3D, as JSON for PageTexts::scene.
 using RecordedRun = std::function<Result<std::string>(const std::filesystem::path& recording)>;
 
-/// Builds a page about a recording, a folder of recordings or a sweep's folder, as a single file without other
-/// resources. Texts are included only as data, and the page executes only its own scripts. The page of a single
-/// recording also shows its run in 3D, which uses at most 10 MB.
+/// Builds a page about a recording, a folder of recordings (the first 50), a sweep's folder, or a sweep's file with its
+/// folder next to it. The page is a single file without other resources. Texts are included only as data, and the page
+/// executes only its own scripts. The page of a single recording also shows its run in 3D; it has at most about 10 MB.
 Result<std::string> MakePage(const std::filesystem::path& source, const sim::DataFolders& data, const PageTexts& texts,
                              const RecordedRun& recorded_run);
 
 /// The data of a recorded run, as JSON. The run is simulated again, so that all minds can be queried. It is judged by
-/// the checks of its scenario, if there are any. `most_bytes`: maximum size in the page, at least a million. The data
-/// say what was left out.
+/// the checks of its scenario, if there are any. `most_bytes`: maximum size in the page, at least a million. Data that
+/// do not fit are left out; `thinned` in the result lists them.
 Result<std::string> RunData(const std::filesystem::path& recording, const sim::DataFolders& data,
                             std::size_t most_bytes);
 /// The data of a sweep, from its folder.

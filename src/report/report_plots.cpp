@@ -183,7 +183,7 @@ double Quantile(const std::vector<double>& sorted, double share) {
 /// Draws each run as a dot; many runs as a box from the first to the third quartile, and a line from 5 % to 95 %.
 void DrawRuns(Drawing& drawing, const Frame& frame, float y, std::vector<double> values) {
   if (values.size() <= kMostDots) {
-    // Overlapping dots are moved alternately up and down.
+    // The dots are at five different heights, so that equal values can be distinguished.
     for (std::size_t i = 0; i < values.size(); ++i)
       drawing.shapes.emplace_back(
           Drawing::Disc{frame.x(values[i]), y + static_cast<float>(i % 5) * 2.2f - 4.4f, 3, kDot});

@@ -179,7 +179,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     }
     metrics.push_back(
         Json{{"name", name}, {"variants", std::move(by_variant)}, {"differences", std::move(differences)}});
-    // The run that is furthest from the median of its variant.
+    // Runs that are at least three standard deviations from the median of their variant.
     for (std::size_t v = 0; v < count; ++v) {
       std::vector<double> of;
       for (const auto& [seed, value] : values[v]) of.push_back(value);

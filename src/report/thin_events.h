@@ -36,7 +36,8 @@ std::string CutText(std::string text, std::size_t most_bytes);
 void ThinEvents(std::vector<StoryEvent>& events, std::size_t most_bytes);
 
 /// Merges spans of one agent that cannot be distinguished in a picture with this number of columns: each is narrower
-/// than a column, and they begin in the same column. The merged span has the name of the longest of them.
+/// than a column, and they begin in the same column. The merged span has the name of the longest of them, followed by
+/// " and N more".
 std::vector<StorySpan> MergeSpans(const std::vector<StorySpan>& spans, double seconds, std::size_t columns);
 
 /// Indices of the moments that remain if only each `every`-th and the last are kept.

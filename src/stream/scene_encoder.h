@@ -35,8 +35,8 @@ class SceneEncoder {
   SceneEncoder() = default;
   explicit SceneEncoder(const Settings& settings) : settings_(settings) {}
 
-  /// `overlay` may be null. Returns a full block if `want_full`, or if the time is not the next one after the previous
-  /// block.
+  /// `overlay` may be null. Returns a full block if `want_full`, for the first scene, if the time is earlier than that
+  /// of the previous block, and when Settings::full_every_s have passed since the last full block.
   Block Encode(const world::SceneSnapshot& scene, const world::OverlaySnapshot* overlay = nullptr,
                bool want_full = false);
 
