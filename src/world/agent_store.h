@@ -29,7 +29,8 @@ class AgentStore {
   static AgentStore& Of(const Agent& agent) { return agent.store_; }
 
   Agent& Create(EntityId id, NodeId node, const AgentDef& def);
-  /// Removes its body and its node. From now on no query returns the agent. It keeps its index.
+  /// Removes its body and its node. From now on, only Find returns the agent; ids(), Indices and the searches near a
+  /// place leave it out. It keeps its index.
   void Remove(Agent& agent);
   /// Null for ids that are not agents'.
   Agent* Find(EntityId id) const;

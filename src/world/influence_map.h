@@ -25,8 +25,8 @@ struct InfluenceConfig {
 /// or control. Cells that do not touch the mesh are unused.
 ///
 /// It is created once from a mesh; later changes of the mesh have no effect. Calls with invalid layers or positions,
-/// and values that are NaN, are ignored. Structure of arrays: only used cells have a number, and each layer is one
-/// array indexed by it.
+/// and values that are not finite, are ignored. Structure of arrays: only used cells have a number, and each layer is
+/// one array indexed by it.
 class InfluenceMap {
  public:
   static constexpr int kLayers = 10;
@@ -57,7 +57,7 @@ class InfluenceMap {
 
   int used_cells() const { return static_cast<int>(corners_.size()); }
   std::array<int, 3> grid_size() const { return size_; }
-  /// Hash of all values and settings.
+  /// Hash of the values, the falloff and the inertia of all layers.
   std::uint64_t Hash() const;
 
  private:

@@ -34,10 +34,10 @@ class Navigation {
   Result<const NavigationMesh*> Find(std::string_view name);
   std::vector<std::string_view> Names() const;
 
-  /// Shows or hides the mesh in snapshots. Fails if there is no such mesh, or if it could not be built.
+  /// Shows or hides the mesh in snapshots. Waits for the mesh and fails as Find does.
   Result<void> Show(std::string_view name, bool show);
   void FillSnapshot(SceneSnapshot& snapshot) const;
-  /// Draws all meshes that are ready, shown or hidden.
+  /// Draws all meshes for which Find or a later Create has waited, shown or hidden.
   void FillOverlay(OverlaySnapshot& overlays) const;
   /// Hash of the sources of all meshes. Does not wait.
   std::uint64_t Hash() const;

@@ -43,7 +43,8 @@ class NavigationMesh {
   /// False if the mesh shows that no agent at `from` can walk to within within_m of `to`, measured horizontally. True
   /// if that is not certain: there is no mesh at `from`, or `to` is beyond its edges.
   bool MayReach(Vec3 from, Vec3 to, float within_m) const;
-  /// The nearest point of the mesh within (0.5, 2, 0.5) m; the argument if there is none.
+  /// The nearest point of the mesh within (0.5, 2, 0.5) m; the argument if there is none, or if
+  /// NavigationConfig::keeps_points is set.
   Vec3 FindClosestPoint(Vec3 point) const;
   /// A random point of the mesh, uniformly distributed by horizontal area. Draws three numbers from the stream.
   Vec3 RandomPoint(RandomStream& random) const;
