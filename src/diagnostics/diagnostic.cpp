@@ -55,8 +55,8 @@ std::string Bounded(const std::string& text) {
 constexpr int kWidestExcerpt = 300;
 constexpr int kBeforeColumn = 100;
 
-/// The source line with a mark below the position. A long line is reduced to the part around the position. Characters
-/// that a terminal does not show as one column are replaced by one character each, so that the mark is aligned.
+/// The source line with a mark below the position. A long line is reduced to the part around the position. Each control
+/// character except tabs is replaced by one character, so that the mark is aligned.
 std::string FormatExcerpt(const Diagnostic& diagnostic) {
   std::string excerpt = diagnostic.excerpt;
   int column = diagnostic.column;

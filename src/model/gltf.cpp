@@ -109,7 +109,8 @@ class ModelReader {
     AddNodes(file_.At("scenes", file_.Number(root, "scene").value_or(0)), "nodes", Frame(), 0);
   }
 
-  /// Without scenes, all nodes without a parent are shown.
+  /// The indices of the nodes that have a parent. In a file without scenes, all other nodes are shown with their
+  /// children.
   static std::set<std::uint64_t> Children(const Json& nodes) {
     std::set<std::uint64_t> children;
     for (const Json& node : nodes) {

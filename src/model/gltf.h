@@ -24,7 +24,7 @@ using ReadNeighbour = std::function<Result<std::string>(std::string_view name)>;
 /// and fans with positions, normals (computed if absent), vertex colours and indices; and the base colour of materials
 /// with its texture, a PNG or JPEG, which is sampled at the corners. Buffers may be in the file, in data URIs or in
 /// files next to it. Skins, animations, morph targets, cameras, lights and all other properties of materials are
-/// ignored. Files that require an extension and sparse accessors are refused.
+/// ignored. Files that require an extension, and files with sparse accessors, are refused.
 Result<Model> ReadGltf(std::string_view file, const ReadNeighbour& neighbour);
 
 }  // namespace soarbox::model

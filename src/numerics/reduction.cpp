@@ -58,7 +58,7 @@ Reduced ReduceLarge(double size) {
     fraction = ~fraction;  // Too small by 2^-128, which is below the error.
     negative = true;
   }
-  // Splits the leading bits into exact doubles: 53, 53 and the remaining bits.
+  // Splits the leading 160 bits into five doubles of 32 bits each, which are exact.
   double value = 0, rest = 0;
   const auto upper = static_cast<std::uint64_t>(fraction >> 64), lower = static_cast<std::uint64_t>(fraction);
   const double parts[] = {static_cast<double>(upper >> 32) * 0x1p-32, static_cast<double>(upper & 0xffffffff) * 0x1p-64,

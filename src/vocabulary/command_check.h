@@ -22,7 +22,7 @@ struct SaidCommand {
 struct CommandFault {
   std::string reason;
   std::string parameter;
-  std::string text;  ///< For users, with what to do: "^within is 500: it takes m, 0.1 to 100".
+  std::string text;  ///< For users, with what to do: "^within of seek is 500: it takes a number (m, 0.1 to 100)".
 
   bool ok() const { return reason.empty(); }
 };
