@@ -123,8 +123,8 @@ class Actor {
   bool IsAlive() const { return body_->Health() > 0; }
 
   // Commands.
-  /// Starts a command of a mind. An error in the command becomes an outcome. Interrupts running commands that use the
-  /// same part of the body.
+  /// Starts a command of a mind. An error in the command becomes an outcome. A command for legs, head or hands
+  /// interrupts the running command for the same part.
   void Begin(const vocabulary::SaidCommand& command);
   /// Ends a command that the rules have withdrawn, without an outcome.
   void Cancel(std::uint64_t tag);

@@ -55,8 +55,9 @@ class Arena {
   /// example because a thing has been removed since the mesh was built.
   bool MayReach(world::Vec3 from, world::Vec3 to, float within_m);
 
-  /// Computes searches of the coming Step in advance, on several threads. It covers actors for which all earlier actors
-  /// only walk. The actors only read the world, so the result does not depend on the order or the number of threads.
+  /// Computes searches of the coming Step in advance, on several threads. It covers the actors before the first one
+  /// that does more than walk (Actor::OnlyWalks). The actors only read the world, so the result does not depend on the
+  /// order or the number of threads.
   void Foresee(const world::Workers& workers);
   void Step();
   /// Converts the collisions of the last physics step to happenings of the agents that took part.
@@ -72,7 +73,7 @@ class Arena {
     double time_s = 0;
   };
   struct Past {
-    std::deque<PastShot> shots;  ///< Shots of the last two seconds, oldest first.
+    std::deque<PastShot> shots;  ///< Recent shots, oldest first. Each shot removes those of more than 2 s before.
     /// By agent. An agent that is missing is alive, or a script reduced its health to 0.
     std::map<world::EntityId, Death> deaths;
   };

@@ -213,7 +213,8 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
                     SoarMind(*loaded->agent, settings), loaded->thread});
   minds_.back().memory_bytes = minds_.back().soar.MemoryBytes();
   memory_bytes_ += minds_.back().memory_bytes;
-  // An agent that another agent creates while its own mind is being created gets its mind first.
+  // The script of a new agent may create another agent before the new agent has its mind. Then the other agent gets its
+  // mind first, although its id is greater.
   if (place_by_id_.size() <= Number(agent)) place_by_id_.resize(Number(agent) + std::size_t{1});
   place_by_id_[Number(agent)] = static_cast<std::uint32_t>(minds_.size());
   return {};

@@ -241,7 +241,7 @@ class Minds final : public script::MindFactory {
   SenseSandbox sense_sandbox_;
   MindDetail detail_ = MindDetail::kNone;
   std::vector<BodyKind> body_kinds_;
-  std::vector<Mind> minds_;                 ///< In the order of creation, that is, by ascending agent id.
+  std::vector<Mind> minds_;                 ///< In the order of creation, which may differ from the order of agent ids.
   std::vector<std::uint32_t> place_by_id_;  ///< Index in minds_ plus 1; 0 for agents without a mind.
   std::vector<std::size_t> ready_;          ///< Temporary: indices of the minds that decide in this tick.
   const std::function<void(std::size_t)> decide_beside_scripts_ = [this](std::size_t thread) {

@@ -77,7 +77,7 @@ std::string_view YesOrNoText(bool truth) {
   return truth ? "yes" : "no";
 }
 
-/// Quotes a name as one word of a line.
+/// Makes a name one word of a line: replaces blanks and control characters by hyphens.
 std::string WordOfName(std::string_view name) {
   std::string word(name);
   std::replace_if(

@@ -378,7 +378,7 @@ void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const Fie
   const world::World& world = actor.world();
   const Vec3 here = actor.body().Position();
   Contacts& contacts = actor.contacts();
-  // Agents that it may perceive now or has perceived before, in ascending id. Its knowledge of others does not change.
+  // Visits the agents that it may perceive now or has perceived before, in ascending id. All others stay unknown.
   std::size_t known = 0;
   for (auto next = near.begin(); next != near.end() || known < contacts.size();) {
     const bool is_near = next != near.end() && (known == contacts.size() || *next <= contacts.At(known).first);

@@ -70,8 +70,9 @@ struct TickCosts {
 /// same scenario, settings and inputs give the same run, bit for bit. Not thread-safe.
 class Simulation {
  public:
-  /// Builds the world and runs the scenario's set-up. Fails only if nothing can run: the sandbox script cannot be read
-  /// or compiled, or the kernel cannot start. All other problems are reported as events.
+  /// Builds the world and runs the scenario's set-up. Fails if the kernel cannot start, if the sandbox script cannot be
+  /// read or compiled, if the scenario file is invalid, or if replaced rules name an agent that does not exist. All
+  /// other problems are reported as events.
   static Result<std::unique_ptr<Simulation>> Create(const Scenario& scenario, const SimulationSettings& settings);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -82,8 +83,8 @@ class Simulation {
   /// Serves attached debuggers while the world is paused. Tick does this itself.
   void Idle();
 
-  /// Whether the scenario has reached its end (a condition in its file, or os.exit in a script). Further ticks are
-  /// possible.
+  /// Whether the scenario has reached its end: a condition in its file, or Sandbox.End or os.exit in a script. Further
+  /// ticks are possible.
   bool HasEnded() const;
   /// The exit code that a script passed to os.exit; 0 if none did.
   int ExitCode() const;

@@ -57,7 +57,7 @@ struct ParameterRow {
   std::string_view meaning = {};
 };
 
-/// The part of a body that a command uses. A new command interrupts the one that uses the same part.
+/// The part of a body that a command uses. A new command for legs, head or hands interrupts the one for the same part.
 enum class BodyPart : std::uint8_t { kLegs, kHead, kHands, kVoice, kPosture, kNone };
 
 enum class TakesPlace : std::uint8_t {
