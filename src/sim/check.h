@@ -12,13 +12,13 @@
 
 namespace soarbox::sim {
 
+/// Checks a .toml file if it is not a scenario. Returns whether it is a scenario.
+using CheckToml = std::function<bool(const std::filesystem::path& file, std::vector<Diagnostic>& problems)>;
 /// Checks files of rules, Lua files and scenario files without running them. Finds parse errors and likely slips:
 /// attributes that nothing writes, commands that no body accepts, operators that are proposed and never applied. For a
-/// folder, checks the files in it. Problems are sorted by file.
-/// `check_toml` checks .toml files that are not scenarios, and returns whether a file is a scenario.
-using CheckToml = std::function<bool(const std::filesystem::path& file, std::vector<Diagnostic>& problems)>;
-/// `library`: folder of the Lua library, for scripts that load files from it. Without it, calls of functions are
-/// checked only in scripts that load nothing.
+/// folder, checks the files below it in alphabetical order. Each problem is reported once. `check_toml` is called first
+/// for each .toml file. `library`: folder of the Lua library, for scripts that load files from it. Without it, calls of
+/// functions are checked only in scripts that load nothing.
 std::vector<Diagnostic> CheckFiles(const std::vector<std::filesystem::path>& files, const CheckToml& check_toml = {},
                                    const std::filesystem::path& library = {});
 

@@ -20,7 +20,7 @@ namespace soarbox::sim {
 /// The picture that a recorded client describes: elements below ^soarbox.scene on the input link of an agent
 /// (docs/client_recordings.md).
 ///
-///     ^body   ^name ^x ^y ^heading ^size ^color    the agent of that name, or a disc with its heading
+///     ^body   ^name ^x ^y ^heading ^size ^color    the agent of that name, or a ball with its heading
 ///     ^line   ^x ^y ^to-x ^to-y ^color
 ///     ^text   ^x ^y ^text ^color
 ///

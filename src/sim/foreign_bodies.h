@@ -15,8 +15,9 @@ namespace soarbox::sim {
 /// here, and move as their owners last reported.
 ///
 /// Reports of owners are inputs. Recordings contain them, and a replay needs no network. Between two inputs a body
-/// moves by dead reckoning. The next input corrects its error within half a second. Agents are never destroyed; bodies
-/// that have left stay in the world, hidden below the ground. Owned by the simulation.
+/// moves by dead reckoning. The next input corrects its error within half a second; an error of more than 5 m, at once.
+/// Agents are never destroyed; bodies that have left stay in the world, hidden below the ground. Owned by the
+/// simulation.
 class ForeignBodies {
  public:
   /// Maximum number of bodies at a time. Further ones are refused with a warning.

@@ -23,7 +23,8 @@ class InputDoor {
   /// moves of the pointer are added up. Returns false if there are too many inputs for the tick; the input is then
   /// dropped.
   bool Submit(Input input);
-  /// Records an input that took effect between two ticks: a debugger's command to the minds' kernel.
+  /// Records an input that took effect between two ticks: a debugger's command to the minds' kernel. Beyond
+  /// kMostPerTick, it is not recorded.
   void Note(InputValue value);
 
   /// Begins a tick: removes the inputs of the previous tick from taken(), and moves the queued inputs of this tick to

@@ -184,7 +184,7 @@ fs::path FindMain(const fs::path& given, const DataFolders& data) {
       file += ending;
       if (IsFile(file) && (file.extension() != ".toml" || !NamesScenario(file))) return file;
     }
-    // A user's folder hides a scenario of the same name only if it is a scenario.
+    // A folder with a path of several parts is not the name of a scenario that comes with the program.
     if (IsFolder(given) && given.has_parent_path()) break;
   }
   return {};

@@ -72,7 +72,7 @@ class SoarMind {
   void Answer(const Outcome& outcome);
   void Complete(std::uint64_t tag);
 
-  /// Output of rules since the last call, as complete lines.
+  /// Output of rules since the last call, as lines without blank ones. Of more than 64 KB, the rest is left out.
   std::vector<std::string> TakeWritten();
   /// Failed actions since the last call, at most a hundred. Always empty for a kernel in another process.
   std::vector<ActionFailure> TakeFailures();

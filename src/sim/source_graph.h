@@ -45,7 +45,8 @@ class SourceGraph {
 /// above it with a file that sources files below that folder; else its own folder.
 std::filesystem::path FolderOfProgram(const std::filesystem::path& file);
 
-/// The files of rules below a folder, as absolute paths in alphabetical order. Hidden folders are skipped.
+/// The files of rules below a folder, as absolute paths in alphabetical order. Hidden folders and node_modules are
+/// skipped.
 struct FoundRules {
   std::vector<std::filesystem::path> files;
   bool is_cut = false;  ///< The list is incomplete: there are more than `most` files, or too many directory entries.
