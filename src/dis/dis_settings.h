@@ -74,7 +74,7 @@ struct Settings {
 Result<std::optional<Settings>> ReadSettings(const std::filesystem::path& scenario, Settings over);
 /// Reads the table of entities and munitions that comes with the program.
 Result<Settings> ReadTable(const std::filesystem::path& table);
-/// Parses ADDRESS:PORT[,SITE,APPLICATION[,EXERCISE]], the argument of `--dis`, and adds it to the settings `over`.
+/// Parses ADDRESS:PORT[,SITE[,APPLICATION[,EXERCISE]]], the argument of `--dis`, and adds it to the settings `over`.
 Result<Settings> ParseOption(std::string_view option, Settings over);
 
 }  // namespace soarbox::dis

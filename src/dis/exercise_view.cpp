@@ -71,7 +71,7 @@ ExerciseView::Taken ExerciseView::Take(const Body& body, double now_s) {
     comments_.push_back(*comment);
     return Taken::kYes;
   }
-  // A shot is shown when it arrives, a collision when bodies meet here.
+  // Fire and Collision are ignored: a shot is shown by its Detonation, and collisions are computed here.
   const auto* fire = std::get_if<Fire>(&body);
   const auto* collision = std::get_if<Collision>(&body);
   return (fire != nullptr && IsOurs(fire->shooter)) || (collision != nullptr && IsOurs(collision->issuer))

@@ -25,7 +25,7 @@ struct Traffic {
   std::uint64_t sent = 0, unsent = 0;      ///< PDUs sent; PDUs that the system did not accept.
   std::uint64_t received = 0;              ///< PDUs of this exercise from others.
   std::uint64_t foreign_exercise = 0;      ///< PDUs dropped because they belong to another exercise.
-  std::uint64_t too_many = 0;              ///< PDUs of entities beyond `most_entities`.
+  std::uint64_t too_many = 0;              ///< PDUs dropped because of a limit: entities, or hits or messages at once.
   std::array<std::uint64_t, 5> refused{};  ///< By Refusal.
   std::size_t entities = 0;                ///< Number of foreign entities at present.
   double received_per_s = 0, sent_per_s = 0;
@@ -36,9 +36,10 @@ struct Traffic {
 
 /// Connects a run to an exercise of other simulations (IEEE 1278.1, Distributed Interactive Simulation).
 ///
-/// Before each tick, it converts received PDUs to inputs, at most one per entity and tick, so that a recording contains
-/// them. After each tick, it sends what our agents did. The run itself does not use the network. Memory grows with the
-/// number of accepted entities only. Used on the run's thread.
+/// Before each tick, it converts received PDUs to inputs, so that a recording contains them. Of each entity, only the
+/// newest state since the last tick becomes an input. After each tick, it sends what our agents did. The run itself
+/// does not use the network. The numbers of entities, hits and messages that are kept are limited. Used on the run's
+/// thread.
 class Gateway {
  public:
   static Result<std::unique_ptr<Gateway>> Open(const Settings& settings);

@@ -18,7 +18,7 @@ enum class Refusal : std::uint8_t {
   kVersion,      ///< Neither version 6 nor 7.
   kOtherKind,    ///< A kind of PDU that Soarbox does not use.
   kBadLength,    ///< Shorter than its kind requires.
-  kBadContents,  ///< Numbers that are not finite, or counts that do not match.
+  kBadContents,  ///< Numbers that are too large or not finite, or counts that do not match.
 };
 /// "too short", "another version", ...
 std::string_view Name(Refusal refusal);
