@@ -31,7 +31,7 @@ struct DecisionTrace {
     DecisionStage stage = DecisionStage::kForced;
     std::uint32_t first = 0, count = 0;  ///< Range in `by`.
   };
-  /// By stage; within a stage the newest candidate first. Candidates without an entry were not dropped.
+  /// By stage; within a stage in the order of the candidates. Candidates without an entry were not dropped.
   std::vector<Drop> drops;
   /// Indices into the list of preferences. Each preference of a drop is sufficient for it: the candidate stays at that
   /// stage only if all of them are missing. Drops may share entries.

@@ -16,8 +16,8 @@ enum class ExplorationPolicy : std::uint8_t {
   kBoltzmann,      ///< Probabilities proportional to exp(value / temperature).
   kEpsilonGreedy,  ///< With probability epsilon any candidate, else one of those with the highest value.
   kSoftmax,        ///< Probabilities proportional to the value, if positive; all equal if no value is.
-  kFirst,          ///< The candidate that was proposed last.
-  kLast,           ///< The candidate that was proposed first.
+  kFirst,          ///< The first candidate (PreferenceSemantics::Outcome).
+  kLast,           ///< The last candidate.
 };
 
 /// How a parameter is reduced after each decide phase while auto-reduce is on.

@@ -69,8 +69,7 @@ class Firing {
 
   AgentCore& core_;
   std::vector<InstantiationId> made_;
-  std::vector<WmeId> wmes_;  ///< Elements of the firing match (copied, because the match set may grow meanwhile) and
-                             ///< copied ones.
+  std::vector<WmeId> wmes_;  ///< Elements of the firing match. It is a copy, because the match set may grow meanwhile.
   std::vector<Symbol> new_identifiers_;
   std::vector<Symbol> argument_stack_;
   GoalLevel match_level_ = 0;  ///< Level of the firing match.

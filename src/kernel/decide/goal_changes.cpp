@@ -148,7 +148,7 @@ void GoalChanges::UpdateItems(GoalLevel level, std::span<const Candidate> candid
     if (!wanted(memory.wme(item))) core_.changes.Remove(item);
   });
   goal.items = kept_items_;
-  // Soar counts a firing for each item.
+  // Soar counts a firing for each ^item and each ^non-numeric.
   const std::uint32_t firings = static_cast<std::uint32_t>(candidates.size()) + static_cast<std::uint32_t>(non_numeric);
   const bool told = core_.modules.Wants(ModuleHook::kStates);
   if (told) core_.modules.ItemsMade(firings);

@@ -33,7 +33,8 @@ class GoalChanges {
   /// Removes the goal of this level and all goals below, the lowest first.
   [[gnu::noinline]] void RemoveFrom(GoalLevel level, GoalRemoval reason);
   /// init-soar: removes all states, the lowest first, so that their elements leave the match in Soar's order. This
-  /// order determines which rule fires first afterwards. Observers are not informed, and nothing is learned.
+  /// order determines which rule fires first afterwards. Observers are not informed. Modules are: rewards of substates
+  /// still count.
   void TakeAllApart();
   /// Removes everything that an unreachable identifier owns.
   void CollectGarbage(Symbol id);

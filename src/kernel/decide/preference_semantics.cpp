@@ -53,8 +53,8 @@ void PreferenceSemantics::CollectCandidates(std::span<const SlotPreference> pref
   candidates_.clear();
   IndexCandidates();
   by_position_ = preferences.size() > kFewPreferences;
-  // The list is sorted oldest first, candidates newest first. Each value is one candidate, with the preference that is
-  // first in the list.
+  // Candidates have the reverse order of the list. Each value is one candidate, with the preference that is first in
+  // the list.
   for (const SlotPreference& p : preferences) {
     if (p.type != PreferenceType::kAcceptable) continue;
     if (Find(p.value) != kNowhere) continue;

@@ -46,12 +46,13 @@ class PreferenceSemantics {
     /// An impasse over `candidates`; kNone if there is a winner, a choice among indifferent candidates, or no
     /// candidate.
     ImpasseType impasse = ImpasseType::kNone;
-    /// None, one (the winner) or several. Several without an impasse are mutually indifferent, and exploration selects
-    /// one. Newest first: the value of the last action of the most recent firing is first.
+    /// Without an impasse, one is the winner; several are mutually indifferent, and exploration selects one. Their
+    /// order is the reverse of the slot's list: those of lower goals first; of a goal, the preference that was added to
+    /// the slot first. An elaboration adds those of its newest firing first, and of a firing those of the last action.
     std::span<const Candidate> candidates;
   };
 
-  /// `preferences` are all preferences of the slot, in list order (newest last). `forced` is a value that is selected
+  /// `preferences` are all preferences of the slot, in the order of its lists. `forced` is a value that is selected
   /// immediately if it has an acceptable preference (`decide select`), or none. With a `trace`, records which
   /// candidates are dropped and why; without one, recording costs nothing. The outcome is valid until the next call.
   Outcome Decide(std::span<const SlotPreference> preferences, Symbol forced = {}, DecisionTrace* trace = nullptr);
@@ -73,7 +74,7 @@ class PreferenceSemantics {
   std::uint32_t Loser(const SlotPreference& preference, DecisionStage stage) const;
   /// Marks the candidates that a stage drops.
   void MarkLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
-  // Records the marked candidates in the trace, before they are dropped.
+  // Record in the trace which candidates will be dropped, or which preferences settle the decision.
   void NoteLosers(std::span<const SlotPreference> preferences, DecisionStage stage);
   void NoteBest(std::span<const SlotPreference> preferences);
   void NoteRequired(std::span<const SlotPreference> preferences);
