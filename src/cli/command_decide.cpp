@@ -264,8 +264,8 @@ constexpr OptionSpec kNumericOptions[] = {
 constexpr OptionSpec kIndifferentOptions[] = {
     {'b', "boltzmann", OptionArgument::kNone, "chances by exp(value / temperature)"},
     {'g', "epsilon-greedy", OptionArgument::kNone, "the best one, or with chance epsilon any"},
-    {'f', "first", OptionArgument::kNone, "the newest candidate"},
-    {'l', "last", OptionArgument::kNone, "the oldest candidate"},
+    {'f', "first", OptionArgument::kNone, "the first candidate; of those proposed in the same elaboration, the newest"},
+    {'l', "last", OptionArgument::kNone, "the last candidate; of those proposed in the same elaboration, the oldest"},
     {'x', "softmax", OptionArgument::kNone, "chances in proportion to values"},
     {'e', "epsilon", OptionArgument::kNone, "show or set epsilon"},
     {'t', "temperature", OptionArgument::kNone, "show or set the temperature"},

@@ -86,7 +86,8 @@ class Teller {
   }
   const Decision::Preference& At(std::uint32_t place) const { return decision_.preferences[place]; }
 
-  /// If several preferences suffice, the one that mentions the subject.
+  /// The preference by which a sentence explains a drop: one that mentions the subject, otherwise the first one;
+  /// prohibit before reject. Null if the drop has none.
   const Decision::Preference* Telling(const Decision::Drop& drop) const {
     const Decision::Preference* first = nullptr;
     for (const std::uint32_t place : By(drop)) {
@@ -261,7 +262,7 @@ std::string WhyNothing(const mind::Decision& decision) {
   if (decision.selected != Decision::kNoOperator) return {};
   const Teller teller(decision, Decision::kNoOperator);
   std::vector<std::string> left;
-  for (auto at = decision.left.rbegin(); at != decision.left.rend(); ++at)  // The oldest proposal first.
+  for (auto at = decision.left.rbegin(); at != decision.left.rend(); ++at)  // In the order of the slot's list.
     left.push_back(OperatorText(decision, at->op));
   switch (decision.impasse) {
     case Impasse::kTie: {

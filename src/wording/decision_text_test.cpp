@@ -152,9 +152,9 @@ TEST(DecisionText, AChoiceByChance) {
   EXPECT_EQ(WhySelected(facts.decision),
             "chosen by chance, with a probability of 75 % (its value is 3), among 2 indifferent operators");
   facts.decision.policy = mind::Policy::kFirst;
-  EXPECT_EQ(WhySelected(facts.decision), "the newest of 2 indifferent operators");
+  EXPECT_EQ(WhySelected(facts.decision), "the first of 2 indifferent operators");
   facts.decision.policy = mind::Policy::kLast;
-  EXPECT_EQ(WhySelected(facts.decision), "the oldest of 2 indifferent operators");
+  EXPECT_EQ(WhySelected(facts.decision), "the last of 2 indifferent operators");
   facts.decision.is_forced = true;
   EXPECT_EQ(WhySelected(facts.decision), "the command decide select had selected it");
 }

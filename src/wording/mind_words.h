@@ -27,7 +27,7 @@ struct MindWords {
 };
 MindWords Words(const mind::EventLog& log, bool with_details = true);
 
-/// Prints numbers with six digits.
+/// The value as text. A number that is not an integer has at most six significant digits.
 std::string ValueText(const mind::Value& value);
 /// "agent", or "agent#3" for one of several, by its key.
 std::string PerceptName(std::string_view attribute, std::uint32_t key);

@@ -34,10 +34,10 @@ constexpr std::array kSentences = {
     Sentence{kByChanceOfValue, "choice by numeric preferences",
              "chosen by chance, with a probability of {chance} % (its value is {value}), among {count} indifferent "
              "operators"},
-    Sentence{kNewest, "choice of the newest (`indifferent-selection --first`)",
-             "the newest of {count} indifferent operators"},
-    Sentence{kOldest, "choice of the oldest (`indifferent-selection --last`)",
-             "the oldest of {count} indifferent operators"},
+    Sentence{kNewest, "choice of the first (`indifferent-selection --first`)",
+             "the first of {count} indifferent operators"},
+    Sentence{kOldest, "choice of the last (`indifferent-selection --last`)",
+             "the last of {count} indifferent operators"},
 
     Sentence{kMutual, "two dominate each other",
              "{op} and {other} are each better than the other ({makers}), so both were dropped"},
