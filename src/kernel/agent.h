@@ -73,8 +73,8 @@ struct LoadOutcome {
 /// agent is used by one thread at a time. Only RequestStop() may be called from any thread.
 ///
 /// While the agent runs, calls that change it (from an observer or a right-hand-side function) are refused. Exceptions:
-/// RequestStop() and the buffering calls of the input link. Loading and excising are also accepted, but deferred to the
-/// end of the phase.
+/// RequestStop() and the buffering calls of the input link. Loading and excising are also accepted: a loaded rule is
+/// matched immediately, an excised one leaves the match at the end of the elaboration.
 class Agent {
  public:
   explicit Agent(std::string name);
@@ -87,7 +87,7 @@ class Agent {
   // Rules -----------------------------------------------------------------------------------------------------------
 
   /// Loads one rule. `body` is the text between the braces of sp {...}. Excises an existing rule of the same name
-  /// first.
+  /// first, even if the new one has an error.
   LoadOutcome LoadProduction(std::string_view body, const SourcePlace& place = {});
   /// Loads a rule that was built with this agent's symbols, not read from text. With `ignore_number`, a rule of
   /// reinforcement learning is a duplicate if it differs from a loaded one only in its number. The settings are ignored
@@ -133,7 +133,7 @@ class Agent {
   /// True between two elaborations of the same phase.
   bool in_middle_of_phase() const;
   /// Asks the agent to stop at the next boundary (phase or elaboration). Callable from any thread. The request lasts
-  /// until ClearStopRequest(), which run commands call before they start.
+  /// until it has ended a run, or until ClearStopRequest(), which run commands call before they start.
   void RequestStop(std::string_view reason = {});
   void ClearStopRequest();
   bool halted() const;   ///< A rule executed (halt): Run and Step do nothing until InitSoar.
@@ -173,7 +173,7 @@ class Agent {
   /// `decide select`: the operator to select at the next decision of its goal, if it is proposed then. Empty: none.
   void SelectOperator(std::string_view identifier);
   std::string_view selected_operator() const;
-  /// `decide predict`: the result of the next decide phase: an operator's name, "none", "tie", "conflict" or
+  /// `decide predict`: the result of the next decide phase: an operator's identifier, "none", "tie", "conflict" or
   /// "constraint".
   std::string PredictDecision();
   /// Enables the output of (write ...) and (crlf) (`output agent-writes`).
@@ -216,7 +216,8 @@ class Agent {
   const Rete& rete() const;
   const AgentCounters& counters() const;
   std::string_view ProductionName(InstantiationId id) const;  ///< Includes justifications ("justify1").
-  /// The elements matched by the positive conditions of an instantiation, in the order of the conditions.
+  /// The elements matched by the positive conditions of an instantiation, in the order of the conditions. Empty if it
+  /// no longer matches.
   std::span<const WmeId> MatchedWmes(InstantiationId id) const;
   /// The live justifications, oldest first, as rules with literal conditions (`print --justifications`).
   std::vector<ProductionPtr> Justifications() const;
@@ -231,7 +232,7 @@ class Agent {
   /// The preferences of one type in a slot, in list order.
   std::vector<PreferenceId> PreferencesOf(SlotId slot, PreferenceType type) const;
   /// The candidates of a goal's operator slot with their selection probabilities under the current exploration policy,
-  /// in candidate order. Empty if the decision would be an impasse or needs no random choice.
+  /// in candidate order. Empty if the decision would be an impasse or there is no candidate.
   struct CandidateChance {
     PreferenceId preference = PreferenceId::kNone;
     Symbol value;
@@ -240,8 +241,8 @@ class Agent {
   };
   std::vector<CandidateChance> SelectionProbabilities(const Goal& goal) const;
   /// Evaluates the preferences that are in the goal's operator slot now: which candidates are dropped, at which stage,
-  /// and why (decide/decision_trace.h). Draws no random numbers. Valid until the agent runs or this function is called
-  /// again.
+  /// and why (decide/decision_trace.h). Draws no random numbers. Valid until the agent runs, or until this function,
+  /// SelectionProbabilities or PredictDecision is called.
   DecisionReport ExplainDecision(const Goal& goal) const;
 
   // Input and output ------------------------------------------------------------------------------------------------

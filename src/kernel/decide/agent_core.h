@@ -126,7 +126,7 @@ struct AgentCore {
   Symbol NameOf(const Production& rule);
 
   /// Call it between decision cycles. Frees unused constants and identifiers when their number has doubled since the
-  /// last sweep. If the last sweeps freed hardly any, waits until it has quadrupled.
+  /// last sweep. If the last sweep freed less than half of them, waits until it has quadrupled.
   void SweepSymbols() {
     if (memory.identifier_count() >= sweep_identifiers_at || symbols.UnpinnedCount() >= sweep_constants_at) Sweep();
   }

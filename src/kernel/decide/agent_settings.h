@@ -17,8 +17,8 @@ struct AgentSettings {
   int max_nil_output_cycles = 15;
   std::int64_t max_decision_time_us = 0;  ///< In microseconds; 0: unlimited.
   int max_gp = 20000;
-  /// If a rule needs more partial matches, its agent breaks down: see Agent::out_of_memory(). A partial match needs 64
-  /// bytes; the resulting instantiations need several times as much.
+  /// If all rules together have more partial matches, the agent breaks down: see Agent::out_of_memory(). A partial
+  /// match needs 64 bytes; the resulting instantiations need several times as much.
   std::uint32_t max_partial_matches = 8'000'000;
   /// If an agent's own memory exceeds this number of bytes while it runs, it breaks down, too. Set by the host, not by
   /// a command.

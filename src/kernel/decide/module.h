@@ -79,7 +79,7 @@ class Module {
   virtual void ItemsMade(std::uint32_t /*firings*/) {}
   /// A new item. `index` identifies one of the firings that the last ItemsMade reported.
   virtual void ItemMade(WmeId /*item*/, std::uint32_t /*index*/) {}
-  /// The state is about to be removed; it is still complete. Not called by init-soar.
+  /// The state is about to be removed; it is still complete. Init-soar calls it for substates only.
   virtual void StateEnds(GoalLevel /*level*/) {}
   /// The state was removed, and the preferences of its instantiations were retracted: release references to them.
   virtual void StateRemoved(GoalLevel /*level*/) {}

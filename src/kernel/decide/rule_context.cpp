@@ -134,7 +134,7 @@ std::uint64_t RuleContext::LongTermIdentifier(Symbol identifier) const {
 }
 
 void RuleContext::LinkToLongTerm(Symbol identifier, std::uint64_t lti) {
-  // There is no long-term memory, so no long-term identifier exists.
+  // Actions cannot link to long-term memory: every object counts as absent, even if it exists.
   PrintError("Warning: Long-term memory @" + std::to_string(lti) +
              " does not exist.  Could not link short-term memory " + ToString(core_.symbols, identifier) + ".\n");
 }
