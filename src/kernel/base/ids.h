@@ -27,7 +27,7 @@ using LinkId = RecordId<struct Link>;
 /// Indices into an agent's arenas. kNone (all bits set) means "none".
 enum class WmeId : std::uint32_t { kNone = 0xFFFFFFFFu };
 enum class TokenId : std::uint32_t { kNone = 0xFFFFFFFFu };
-/// A rule of an agent. Numbers are dense from 0 in loading order; numbers of excised rules are reused.
+/// A rule of an agent. Numbers are dense from 0. New rules first reuse the numbers of excised ones.
 enum class ProductionId : std::uint32_t { kNone = 0xFFFFFFFFu };
 
 template <typename Id>
