@@ -26,7 +26,8 @@ struct AgentData;
 struct KernelData;
 
 /// One agent of a kernel: its input and output, its rules, its runs and its events. Created by Kernel::CreateAgent and
-/// owned by the kernel. Every call on a destroyed agent fails with an error.
+/// owned by the kernel. Every call on a destroyed agent fails with an error, until 64 others have been destroyed after
+/// it. Then pointers to it are invalid.
 ///
 /// Texts that runs and command lines return as char const* share one buffer per kernel: the next such call overwrites
 /// it.
@@ -92,7 +93,8 @@ class EXPORT Agent : public ClientErrors {
   /// an id for RemoveOutputHandler. Enables change tracking.
   int AddOutputHandler(char const* pAttributeName, OutputEventHandler handler, void* pUserData, bool addToBack = true);
   bool RemoveOutputHandler(int callbackID);
-  /// Calls the handler once in each output phase that changed the output, before the output handlers.
+  /// Calls the handler once in each output phase that changed the output, before the output handlers; only while change
+  /// tracking is on.
   int RegisterForOutputNotification(OutputNotificationHandler handler, void* pUserData, bool addToBack = true);
   bool UnregisterForOutputNotification(int callbackID);
 

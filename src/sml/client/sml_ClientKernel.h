@@ -102,8 +102,8 @@ class EXPORT Kernel : public ClientErrors {
   void SetTraceCommunications(bool state);
   bool IsTracingCommunications();
 
-  /// Creates an agent. Returns NULL, with an error, if the name is in use. Sources settings.soar in the working
-  /// directory, $SOAR_HOME or the library's folder, if it exists.
+  /// Creates an agent. Returns NULL, with an error, if the name is in use. Sources settings.soar in the kernel's
+  /// working directory or, if it is not there, in $SOAR_HOME.
   Agent* CreateAgent(char const* pAgentName);
   /// Updates the local list of agents from the kernel.
   void UpdateAgentList();

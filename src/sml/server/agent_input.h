@@ -62,8 +62,8 @@ class AgentInput {
   TagMap<kernel::InputElement> elements_;
   TagMap<kernel::InputObject> objects_;                                  ///< By client name, converted to a number.
   std::map<std::string, kernel::InputObject, std::less<>> odd_objects_;  ///< Those with other names.
-  std::string
-      last_name_;  ///< The last such name and its object: the elements of an object usually come one after another.
+  /// The last name that was found, and its object: the elements of an object usually come one after another.
+  std::string last_name_;
   kernel::InputObject last_object_ = kernel::InputObject::kNone;
   std::size_t tidy_elements_at_ = 256;
   std::size_t tidy_objects_at_ = 64;

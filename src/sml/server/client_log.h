@@ -25,7 +25,7 @@ class HostedAgent;
 struct RunPosition {
   std::uint64_t cycles = 0;
   int phase = 0;
-  std::uint64_t elaborations = 0;  ///< Completed elaborations of the current phase; 0: between phases.
+  std::uint64_t elaborations = 0;  ///< In the middle of a phase: all elaborations so far; 0: between phases.
   friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
 };
 RunPosition PositionOf(const HostedAgent& hosted);

@@ -72,7 +72,7 @@ class KernelHost : public cli::Host {
     bool echo = false;
     bool filter = true;
     const Connection* from = nullptr;
-    bool fenced = false;    ///< The line loads an untrusted file.
+    bool fenced = false;    ///< The line loads an untrusted file, or a rule gave it.
     bool recorded = false;  ///< The line comes from a recording.
   };
   /// Restricts the commands in fenced files, and the commands of rules, to these folders from now on. With
@@ -112,7 +112,8 @@ class KernelHost : public cli::Host {
   /// Removes all registrations and functions of a client, and its range of time tags.
   void RemoveConnection(Connection& connection);
   const std::vector<Connection*>& connections() const { return connections_; }
-  /// The first time tag of the client. Clients have consecutive ranges of 2^27 tags. 0 if all eight ranges are in use.
+  /// The first time tag of the client. Clients have ranges of 2^27 tags, the first of which is reserved for the program
+  /// that contains the kernel. 0 if all eight ranges are in use.
   long long AssignTimeTags(Connection& connection);
 
   void Register(Connection& connection, HostedAgent* hosted, int event);
