@@ -30,9 +30,9 @@ class AgentGrid {
   /// Appends the indices of all agents within range_m of center to `found`, each once. The order is unspecified but
   /// reproducible.
   void Query(std::span<const AgentMotion> agents, Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
-  /// Calls visit(index) for all agents within range_m of center, the nearest cells first. `visit` returns the range
-  /// that is still of interest; agents beyond it may be skipped from then on. In a crowd, it is therefore called for a
-  /// few agents only.
+  /// Calls visit(index) for all agents within range_m of center, those in near cells usually first. `visit` returns the
+  /// range that is still of interest; agents beyond it may be skipped from then on. In a crowd, it is therefore called
+  /// for a few agents only.
   template <class Visitor>
   void Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const;
 

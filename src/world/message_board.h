@@ -29,7 +29,7 @@ struct Message {
   std::vector<Field> fields;
 };
 
-/// The messages between agents. Messages are deleted after some time.
+/// The messages between agents: at most the last 1,000. They are deleted after some time.
 class MessageBoard {
  public:
   /// Adds a message and sets its number and tick.

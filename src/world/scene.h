@@ -73,8 +73,8 @@ class Scene {
   bool SetScale(NodeId node, Vec3 scale);
   // In world space.
   Vec3 WorldPosition(NodeId node) const;
-  /// Half the diagonal of the bounding box of the node and its descendants in world coordinates; 0 if nothing is
-  /// visible.
+  /// Half the diagonal of the bounding box of the node and its descendants in world coordinates; 0 if they have
+  /// no drawable or ring.
   float Radius(NodeId node) const;
 
   // Appearance.

@@ -136,8 +136,8 @@ struct UiSnapshot {
   Color gradient_from, gradient_to;
   UiFont font = UiFont::kSmall;
   Color text_color;
-  bool is_markup = false;  ///< The text contains the sandbox's markup: %0..%9 colours, @nn fonts (spec:
-                           ///< UI.SetMarkupText).
+  bool is_markup = false;  ///< The text contains the sandbox's markup: %0..%9 colours, @nn fonts
+                           ///< (docs/spec/lua_api.md, UI.SetMarkupText).
   std::string text;
   /// The key of an image (world/asset_store.h) or the name of a material that fills the panel; empty: none.
   std::string material;
@@ -190,7 +190,7 @@ struct SceneSnapshot {
   Vec3 ambient{0.5f, 0.5f, 0.5f};
   std::string sky;  ///< Name of the sky, "ThickCloudsWaterSkyBox"; empty: plain.
   Vec3 sky_rotation_deg;
-  CameraSnapshot camera;           ///< The pose that scripts have set; `camera_moves` counts their calls.
+  CameraSnapshot camera;           ///< Its pose, set by scripts or the user; `camera_moves` counts calls of scripts.
   std::uint32_t camera_moves = 0;  ///< When this number changes, the viewer must move its camera to `camera`.
   bool camera_is_fixed = false;    ///< The viewer should keep this pose and not follow agents.
 

@@ -22,8 +22,8 @@ class Lookout {
   float range_m() const;
   /// Takes one agent into account. Ignores self and dead agents.
   void Look(std::uint32_t index);
-  /// The force, after all agents within range have been looked at. It has length 1, or less for a push; zero if the way
-  /// is free.
+  /// The force, after all agents within range have been looked at. It has length 1; a push has the length of the
+  /// sideways offset. Zero if the way is free.
   Vec3 Force() const;
 
  private:
