@@ -22,8 +22,8 @@ struct ApiFunction {
   bool own = false;          ///< Beyond the 192 functions of the first sandbox.
 };
 
-/// The type of an argument. If a sandbox, object, node, thing or mesh is wrong, the call does nothing, with a warning.
-/// Every other wrong argument is a Lua error.
+/// The type of an argument. If an argument of the types kSandbox, kObject, kNode, kPlaced, kScene and kThing is wrong,
+/// the call does nothing, with a warning. Every other wrong argument is a Lua error.
 enum class ApiType : std::uint8_t {
   kSandbox,
   kAgent,

@@ -10,8 +10,8 @@ namespace soarbox::script {
 struct ScriptSource;
 
 /// Opens the part of the standard library that scripts may use: the base functions, table, string, math, bit,
-/// coroutine, and harmless parts of os; with our own `require` and `print`. Files, processes, bytecode and access to
-/// the machine are left out. Call it inside a protected call.
+/// coroutine, debug.traceback, and harmless parts of os; with our own `require` and `print`. Files, processes, bytecode
+/// and access to the machine are left out. Call it inside a protected call.
 void InstallLibrary(lua_State* state);
 
 /// Compiles and runs a text; raises its errors. Messages use `name` as the file name.

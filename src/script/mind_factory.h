@@ -33,7 +33,8 @@ class MindFactory {
  public:
   virtual ~MindFactory() = default;
 
-  /// Called after Agent_Initialize, when the agent has its body and its target. If it fails, the agent stays in the
+  /// Called after Agent_Initialize, when the agent has its body and its target. For an agent without a script, it also
+  /// creates the body. If it fails, the agent stays in the
   /// world, marked as failed, the diagnostic is reported, and the script continues.
   virtual Result<void> MakeMind(world::EntityId agent, const AgentCreationRequest& request) = 0;
   /// Memory of all minds, as last measured.

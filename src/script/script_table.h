@@ -17,9 +17,9 @@ struct TableField {
 };
 using Table = std::vector<TableField>;
 
-/// Copies the table at `index`: keys that are strings, in their order; numbers in lists get the list's name. Copies
-/// values that are numbers, strings, booleans ("yes", "no"), vectors ({x, y, z}), agents (their names) and tables, at
-/// most 8 deep and 1000 in all. Leaves out other values.
+/// Copies the table at `index`: the values of keys that are strings, sorted by key. The elements of a list become
+/// fields with the list's name. Copies values that are numbers, strings, booleans ("yes", "no"), vectors ({x, y, z}),
+/// agents (their names) and tables, at most 8 deep and 1000 in all. Leaves out other values.
 Table CopyTable(lua_State* state, int index);
 /// Pushes a new table with these fields. If several fields have one name, only the first is used.
 void PushTable(lua_State* state, const Table& table);
