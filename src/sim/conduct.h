@@ -29,8 +29,9 @@ bool IsWalk(std::string_view command);
 /// For `wander` only: computes in advance the direction that its next step will find if nothing else moves until then.
 void ForeseeWander(Actor& actor, Running& command);
 
-/// Walks towards a point around obstacles. With `slow_down`, it stops at the point. Fails with "no-way" as soon as the
-/// navigation mesh shows that there is no path, and with "blocked" after 4 s without progress.
+/// Walks towards a point around obstacles. With `slow_down`, it slows down near the point. Fails with "no-way" as soon
+/// as the navigation mesh shows that there is no path. Fails with "blocked" after 4 s without progress if it hardly
+/// moves, and after 24 s otherwise.
 struct WalkOrder {
   world::Vec3 goal;
   float within_m = 0.75f;
@@ -42,8 +43,9 @@ struct WalkOrder {
   float shun_m = 0;                            ///< this many metres.
 };
 StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order);
-/// The direction closest to `wanted` (horizontal, of length 1 or 0) in which the next `ahead_m` metres are free.
-/// `turn_deg` stores the side on which it passes an obstacle, so that the direction does not oscillate.
+/// The direction closest to `wanted` (horizontal, of length 1 or 0) in which the next `ahead_m` metres are free. If
+/// there is none, one in which less is free; else `wanted`. `turn_deg` stores the side on which it passes an obstacle,
+/// so that the direction does not oscillate.
 world::Vec3 FreeDirection(const Actor& actor, world::Vec3 wanted, float ahead_m, world::EntityId through,
                           float& turn_deg);
 
