@@ -17,7 +17,8 @@
 namespace soarbox::kernel {
 
 /// An object on the input side: the input link, an identifier that the client creates, or an existing identifier of the
-/// kernel. Handles become invalid at init-soar; using an invalid handle has no effect.
+/// kernel. Using an invalid handle has no effect. At init-soar all handles but kInputLink become invalid. New objects
+/// may get the same handles again, so clients must forget the old ones.
 enum class InputObject : std::uint32_t { kInputLink = 0, kNone = 0xFFFFFFFFu };
 /// An element that a client created. The handle of a removed element is invalid. Its index is reused by other elements
 /// with different handles (handles repeat after about 1,000 reuses).
@@ -33,9 +34,9 @@ class InputTap;
 /// If an element is added and removed between two input phases, no rule matches it, but it uses up a time tag (as in
 /// Soar 9.6.3). The link is not a set: equal triples from two calls are two elements.
 ///
-/// The kernel's identifier of a new object is created when its first element enters working memory. Its letter is the
-/// first letter of that element's attribute (I if that is not a letter). Working memory collects structure that loses
-/// its connection with the link, as usual; its handles become invalid.
+/// The kernel's identifier of a new object is created when the first element with the object as its value enters
+/// working memory. Its letter is the first letter of that element's attribute (I if that is not a letter, or if it is
+/// S). Working memory collects structure that loses its connection with the link, as usual; its handles become invalid.
 class InputLink {
  public:
   InputLink(SymbolTable& symbols, WorkingMemory& memory, WmeChanges& changes)

@@ -31,6 +31,7 @@ class ElementListener {
   virtual bool FlushBegins(std::size_t added, std::size_t removed) = 0;
   /// The newest added element was removed within the same phase. Called only if FlushBegins returned true.
   virtual void FirstWasLost(WmeId wme) = 0;
+  /// Called for each added element, also for one that was removed within the same phase.
   virtual void Entered(WmeId wme) = 0;
   virtual void Left(WmeId wme) = 0;
   /// A rule that interrupts the run has a new match.

@@ -21,9 +21,10 @@ struct Link {
 
 /// The links between identifiers. Determines the level of each identifier, and which identifiers are garbage.
 ///
-/// A link is a preference in a slot with an identifier as its value (or referent). An element of the architecture or of
-/// input with an identifier as its value is also a link. Each identifier that is reachable from a goal has one parent
-/// link. The parent links form a tree below every goal; the level of an identifier is that of the goal at its root.
+/// A link is a preference in a slot with an identifier as its value (or referent). An element without a preference
+/// whose value is an identifier is also a link, unless its kind is kArchitecture. Each identifier that is reachable
+/// from a goal has one parent link. The parent links form a tree below every goal; the level of an identifier is that
+/// of the goal at its root.
 ///
 /// Removing a link that is not a parent link changes no level. When a parent link is removed, another link to the
 /// identifier itself is searched first. Only if there is none, links into the rest of its subtree are searched. So the
@@ -79,7 +80,7 @@ class LinkGraph {
   void SetParent(Symbol id, LinkId link);
   void Root(Symbol id);
   void DropParent(Symbol id);
-  /// Follows parent links from `from`. Ends at a goal, at (or through) `stop`, or at an identifier without a parent.
+  /// Follows parent links from `from`. Ends at a goal, at `stop`, or at an identifier without a parent.
   Ancestry Trace(Symbol from, Symbol stop) const;
   void Work(std::vector<Symbol>& garbage);
   void BeginToSettle();

@@ -33,9 +33,9 @@ class WmeChanges {
   /// Adds the element of an acceptable preference.
   WmeId AddAcceptable(SlotId slot, Symbol value, PreferenceId preference);
   void Remove(WmeId wme);
-  /// Replaces an input element by one with another constant. If no rule tests the element, this costs less: the element
-  /// keeps its index, and the result is true. Else does nothing and returns false. Must not be called while an observer
-  /// wants single elements.
+  /// If no rule tests an input element, replaces it by one with another constant and returns true. This costs less than
+  /// Lose and Add, because the element keeps its index. Else does nothing and returns false. Must not be called while
+  /// an observer wants single elements.
   bool Renew(WmeId wme, Symbol value);
   /// Removes an element that lost its support. If it is in a goal dependency set, the goal is removed first. (Elements
   /// that the architecture removes, such as items and garbage, are removed by Remove, which affects no goal.)

@@ -38,7 +38,7 @@ class WmeRecord {
 
   WmeKind kind = WmeKind::kFree;
   bool in_match : 1 = false;  ///< The match contains it.
-  bool removing : 1 = false;  ///< It is in the removal buffer.
+  bool removing : 1 = false;  ///< Its removal was passed to the match: it is freed when nothing refers to it.
   bool renewed : 1 = false;   ///< In the buffers, it represents both a removed element and its replacement.
 
  private:
