@@ -17,9 +17,9 @@ namespace soarbox::kernel {
 /// The activation of each object for one agent. Only objects that were touched have a record; all others have
 /// activation 0.
 ///
-/// The clock counts touches, not decisions. init-soar does not reset it. The activation is, by mode: recency: the clock
-/// at the last touch. frequency: the number of touches. base-level: ln(s / (1 + s)), where s is the sum of age^-decay
-/// over the last ten touches; older touches are estimated by Petrov's approximation.
+/// The clock counts the touches that advance it (uses), not decisions. init-soar does not reset it. The activation is,
+/// by mode: recency: the clock at the last touch. frequency: the number of uses. base-level: ln(s / (1 + s)), where s
+/// is the sum of age^-decay over the last ten uses; older uses are estimated by Petrov's approximation.
 class Activations {
  public:
   static constexpr std::size_t kHistory = 10;
@@ -46,8 +46,8 @@ class Activations {
   /// The strength s of an object that was never used: as if it had been used once, base-unused-age-offset ticks before
   /// the clock started.
   double UnusedStrength() const;
-  /// Touches an object. The clock advances by one, unless `advance` is false: storing does not advance it, so the next
-  /// touch has the same time. Returns true if it is the object's first touch.
+  /// Touches an object. With `advance` (a use), the clock advances by one, and the use counts. Without (storing), only
+  /// the activation is recomputed, for the time of the next use. Returns true if it is the object's first touch.
   bool Touch(std::uint32_t object, bool advance = true);
   /// Recomputes a base-level activation for the current time, without a touch.
   void Update(std::uint32_t object);

@@ -68,7 +68,7 @@ class EpisodeCommands {
     Symbol argument, negative;  ///< ^query, ^next, ^previous; ^neg-query
     std::optional<std::int64_t> before, after;
     std::vector<EpisodeNumber> prohibited;
-    bool refined = false;     ///< It has one of the last three arguments.
+    bool refined = false;     ///< It has ^before, ^after or ^prohibit.
     bool is_counted = false;  ///< It counts as a query although its window is empty.
   };
   /// The elements to add to working memory.

@@ -22,10 +22,11 @@ class WorkingMemory;
 /// Creates episodes from working memory: everything below the top state except excluded attributes. It records
 /// additions and removals, so that an episode costs only as much as the changes since the last one.
 ///
-/// An element is recorded if its identifier has a node and its attribute is not excluded. This is decided only once.
-/// When an object gets a node, all its elements are recorded. When no recorded element refers to an object any more,
-/// its node is reused for the next object with the same parent and attribute. So the store is never larger than working
-/// memory has been.
+/// An element is recorded if its identifier has a node and its attribute is not excluded. This is decided when the
+/// element is new. (An excluded element is checked again when two or more elements of its object are new.) When an
+/// object gets a node, all its elements are recorded. When no recorded element refers to an object any more, its node
+/// is reused for the next object with the same parent and attribute. So objects that come and go at one place need no
+/// more nodes.
 class EpisodeRecorder {
  public:
   /// The parts of the agent that it uses.

@@ -115,7 +115,7 @@ class EpisodeStore {
   std::uint64_t Link(EpisodeNode node, EpisodeNumber episode) const;
   /// The links that were set in this episode, in order.
   std::vector<std::pair<EpisodeNode, std::uint64_t>> LinksOf(EpisodeNumber episode) const;
-  /// The closed intervals of a fact; the open one, if any, begins at `open`.
+  /// The closed intervals of a fact. The open one, if any, begins at OpenSince.
   std::span<const EpisodeInterval> Intervals(EpisodeFact fact) const { return intervals_.Of(facts_[fact].intervals); }
   EpisodeNumber OpenSince(EpisodeFact fact) const { return facts_[fact].open; }
   /// The changes from the previous episode to this one.

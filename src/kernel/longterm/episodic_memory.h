@@ -54,7 +54,7 @@ class EpisodicMemory final : public Module {
   const EpisodeStore& store() const { return store_; }
   const EpisodeTerms& terms() const { return terms_; }
   const EpisodicCounters& counters() const { return counters_; }
-  /// The decision in which an episode was recorded; 0: in an earlier process. The episode must exist.
+  /// The decision in which an episode was recorded; 0 if it was loaded. The episode must exist.
   std::uint64_t DecisionOf(EpisodeNumber episode) const { return decisions_[episode - 1]; }
   /// The number that the next episode will have.
   EpisodeNumber time() const { return store_.last() + 1; }
@@ -65,9 +65,9 @@ class EpisodicMemory final : public Module {
 
   // The journal -----------------------------------------------------------------------------------------------------
 
-  /// Opens the file: loads its contents (Load), and gives the memory its journal (SetJournal). `continues`: the
-  /// contents are continued (append), so the file must be opened as soon as a run begins again. Null: episodes are only
-  /// in memory.
+  /// Opens the file: loads its contents (Load), and gives the memory its journal (SetJournal). `continues`: new
+  /// episodes follow those in the file (append), so init-soar opens the file again at once. Null: episodes are only in
+  /// memory.
   using Opener = std::function<Result<void>(EpisodicMemory&)>;
   void SetOpener(Opener opener, bool continues);
   /// Calls the opener if the memory was not used yet. An error is printed, and the memory works without a file.

@@ -140,7 +140,7 @@ class Knowledge {
   Terms& terms() { return terms_; }
   const Terms& terms() const { return terms_; }
 
-  /// The object with this alias: (@steel ^name x).
+  /// The number of the object with this alias, as in (@steel ^name x); 0 if there is none.
   Lti FindAlias(std::string_view name) const;
   void SetAlias(std::string_view name, Lti number) { aliases_.insert_or_assign(std::string(name), number); }
   std::map<std::string, Lti, std::less<>> Aliases() const;

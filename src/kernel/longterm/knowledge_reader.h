@@ -17,7 +17,7 @@ class SemanticMemory;
 /// of its dots. A number in parentheses after a link is its weight (link_weights.h).
 
 /// Adds the knowledge in the text, up to the first incorrect clause. Returns Soar's message about it, or an empty text.
-/// Appends mistakes that have no effect to `notes`, one per line.
+/// Sets `notes` to the mistakes that have no effect, one per line.
 std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::string& notes);
 
 /// Parses a query: (<q> ^kind tank ^weight <any> ^has @13). Variables, and words that look like identifiers, match any
@@ -25,9 +25,10 @@ std::string AddKnowledge(SemanticMemory& memory, std::string_view text, std::str
 /// or an empty text.
 std::string ReadQuery(const SemanticMemory& memory, std::string_view text, Cue& cue);
 
-/// Removes values (@12 ^name tank), attributes (@12 ^name) or all augmentations of an object (@12). A missing attribute
-/// is an error, unless `force` is set and another attribute follows; then nothing is removed. A missing value is only
-/// reported. Returns the problems, one per line.
+/// Removes values (@12 ^name tank), attributes (@12 ^name) or all augmentations of an object (@12). Sets `failed`, and
+/// removes nothing, if the text is incorrect or if the object or an attribute does not exist. An attribute without
+/// values may be missing if the agent knows its name, or if `force` is set and another attribute follows. A missing
+/// value is only reported. Returns the problems, one per line.
 std::string RemoveKnowledge(SemanticMemory& memory, std::string_view text, bool force, bool& failed);
 
 /// Finds an object by the user's notation: @12 or @name. Returns 0 if there is none.

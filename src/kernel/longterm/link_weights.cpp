@@ -8,7 +8,7 @@
 namespace soarbox::kernel {
 
 namespace {
-/// Maximum number of buffered uses, so that objects that spreading never reaches do not exhaust the memory.
+/// Maximum number of buffered uses per object, so that objects that spreading never reaches do not exhaust the memory.
 constexpr std::size_t kMostWaiting = 4096;
 }  // namespace
 

@@ -226,7 +226,7 @@ std::uint32_t Origins::OriginOfElement(WmeId wme, std::uint32_t depth) {
   const WmeRecord& record = uses_.memory.record(wme);
   const std::uint32_t old = Of(wme);
   if (old != kNone && origins_[old].o_supported) return old;
-  // The origin of a proposed or selected operator is that of the operator itself.
+  // Elements ^operator have no origin of their own. OfOperator returns that of the selected operator.
   if (record.slot() == SlotId::kNone) return old;
   const Slot& slot = uses_.memory.slot(record.slot());
   if (slot.is_operator) return kNone;

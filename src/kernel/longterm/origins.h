@@ -64,8 +64,9 @@ struct Origin {
   std::uint32_t attached = 0;  ///< Number of live elements and selected operators with this origin.
 };
 
-/// Records the origin of each o-supported element, each element of a command, and each selected operator. Off until it
-/// is first needed; it records only what is created afterwards.
+/// Records the origin of each o-supported element, of each element whose firing also created an element directly on the
+/// output link, and of each selected operator. Off until it is first needed; it records only what is created
+/// afterwards.
 ///
 /// Limits: an origin is freed with its element, unless a newer origin refers to it. A chain of references from an
 /// origin contains at most kDeepest origins of removed elements. In total, an origin leads to at most kMostBehind of

@@ -25,7 +25,7 @@ std::string CueWords(const WorkingMemory& memory, const SymbolTable& symbols, Sy
 std::string ObjectWords(const Knowledge& knowledge, std::uint32_t object);
 
 /// Why a query returned this object: "the only one that fits", "the most active of those that fit: 3.000, then @4 with
-/// 2.000". `others`: some of the other objects that fit, the best first; empty if there were too many to compare.
+/// 2.000". `others`: the best of the objects that fit, the returned one first; empty if there were too many to compare.
 std::string WhyFound(const Knowledge& knowledge, const Activations& activations, const Cue& cue,
                      std::span<const std::uint32_t> others);
 

@@ -46,7 +46,7 @@ struct SemanticCommand {
 
 /// The elements that a retrieval adds to working memory.
 struct Retrieval {
-  /// The identifier of an object, and whether its augmentations are or will be added.
+  /// The identifier of an object, and whether the walk along its links has reached it.
   struct Made {
     std::uint32_t object = 0;
     Symbol id;

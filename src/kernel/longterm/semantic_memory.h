@@ -176,9 +176,9 @@ class SemanticMemory final : public Module {
   void Tell(GoalLevel level, const SemanticCommand& command, const Cue& cue, std::span<const std::uint32_t> prohibited,
             std::uint32_t object);
   bool AddMath(Symbol object, Cue& cue);
-  /// The object in which an identifier is stored. With `made_new`, the identifier and its children get new objects,
-  /// regardless of their links; the map contains those created by one command, by identifier. An identifier without a
-  /// link is linked to its object.
+  /// Stores the elements of an identifier and returns its object. With `made_new`, the identifier and its children get
+  /// new objects, regardless of their links; the map contains those created by one command, by identifier. An
+  /// identifier without a link is linked to its object.
   std::uint32_t Store(Symbol id, std::map<std::uint32_t, std::uint32_t>* made_new);
   /// Adds an object's augmentations, and those of its children to the command's depth, to what will be installed.
   Symbol Retrieve(GoalLevel level, std::uint32_t object);

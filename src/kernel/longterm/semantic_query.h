@@ -42,9 +42,9 @@ struct Cue {
 /// augmentations (SmemSettings::thresh) is first if it was ever touched; then the one whose augmentation in the list of
 /// the rarest requirement is the newest.
 ///
-/// Only objects that meet the rarest requirement are examined (the driving list). Objects that were never touched have
-/// activation 0 and are in the right order already. Touched ones are stored separately, for each list that was ever the
-/// driving one.
+/// Only objects that meet the rarest requirement are examined (the driving list). Objects that were never touched are
+/// equally active and are in the right order already. Touched ones are stored separately, for each list that was ever
+/// the driving one.
 class SemanticSearch {
  public:
   SemanticSearch(const SmemSettings& settings, Activations& activations)
@@ -81,8 +81,8 @@ class SemanticSearch {
     double number;
     std::uint32_t object;
   };
-  /// The activation of an object alone. An object that was stored but never used counts as new: by frequency, and by
-  /// recency if it is large.
+  /// The activation of an object alone. An object that was stored but never used has activation 0 in mode frequency,
+  /// and, if it has at least SmemSettings::thresh augmentations, in mode recency.
   double OwnActivation(const Knowledge& knowledge, std::uint32_t object) const;
   static bool Better(const Candidate& a, const Candidate& b);
   /// The numeric values of an attribute with their objects, sorted.
