@@ -129,7 +129,8 @@ class Imagery final : public Module {
   bool in_substates() const { return in_substates_; }
   /// Creates scenes for the states. Call it only between phases. Does nothing if it is enabled already.
   void Enable();
-  /// Leaves ^svs in working memory until init-soar or the next Enable. Refused while a substate has a scene.
+  /// Leaves ^svs in working memory until init-soar. Before that, Enable continues with the same scene. Refused while a
+  /// substate has a scene.
   Result<void> Disable();
   void EnableInSubstates();
   /// Refused while a substate has a scene.

@@ -42,8 +42,8 @@ double ScaleVolume(const Node& node);
 bool HullsTouch(const Node& a, const Node& b);
 /// The fraction of a's volume inside b, estimated with 200 points.
 double Overlap(const Node& a, const Node& b, PlainRandom& random);
-/// The position of a's centroid for gaps of `separation` to b, per axis; 0 requests no gap. The axes are those of
-/// `reference`'s own rotation, or of the world.
+/// The position of a's centroid for gaps of `separation` to b, per axis. On an axis with 0, it is that of b's centroid.
+/// The axes are those of `reference`'s own rotation, or of the world.
 Vec3 Placement(const Node& a, const Node& b, const Node* reference, const Vec3& separation);
 
 /// Appends lines from the eye's centroid to the points of all hulls of a target.
@@ -51,7 +51,8 @@ void AppendSightLines(const Node& target, const Node& eye, std::vector<SightLine
 /// The fraction of the lines that cross a shape of an occluder.
 double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> occluders);
 
-/// Shrinks a node until it touches no node of the scene that has the tag `object-source` with the value `belief`.
+/// Shrinks a node until it touches none of the nodes that it touches now and that have the tag `object-source` with the
+/// value `belief`. Does nothing if its centroid is inside one of them.
 void ShrinkToFit(Scene& scene, Node& node);
 
 }  // namespace soarbox::kernel::imagery

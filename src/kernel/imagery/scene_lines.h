@@ -15,7 +15,7 @@ struct LineError {
   int field = 0;     ///< Index of the wrong word; the keyword has index 0.
   std::string text;  ///< A description of the error and a hint.
 
-  /// In one sentence: "add x nobody b 1: parent: ..."
+  /// For example: "add x tower b 1", word 3: there is no node tower: add it first
   std::string ToString() const;
 };
 
