@@ -51,7 +51,7 @@ struct AlphaState {
 static_assert(sizeof(AlphaState) == 32, "alpha memories are addressed by a shift");
 
 /// The alpha memories of an agent: the elements that pass each set of constant tests, newest first. Indexes by
-/// identifier, and by identifier and value, are created on demand.
+/// identifier, by identifier and value, and by value are created on demand.
 ///
 /// Invariants: an element has one item in each memory whose tests it passes. The item is on the memory's list, on the
 /// element's own list, and in each index of the memory. NodeStates stores which nodes are linked to a memory.

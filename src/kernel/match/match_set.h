@@ -120,7 +120,7 @@ class MatchSet {
   /// Whether to record new assertions of a rule; see TakeInterrupting.
   void SetInterrupts(std::uint32_t production, bool on) { rules_[production].interrupts = on; }
   bool HasInterrupting() const { return !interrupting_.empty(); }
-  /// Returns the rules with interrupts that got new assertions since the last call, each once.
+  /// Returns the rules with interrupts that got new assertions since the last call: a rule once for each assertion.
   std::vector<std::uint32_t> TakeInterrupting() { return std::exchange(interrupting_, {}); }
   /// Frees the memory reserved for more rules.
   void ShrinkRules() { rules_.shrink_to_fit(); }

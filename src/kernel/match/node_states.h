@@ -212,8 +212,8 @@ class [[gnu::visibility("hidden")]] NodeStates {
   }
 
  private:
-  /// Up to this number of bits, a table grows as soon as it has as many tokens as buckets. A larger table is checked
-  /// each time the number of its tokens has doubled.
+  /// A table with fewer bits grows as soon as it has as many tokens as buckets. A larger table is checked each time the
+  /// number of its tokens has doubled.
   static constexpr std::uint32_t kBitsForAll = 8;
   static bool MayGrow(std::uint32_t bits, std::uint32_t count) {
     return bits < kBitsForAll || (count & (count - 1)) == 0;

@@ -67,8 +67,9 @@ class Rete {
   void ExciseProduction(ProductionId production);
   /// Null for a number that is not in use.
   const ProductionPtr& production(ProductionId id) const;
-  /// Called when a match of a rule both elaborates and applies its operator; once per match. The match is then
-  /// i-supported.
+  /// Called when the actions of a new match both elaborate and apply the operator that a match of the same rule tests:
+  /// once for each such match. The new match is then i-supported, unless a match that is considered later decides
+  /// otherwise (MatchSupport::ByMatches).
   void OnMixedSupport(std::function<void(ProductionId)> callback);
   /// Whether such a match gets o-support (then the callback is not called).
   void MixedSupportIsO(bool is_o);
@@ -92,7 +93,7 @@ class Rete {
   void RetractFixedMatch(MatchId match);
 
   /// Maximum number of simultaneous partial matches. Exceeding it throws std::bad_alloc, as if memory had run out.
-  /// (Pairs that a memory parks are counted separately, memory by memory.)
+  /// (Parked pairs are counted separately: those in the log of each memory, and those in all tables together.)
   void LimitPartialMatches(std::uint32_t most);
   /// True if this limit was reached.
   bool at_limit() const;

@@ -18,7 +18,7 @@
 namespace soarbox::kernel {
 
 /// A pair that reached a sparse memory and joins with nothing (rete_sparse.cpp). It is stale after its token or its
-/// element has left; their records have been reused then.
+/// element has left. Their records may belong to others then.
 struct ParkedPair {
   std::uint32_t parent;
   std::uint32_t wme;
@@ -78,7 +78,8 @@ struct SparseState {
 /// counted.
 class [[gnu::visibility("hidden")]] SparseMemories {
  public:
-  /// Whether a memory may be sparse at all: it and the joins above and below it form a chain of only children.
+  /// Whether a memory may be sparse at all: it has a key, it and the joins above and below it form a chain of only
+  /// children, and the results of the joins' tests cannot change while the elements exist.
   static bool CanBeSparse(const Network& net, std::uint32_t index);
 
   SparseState& operator[](std::uint32_t place) {
@@ -193,7 +194,7 @@ class [[gnu::visibility("hidden")]] SparseMemories {
 
   // All of them ---------------------------------------------------------------------------------------------------
 
-  /// Limits the pairs in each log and each table.
+  /// Limits the pairs in each log, the runs of each memory, and the pairs in all tables together.
   void SetLimit(std::uint32_t most);
   /// True if one of them reached the limit.
   bool at_limit() const {
