@@ -22,7 +22,8 @@ class CrowdBroadphase;
 /// must call Forget. Several threads may query at a time.
 class BodyField {
  public:
-  /// Builds the grid. Leaves it unknown if it would be slower than the trees: too few cells, or too many wide bodies.
+  /// Builds the grid. Leaves it unknown if it would be slower than the trees: if the bodies are too far apart, or if
+  /// too many or all of them are wide.
   void Build(const CrowdBroadphase& bodies);
   void Forget() { is_known_ = false; }
   bool is_known() const { return is_known_; }

@@ -8,8 +8,8 @@
 namespace soarbox::world {
 
 /// Frees upright bodies that were put into fixed ones. If a script puts an agent half into a floor between two blocks,
-/// each block pushes it into the other, forever. A body that has been that deep for a third of a second is lifted to
-/// the first free position above, by at most its height.
+/// each block pushes it into the other, forever. A body that has been that deep for ten steps is lifted to the
+/// first free position above, by at most its height.
 class SunkenBodies {
  public:
   /// Call it before the contacts of a step are examined.

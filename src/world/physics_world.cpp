@@ -27,8 +27,8 @@ namespace {
 
 // A body that moves farther than this in a step gets continuous collision detection (lua_api.md 6).
 constexpr float kSweepThreshold_m = 0.5f;
-// Bullet links its pools of contacts before the first step. The default is 4 MB, which takes a quarter of a short run.
-// Contacts that do not fit into a pool come from the heap.
+// Bullet links its pools of contacts before the first step. The default size is 4 MB: linking takes a quarter of the
+// time of a short run. Contacts that do not fit into a pool come from the heap.
 constexpr int kPoolOfContacts = 512;
 constexpr float kFriction = 0.5f;
 constexpr float kPenetrationRecovery = 0.8f;

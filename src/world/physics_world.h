@@ -87,10 +87,11 @@ class PhysicsWorld {
   void RemoveHinges(BodyId body);
   std::size_t hinge_count() const;
 
-  /// One step. Bodies that leave the range of coordinates are put back at its edge, at rest.
+  /// One step. Bodies that leave the range of coordinates or exceed the maximum speed are put back into the range, at
+  /// rest and without rotation.
   void Step(float step_s, const Workers& workers = {});
-  /// The bodies that may have moved in the last step: those that are not fixed and were not asleep. In a fixed order.
-  /// Some may have been removed since, and their ids reused.
+  /// The bodies that may have moved in the last step, except upright ones: those that are not fixed and were not
+  /// asleep. In a fixed order. Some may have been removed since, and their ids reused.
   std::span<const BodyId> MovedBodies() const;
   struct Push {
     BodyId body = BodyId::kNone;
