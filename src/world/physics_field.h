@@ -15,8 +15,8 @@ namespace soarbox::world {
 class CrowdBroadphase;
 
 /// All bodies in a grid over the ground plane, stored row by row. It serves the many short queries of a crowd between
-/// two steps: a query reads a few cells instead of traversing the trees of the broadphase. Bodies that are wider than a
-/// cell are in a list that every query scans.
+/// two steps: a query reads a few cells instead of traversing the trees of the broadphase. Bodies that are wider than
+/// 3 m are in a list that every query scans.
 ///
 /// Invariant: while is_known(), it contains each body of the trees with the same bounding box. Code that changes a box
 /// must call Forget. Several threads may query at a time.
