@@ -61,7 +61,7 @@ class CameraRig {
              std::span<const FramedBody> scenery = {});
 
   /// Moves smoothly towards the point on the ground in this direction and brings it to the middle of the picture. Does
-  /// nothing above the horizon.
+  /// nothing above the horizon, if the point is more than 400 m away, or in kEyes.
   void GoTo(world::Vec3 way);
 
   /// Advances by `seconds` of wall time. `agent` is the current state of agent(); null if it no longer exists, which

@@ -43,7 +43,8 @@ class GhostView {
   Ogre::MeshPtr mesh_;
   std::vector<Figure> figures_;
   BodyLibrary library_;
-  std::map<std::pair<world::BodyLook, std::string>, std::unique_ptr<InstanceBatch>> batches_;  ///< By material.
+  std::map<std::pair<world::BodyLook, std::string>, std::unique_ptr<InstanceBatch>>
+      batches_;  ///< By look and material.
 };
 
 }  // namespace soarbox::viewer

@@ -33,7 +33,7 @@ Image LeafImage();
 /// Weathered stone with veins and lichen.
 Image StoneImage();
 
-/// Six faces (+x, -x, +y, -y, +z, -z in the order and orientation of cube maps): clouds above, water below the horizon.
+/// A sky: clouds above, water below the horizon. Colours are red, green and blue, 0..1.
 struct SkyStyle {
   std::array<float, 3> zenith{0.20f, 0.42f, 0.74f};
   std::array<float, 3> horizon{0.80f, 0.87f, 0.92f};
@@ -43,6 +43,7 @@ struct SkyStyle {
   float cloud_cover = 0.6f;  ///< 0 clear, 1 overcast.
   float stars = 0;           ///< 0..1
 };
+/// Six square faces of `size` pixels: +x, -x, +y, -y, +z, -z in the orientation of cube maps.
 std::array<Image, 6> SkyImages(const SkyStyle& style, int size);
 
 }  // namespace soarbox::viewer

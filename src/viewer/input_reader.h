@@ -31,7 +31,7 @@ struct FrameInput {
   CameraInput camera;
   std::vector<Picked> picked;
   std::optional<Picked> box;          ///< The box while the user draws it.
-  std::optional<ScreenPoint> cursor;  ///< Cursor position over the scene; none over a panel or outside the window.
+  std::optional<ScreenPoint> cursor;  ///< Over the scene; none over a panel, outside the window, or during a drag.
   bool closed = false;                ///< The window was closed.
   int new_width = 0, new_height = 0;  ///< The window's new size; 0: unchanged.
 };

@@ -35,7 +35,7 @@ Corner FreeCorner(Corner now, const ScreenBox& area, float width, float height, 
 enum class LabelHabit : std::uint8_t {
   kAbove,   ///< Above the point, else further up and to the sides: names.
   kBeside,  ///< Next to the point, with space for an arrow: speech.
-  kAround,  ///< Directly above the point or below `below_y`: names of ghosts.
+  kAround,  ///< Directly above the point or below `below_y`: names of ghosts and places.
 };
 
 /// A label that needs a place.

@@ -27,7 +27,7 @@ struct OverlayMarks {
   std::vector<Ghost> ghosts;
 };
 
-/// Adds a ring under each ghost, and a dashed line from the ring to its agent.
+/// Adds a ring under each ghost, and a dashed line from the ghost to its agent.
 void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<world::AgentSnapshot>& agents,
                        OverlayMarks& marks);
 

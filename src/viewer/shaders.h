@@ -31,8 +31,8 @@ class Shaders {
   /// The vertex program for this placing; "surface.vert" and "shadow.vert" have all three.
   static std::string Placed(const std::string& vertex, Placing placing);
 
-  /// Makes `pass` draw with the two programs ("surface", "ground" and so on), and binds Ogre's values: matrices,
-  /// camera, viewport, shadow maps. Textures are bound by name in the order of `samplers`.
+  /// Makes `pass` draw with the two programs ("surface.vert", "ground.frag" and so on), and binds Ogre's values:
+  /// matrices, camera, viewport, shadow maps. Textures are bound by name in the order of `samplers`.
   void Use(Ogre::Pass& pass, const std::string& vertex, const std::string& fragment,
            const std::vector<std::string>& samplers) const;
   /// Changes only the fragment program. Set its values again.

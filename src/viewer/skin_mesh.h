@@ -66,6 +66,7 @@ class SkinBuilder {
   void Loft(const std::vector<Ring>& rings, int segments, world::Vec3 ahead, bool closed_ends = true);
 
   /// A superquadric around `centre` with half sizes `half`. `round`: 1 is an ellipsoid, 0.2 a box with round edges.
+  /// `from` and `to`: the part that is built, from -1 (bottom) to 1 (top).
   void Round(world::Vec3 centre, world::Vec3 half, float round, int segments = 14, float from = -1, float to = 1);
   /// The same, with each point moved by `bend`.
   void Round(world::Vec3 centre, world::Vec3 half, float round, int segments, float from, float to,

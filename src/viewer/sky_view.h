@@ -8,7 +8,7 @@
 
 namespace soarbox::viewer {
 
-/// The sky box around the camera. The pictures of a sky are computed at its first use.
+/// The sky box around the camera. The pictures of a sky are computed when it is shown.
 class SkyView {
  public:
   SkyView(Ogre::SceneManager& scene, Materials& materials);
