@@ -62,7 +62,7 @@ class SoftwareRaster {
   void Fill(const Point& a, const Point& b, const Point& c);
 
   picture::Image image_;
-  std::vector<float> nearness_;  ///< 1 / depth (or its negative with parallel rays) of each pixel.
+  std::vector<float> nearness_;  ///< Of each pixel: 1 / depth; with parallel rays, -depth.
   SoftwareCamera camera_;
   world::Vec3 right_, up_;
   float scale_px_ = 1;  ///< Pixels per m at a depth of 1 m; with parallel rays, at any depth.

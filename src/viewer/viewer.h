@@ -137,7 +137,8 @@ class Viewer {
 
   /// Executes a command as its key does: at once if it concerns the window, else TakeCommands returns it.
   void Do(ViewerCommand command);
-  /// Whether an overlay is on, a camera mode is active, or the list of keys is shown; false for other commands.
+  /// Whether a camera mode or a scale is selected, an overlay is on, sounds are off, the list of keys is shown, the run
+  /// is paused (kTogglePause) or its speed is unlimited (kUnlimited); false for other commands.
   bool IsOn(ViewerCommand command) const;
 
   const FrameCosts& costs() const;
@@ -160,7 +161,7 @@ class Viewer {
   bool panel_visible(workbench::PanelId panel) const;
   /// Opens a panel and brings it to the front.
   void ShowPanel(workbench::PanelId panel);
-  /// Opens a panel below the others of its area, if it is not open.
+  /// If a panel is not open, adds it as the last tab of its default area. The front tab stays.
   void OfferPanel(workbench::PanelId panel);
   /// The layout as the user has arranged it, for saving.
   const Layout& layout() const;

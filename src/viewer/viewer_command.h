@@ -15,7 +15,7 @@ namespace soarbox::viewer {
 enum class ViewerCommand : std::uint8_t {
   // The run.
   kTogglePause,
-  kSingleStep,    ///< Pauses and advances by one tick.
+  kSingleStep,    ///< Pauses and advances by one turn; in a world without turns, by one tick.
   kStepDecision,  ///< Pauses; advances by a tick in which the selected agent makes one decision.
   kStepPhase,     ///< Pauses; advances only the selected agent's mind by a phase, not the world.
   kStepChange,    ///< Runs until the selected agent's operator, goal stack or command changes, and pauses.

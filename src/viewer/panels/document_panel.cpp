@@ -250,8 +250,7 @@ void DocumentView::DrawNode(PanelFrame& frame, const doc::Node& node, bool fills
   }
 }
 
-// Lines, buttons and forms
-// ---------------------------------------------------------------------------------------------
+// Lines, buttons and forms --------------------------------------------------------------------------------------------
 
 void DocumentView::DrawButton(PanelFrame& frame, const doc::Button& button) {
   ImGui::BeginDisabled(!button.is_enabled);
@@ -400,8 +399,7 @@ void DocumentView::Send(PanelFrame& frame, const doc::Form& form) {
   if (form.repeats) focused_form_ = form.key;
 }
 
-// Parts
-// ----------------------------------------------------------------------------------------------------------------
+// Parts ---------------------------------------------------------------------------------------------------------------
 
 void DocumentView::DrawTree(PanelFrame& frame, const doc::Tree& tree) {
   if (tree.filter.empty()) {
@@ -463,8 +461,7 @@ void DocumentView::DrawColumns(PanelFrame& frame, const doc::Columns& columns) {
   }
 }
 
-// The panel
-// ------------------------------------------------------------------------------------------------------------
+// The panel -----------------------------------------------------------------------------------------------------------
 
 void DocumentPanel::Draw(PanelFrame& frame) {
   if (revision_ != frame.contents.revision) {

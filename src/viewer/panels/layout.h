@@ -44,7 +44,7 @@ struct Layout {
   bool IsOpen(workbench::PanelId panel) const;
   /// Opens the panel (in its default area if it was closed) and brings it to the front.
   void Show(workbench::PanelId panel);
-  /// Opens the panel below the others of its area, if it is not open.
+  /// If the panel is not open, adds it as the last tab of its default area. The front tab stays.
   void Offer(workbench::PanelId panel);
   void Close(workbench::PanelId panel);
   void Move(workbench::PanelId panel, Area area);
