@@ -685,6 +685,7 @@ std::optional<ScriptError> ScriptHost::RunText(EntityId agent_or_sandbox, std::s
     const std::string& file = reload->file.empty() ? machine->script() : reload->file;
     path_.Replace(file, WithoutReload(text));
     for (const auto& other : agents_) other->files_looked_at = 0;
+    if (script) script->senses = true;
     const std::vector<std::string>& kept = reload->names;
     if (auto error = machine->Protected([&](lua_State* state) { CollectKept(state, kept, file); })) return error;
     std::optional<ScriptError> failed = machine->RunText(text, file);

@@ -126,7 +126,9 @@ class InputMirror final : public vocabulary::PerceptSink {
     std::uint8_t size = 0;  ///< Size of a text, or kLong.
 
     /// False for texts that are too long for the slot.
-    bool HoldsShort(std::string_view value) const { return size == value.size() && AreEqual(text, value.data(), size); }
+    bool HoldsShort(std::string_view value) const {
+      return size == value.size() && size != kLong && AreEqual(text, value.data(), size);
+    }
     bool Holds(std::string_view value) const;
     void Hold(std::string_view value);
   };

@@ -181,5 +181,23 @@ TEST_F(InputMirrorTest, TextsOfAnyLengthAreToldApart) {
   }
 }
 
+TEST_F(InputMirrorTest, LongTextsAreToldApart) {
+  // The size of a slot's text is a byte, and its greatest value means a text that is elsewhere.
+  for (const std::size_t length : {17, 254, 255, 256, 511}) {
+    for (const char letter : {'x', 'y'}) {
+      const std::string name(length, letter);
+      for (const bool is_new : {true, false}) {
+        mirror_.Show([&](InputMirror& mirror) {
+          mirror.Open(vocabulary::RowOf("agent"), 3);
+          mirror.Word(vocabulary::RowOf("agent.name"), name);
+          mirror.Close();
+        });
+        EXPECT_EQ(mirror_.changes() > 0, is_new) << length;
+      }
+      EXPECT_EQ(Link(), "agent {name " + name + "}");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace soarbox::sim

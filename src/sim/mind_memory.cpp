@@ -140,6 +140,7 @@ void Minds::HaltForMemory(Mind& mind) {
 
 void Minds::Halt(Mind& mind, RunEvent reason) {
   End(mind);
+  mind.gone_because = reason.diagnostic.message;
   report_(std::move(reason));
 }
 

@@ -209,6 +209,7 @@ void Minds::EndClientMind(const std::string& name) {
   Tell(EventKind::kLog, *world_.FindAgent(mind.agent), "its client destroyed it");
   mind.soar.Forget();
   mind.gone = mind.lost = true;
+  mind.gone_because = "its client destroyed it";
   host_.DestroyAgent(world_.FindAgent(mind.agent)->name());
   by_client_.erase(name);
 }

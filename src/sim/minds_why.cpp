@@ -17,8 +17,6 @@ using explain::WhyKind;
 using wording::Say;
 using wording::Situation;
 
-constexpr std::string_view kHaltedForMemory = "was halted: the minds of this world needed too much memory";
-
 std::string Seconds(double time_s) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", time_s);
@@ -42,7 +40,7 @@ std::string StatusOf(bool is_dead, bool has_ended) {
 Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
-  if (mind->gone) return std::vector<explain::WhyNode>{{std::string(kHaltedForMemory), WhyKind::kReason, "", {}}};
+  if (mind->gone) return std::vector<explain::WhyNode>{{mind->gone_because, WhyKind::kReason, "", {}}};
   return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
@@ -77,7 +75,7 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     return root;
   }
   if (at->gone) {
-    add(std::string(kHaltedForMemory));
+    add(at->gone_because);
     return root;
   }
   explain::MindReasons reasons(at->soar.agent(), FailedIn(at->rules));

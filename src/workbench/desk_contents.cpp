@@ -23,7 +23,7 @@ constexpr auto kRest = std::chrono::milliseconds(250);
 constexpr double kRebuildSlice_s = 0.012;
 
 const char* const kNoKernel =
-    "This mind cannot be looked into: its Soar kernel has gone, or it was halted because it needed too much memory. "
+    "This mind cannot be looked into: its Soar kernel has gone, or it was stopped for good. "
     "The world keeps running. The panel Problems says more.";
 
 GhostBody GhostOf(const world::AgentSnapshot& agent, std::string name) {

@@ -586,6 +586,7 @@ void PhysicsWorld::AddHinge(BodyId id, const HingeDef& hinge, BodyId other) {
   impl_->world.addConstraint(joint.get(), true);
   impl_->hinges.push_back({id, other, std::move(joint)});
   impl_->Wake(body);
+  if (other != BodyId::kNone) impl_->Wake(Get(other));
 }
 
 template <class IsMeant>

@@ -188,6 +188,7 @@ class Scenarios(ScenarioCase):
                                                r"most often 'hero\*count', which has fired \d+ times$")
         self.assertTrue(run.of("command", agent="other", command="wander"), run.out)
         self.assertEqual(run.of("end")[0]["ticks"], 300)
+        self.assertIn("its rules fired", Run("why", self.folder, "--agent", "hero", "--at", 5).out)
 
     def test_an_action_that_fails_is_told_with_its_rule_once(self):
         self.write("scenario.toml", AGENT)
