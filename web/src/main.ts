@@ -46,7 +46,7 @@ async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
  */
 function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/", elsewhere = "/", itsName = "A new place"): void {
   const told = error as { message?: string; hint?: string };
-  patch(root, [h("main.start", { attributes: { role: "alert" } }, h("section.welcome", null, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
+  patch(root, [h("main.start", null, h("section.welcome", { attributes: { role: "alert" } }, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
     h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button(itsName, () => location.assign(elsewhere))))))]);
 }
 
@@ -61,7 +61,7 @@ async function partOf(id: string): Promise<ArrayBuffer> {
  * the engine; empty: the page contains it.
  */
 async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
-  patch(root, [h("main.start", { attributes: { role: "status" } }, h("section.welcome", null, h("div", null, h("h1", null, "Soarbox"), h("p", null, "The engine is loaded …"))))]);
+  patch(root, [h("main.start", null, h("section.welcome", { attributes: { role: "status" } }, h("div", null, h("h1", null, "Soarbox"), h("p", null, "The engine is loaded …"))))]);
   try {
     const { LocalApi, LocalPlace } = await import("./local/worker_source");
     const inPage = document.getElementById("soarbox-worker")?.textContent;
