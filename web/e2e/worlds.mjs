@@ -186,7 +186,7 @@ for (const scheme of ["light", "dark"]) {
     assert.deepEqual(await bars(page), []);
     await picture(page, `start_1280_${scheme}`);
     await page.locator("button[aria-label='Links to share']").click();
-    await page.waitForSelector(".qr");
+    await page.waitForSelector(".dialog :is(.qr, .address, h2)");
     assert.deepEqual(await bars(page), []);
     await picture(page, `link_${scheme}`);
     await page.keyboard.press("Escape");
