@@ -27,6 +27,11 @@ export class ByteReader {
 
   /** A non-negative integer. Throws if it has more than 53 bits. */
   number(): number {
+    const first = this.bytes[this.at];
+    if (first !== undefined && first < 0x80) {
+      this.at += 1;
+      return first;
+    }
     let value = 0;
     for (let factor = 1; factor < 2 ** 56; factor *= 128) {
       const byte = this.byte();
@@ -50,11 +55,22 @@ export class ByteReader {
   }
 
   float(): number {
-    return this.fixed(4, () => this.view.getFloat32(this.at, true));
+    return this.view.getFloat32(this.after(4), true);
   }
 
   double(): number {
-    return this.fixed(8, () => this.view.getFloat64(this.at, true));
+    return this.view.getFloat64(this.after(8), true);
+  }
+
+  /** Reads the size of a piece. Returns the position of its end, for skipTo(). */
+  endOfPiece(): number {
+    return this.count() + this.at;
+  }
+
+  /** Skips the rest of a piece. Throws if more than the piece was read. */
+  skipTo(end: number): void {
+    if (this.at > end) throw new BadBytes("a piece ends too early");
+    this.at = end;
   }
 
   /** Reads a number, and then this many bytes. */
@@ -68,10 +84,11 @@ export class ByteReader {
     return decoder.decode(this.piece());
   }
 
-  private fixed(bytes: number, read: () => number): number {
-    if (this.at + bytes > this.bytes.length) throw new BadBytes("the bytes end too early");
-    const value = read();
-    this.at += bytes;
-    return value;
+  /** Skips some bytes. Returns the position before them. */
+  private after(bytes: number): number {
+    const at = this.at;
+    if (at + bytes > this.bytes.length) throw new BadBytes("the bytes end too early");
+    this.at = at + bytes;
+    return at;
   }
 }

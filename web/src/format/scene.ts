@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import type { Drawables } from "./drawables";
 
 /** The visible scene at one moment, as in the scene stream. Metres, radians and seconds unless a name says otherwise. */
 
@@ -12,7 +13,8 @@ export enum Shape { Mesh, Box, Capsule, Cylinder, Plane, Sphere }
 
 export interface Bone { turn: Quat; place: Vec3 }
 
-export interface Drawable {
+/** What does not change while a drawable moves. */
+export interface Description {
   owner: number;
   ofAgent: boolean;
   visible: boolean;
@@ -23,6 +25,9 @@ export interface Drawable {
   size: Vec3;
   repeats: Vec3;
   scale: Vec3;
+}
+
+export interface Drawable extends Description {
   place: Vec3;
   turn: Quat;
   /** Relative to their parents. */
@@ -119,7 +124,7 @@ export interface Scene {
   time: number;
   surroundings: Surroundings | null;
   camera: Camera | null;
-  drawables: ReadonlyMap<number, Drawable>;
+  drawables: Drawables;
   agents: ReadonlyMap<number, Agent>;
   lines: Lines;
   overlayLines: Lines;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, ByteReader } from "./byte_reader";
-import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Sound, Speech, Surroundings, Triangle, Vec3 } from "./scene";
+import { DrawableTable, NO_DRAWABLES } from "./drawables";
+import type { Agent, Camera, Circle, Color, Component, Contact, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Sound, Speech, Surroundings, Triangle, Vec3 } from "./scene";
 
 const MARK = 0x53, VERSION = 1, FULL = 1, DEFLATED = 2;
 const HEAD_BYTES = 3;
-const PER_METRE = 1000, PER_RADIAN = 2048, BONE_PER_RADIAN = 256, BONE_PER_METRE = 250, PER_DIRECTION = 500, PER_SIGN = 10;
+const PER_METRE = 1000, PER_RADIAN = 2048, PER_DIRECTION = 500, PER_SIGN = 10;
 const NO_LINES: Lines = { lines: [], circles: [], triangles: [] };
 const KINDS = ["waypoint", "region", "item", "thing"] as const;
 
 type Steps = [number, number, number];
-interface RawBone { turn: Steps; place: Steps }
-interface RawThing { made: Drawable; place: Steps; turn: Steps; bones: RawBone[] }
 interface RawAgent { made: Agent; place: Steps; forward: Steps }
 
 /** Whether a reader may begin with this block. */
@@ -65,17 +64,17 @@ function list<T>(input: ByteReader, leastBytes: number, one: () => T): T[] {
 /** Converts blocks to moments. A returned moment is never changed. */
 export class SceneReader {
   private texts: string[] = [""];
-  private things = new Map<number, RawThing>();
+  private things = new DrawableTable();
   private people = new Map<number, RawAgent>();
   private minds = new Map<number, Mind>();
   private last: Scene | null = null;
 
   /** `payload`: of unpack(). Null while no full block was read. Throws BadBytes; the next full block is read again. */
   read(payload: Uint8Array, full: boolean): Scene | null {
-    if (full) this.forget();
+    if (full) this.begin();
     else if (this.last === null) return null;
     try {
-      this.last = this.readMoment(new ByteReader(payload));
+      this.last = this.readMoment(new ByteReader(payload), full);
       return this.last;
     } catch (error) {
       this.forget();
@@ -84,21 +83,26 @@ export class SceneReader {
   }
 
   private forget(): void {
+    this.begin();
+    this.things = new DrawableTable();
+  }
+
+  /** Before a full block. The table of drawables recognizes those that the block repeats. */
+  private begin(): void {
     this.texts = [""];
-    this.things.clear();
     this.people.clear();
     this.minds.clear();
     this.last = null;
   }
 
-  private readMoment(input: ByteReader): Scene {
+  private readMoment(input: ByteReader, full: boolean): Scene {
     const before = this.last;
     const scene: Scene = {
       tick: input.number(),
       time: input.double(),
       surroundings: before?.surroundings ?? null,
       camera: before?.camera ?? null,
-      drawables: before?.drawables ?? new Map(),
+      drawables: before?.drawables ?? NO_DRAWABLES,
       agents: before?.agents ?? new Map(),
       lines: before?.lines ?? NO_LINES,
       overlayLines: before?.overlayLines ?? NO_LINES,
@@ -112,15 +116,17 @@ export class SceneReader {
       sounds: before?.sounds ?? [],
     };
     this.texts.push(...list(input, 1, () => input.text()));
-    for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene);
+    for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene, full);
+    // A full block without drawables.
+    if (scene.drawables === NO_DRAWABLES) this.things = new DrawableTable();
     return scene;
   }
 
-  private readSection(tag: number, input: ByteReader, scene: Scene): void {
+  private readSection(tag: number, input: ByteReader, scene: Scene, full: boolean): void {
     switch (tag) {
       case 1: scene.surroundings = this.surroundings(input); break;
       case 2: scene.camera = this.camera(input); break;
-      case 3: scene.drawables = this.drawables(input); break;
+      case 3: scene.drawables = this.things.read(input, full, () => this.word(input)); break;
       case 4: scene.agents = this.agents(input); break;
       case 5: scene.components = this.components(input); break;
       case 6: scene.lines = this.lines(input); break;
@@ -161,42 +167,6 @@ export class SceneReader {
     let id = 0;
     for (let left = input.count(); left > 0; --left) gone((id += input.number()));
     for (id = 0; !input.atEnd();) changed((id += input.number()));
-  }
-
-  private drawables(input: ByteReader): Map<number, Drawable> {
-    this.entries(input, (id) => this.things.delete(id), (id) => {
-      const parts = input.byte();
-      const raw = this.things.get(id);
-      let made = raw?.made;
-      if ((parts & 1) !== 0) {
-        const told = new ByteReader(input.piece());
-        const owner = told.number(), flags = told.byte();
-        made = {
-          owner, ofAgent: (flags & 1) !== 0, visible: (flags & 2) !== 0, skeletonShown: (flags & 4) !== 0, shape: told.byte(),
-          mesh: this.word(told), material: this.word(told), size: floats(told), repeats: floats(told), scale: floats(told),
-          place: made?.place ?? [0, 0, 0], turn: made?.turn ?? [0, 0, 0, 1], bones: made?.bones ?? [],
-        };
-      }
-      if (made === undefined) throw new BadBytes("a drawable has no description");
-      const place = (parts & 2) !== 0 ? add(input, raw?.place ?? [0, 0, 0]) : (raw?.place ?? [0, 0, 0]);
-      const turn = (parts & 4) !== 0 ? add(input, raw?.turn ?? [0, 0, 0]) : (raw?.turn ?? [0, 0, 0]);
-      const bones = (parts & 8) !== 0 ? this.bones(input, raw?.bones ?? []) : (raw?.bones ?? []);
-      made = { ...made, place: vector(place, PER_METRE), turn: quaternion(turn, PER_RADIAN) };
-      if ((parts & 8) !== 0)
-        made.bones = bones.map((b): Bone => ({ turn: quaternion(b.turn, BONE_PER_RADIAN), place: vector(b.place, BONE_PER_METRE) }));
-      this.things.set(id, { made, place, turn, bones });
-    });
-    return new Map([...this.things].map(([id, raw]) => [id, raw.made]));
-  }
-
-  private bones(input: ByteReader, before: RawBone[]): RawBone[] {
-    const made: RawBone[] = [];
-    for (let left = input.count(); left > 0; --left) {
-      const how = input.byte(), old = before[made.length] ?? { turn: [0, 0, 0], place: [0, 0, 0] };
-      const turn = (how & 1) !== 0 ? add(input, old.turn) : old.turn;
-      made.push({ turn, place: (how & 2) !== 0 ? add(input, old.place) : old.place });
-    }
-    return made;
   }
 
   private agents(input: ByteReader): Map<number, Agent> {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { NO_DRAWABLES } from "../format/drawables";
 import type { Scene } from "../format/scene";
 import { Playout } from "./playout";
 
 function at(time: number): Scene {
   return {
-    tick: Math.round(time * 30), time, surroundings: null, camera: null, drawables: new Map(), agents: new Map(), lines: { lines: [], circles: [], triangles: [] },
+    tick: Math.round(time * 30), time, surroundings: null, camera: null, drawables: NO_DRAWABLES, agents: new Map(), lines: { lines: [], circles: [], triangles: [] },
     overlayLines: { lines: [], circles: [], triangles: [] }, minds: new Map(), shots: [], speech: [], places: [], components: [], particles: [],
   };
 }

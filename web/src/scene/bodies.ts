@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Frustum, Group, Matrix4, Mesh, Sphere, type PerspectiveCamera } from "three";
+import { POSE_NUMBERS, type Structure } from "../format/drawables";
 import type { Drawable } from "../format/scene";
 import { lookOf, teamColor, type Look, type Rgb } from "./looks";
 import { geometryOf, type Materials } from "./materials";
@@ -29,6 +30,10 @@ export class Bodies {
   private readonly sphere = new Sphere();
   private readonly matrix = new Matrix4();
   private bones = new Float32Array(0);
+  /** The visible bodies with bones, and what they were found in. */
+  private found: { slot: number; look: BodyLook }[] = [];
+  private structure: Structure | null = null;
+  private shapesSeen = 0;
 
   constructor(private readonly materials: Materials, private readonly shapes: ShapeLibrary) {}
 
@@ -37,24 +42,33 @@ export class Bodies {
     this.frustum.setFromProjectionMatrix(this.matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     for (const batch of this.batches.values()) batch.wanted.length = 0;
     const detail = isSlow ? SLOW_DETAIL : DETAIL;
-    const near: { id: number; away: number }[] = [], looks = new Map<number, BodyLook>(), at = camera.position;
-    for (const [id, drawable] of after.drawables) {
-      const look = drawable.visible ? this.shapes.bodyOf(drawable) : null;
-      if (look === null || this.shapes.mesh(look, 1) === null) continue;
-      this.sphere.center.set(...drawable.place);
+    const now = after.drawables, near: { slot: number; look: BodyLook; away: number }[] = [], at = camera.position;
+    this.find(now.structure);
+    for (const { slot, look } of this.found) {
+      this.sphere.center.fromArray(now.poses, slot * POSE_NUMBERS);
       this.sphere.center.y += look === "body/rifle" ? 0 : 0.9;
       this.sphere.radius = REACH_M;
       if (!this.frustum.intersectsSphere(this.sphere)) continue;
-      looks.set(id, look);
-      if (look === "body/rifle" && this.sphere.center.distanceTo(at) > detail.rifleUntil) continue;
-      near.push({ id, away: this.sphere.center.distanceTo(at) });
+      const away = this.sphere.center.distanceTo(at);
+      if (look !== "body/rifle" || away <= detail.rifleUntil) near.push({ slot, look, away });
     }
-    for (const [i, { id, away }] of near.sort((a, b) => a.away - b.away).entries()) {
-      const look = looks.get(id)!, level = i < detail.mostFine && away < detail.fineUntil ? 0 : i < detail.mostCoarse && away < detail.coarseUntil ? 1 : 2;
-      const now = after.drawables.get(id)!, team = now.ofAgent ? (after.agents.get(now.owner)?.team ?? "") : "";
-      this.batchFor(look, level, team, isSlow)?.wanted.push({ now, old: before.drawables.get(id) });
+    for (const [i, { slot, look, away }] of near.sort((a, b) => a.away - b.away).entries()) {
+      const level = i < detail.mostFine && away < detail.fineUntil ? 0 : i < detail.mostCoarse && away < detail.coarseUntil ? 1 : 2;
+      const drawable = now.at(slot), team = drawable.ofAgent ? (after.agents.get(drawable.owner)?.team ?? "") : "";
+      this.batchFor(look, level, team, isSlow)?.wanted.push({ now: drawable, old: now.hasSame(slot, before.drawables) ? before.drawables.at(slot) : undefined });
     }
     for (const [key, batch] of this.batches) this.fill(key, batch, share);
+  }
+
+  private find(structure: Structure): void {
+    if (structure === this.structure && this.shapes.changes === this.shapesSeen) return;
+    this.structure = structure;
+    this.shapesSeen = this.shapes.changes;
+    this.found = [];
+    structure.descriptions.forEach((one, slot) => {
+      const look = one?.visible === true ? this.shapes.bodyOf(one) : null;
+      if (look !== null && this.shapes.mesh(look, 1) !== null) this.found.push({ slot, look });
+    });
   }
 
   private fill(key: string, batch: Batch, share: number): void {
@@ -119,6 +133,7 @@ export class Bodies {
       mesh.geometry.dispose();
     }
     this.batches.clear();
+    this.structure = null;
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { Shape, type Drawable, type Scene, type Vec3 } from "../format/scene";
+import type { Drawables } from "../format/drawables";
+import { Shape, type Scene, type Vec3 } from "../format/scene";
 import { clamp, dot, length, minus, plus, rotate, times } from "./vectors";
 
 /** Something that the picture is to show: its middle in m, its velocity in m/s, radius and height in m. */
@@ -112,10 +113,11 @@ export function withinReach(bodies: readonly FramedBody[], heading: number, tilt
 }
 
 /** The footprint of a box or of a standing figure; nothing for parts of an agent or of the landscape. */
-function cornersOf(one: Drawable): FramedBody[] {
-  if (one.ofAgent || !one.visible || !one.place.every(Number.isFinite)) return [];
+function cornersOf(drawables: Drawables, slot: number): FramedBody[] {
+  const description = drawables.structure.descriptions[slot] ?? null;
+  if (description === null || description.ofAgent || !description.visible || (description.shape !== Shape.Box && !drawables.hasBones(slot))) return [];
+  const one = drawables.at(slot);
   if (one.bones.length > 0) return [{ place: plus(one.place, [0, 0.9, 0]), velocity: NO_MOVE, radius: 0.5, height: 1.8 }];
-  if (one.shape !== Shape.Box) return [];
   const size: Vec3 = [one.size[0] * one.scale[0], one.size[1] * one.scale[1], one.size[2] * one.scale[2]];
   if (Math.max(...size) > LONGEST_PIECE_M) return [];
   return [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((z): FramedBody => ({ place: plus(one.place, rotate(one.turn, [x * size[0], 0, z * size[2]])), velocity: NO_MOVE, radius: 0.1, height: size[1] })));
@@ -132,8 +134,8 @@ export function sceneryAround(scene: Scene, places: readonly Vec3[]): FramedBody
   places.forEach(reach);
   if (lowX > highX) return [];
   let pieces: FramedBody[][] = [];
-  for (const drawable of scene.drawables.values()) {
-    const corners = cornersOf(drawable);
+  for (let slot = 0; slot < scene.drawables.structure.ids.length; ++slot) {
+    const corners = cornersOf(scene.drawables, slot);
     if (corners.length > 0) pieces.push(corners);
     if (pieces.length > MOST_PIECES) return [];
   }
@@ -152,11 +154,11 @@ export function sceneryAround(scene: Scene, places: readonly Vec3[]): FramedBody
 /** A game's board: the corners of everything that was built on it. */
 export function boardOf(scene: Scene): FramedBody[] {
   let low: Vec3 | null = null, high: Vec3 = NO_MOVE;
-  for (const one of scene.drawables.values()) {
-    if (one.ofAgent || !one.visible || one.shape !== Shape.Box) continue;
+  for (const [slot, one] of scene.drawables.structure.descriptions.entries()) {
+    if (one === null || one.ofAgent || !one.visible || one.shape !== Shape.Box) continue;
     const half: Vec3 = [(one.size[0] * one.scale[0]) / 2, (one.size[1] * one.scale[1]) / 2, (one.size[2] * one.scale[2]) / 2];
     for (const sign of [-1, 1]) {
-      const corner = plus(one.place, times(half, sign));
+      const corner = plus(scene.drawables.placeAt(slot), times(half, sign));
       high = low === null ? corner : [Math.max(high[0], corner[0]), Math.max(high[1], corner[1]), Math.max(high[2], corner[2])];
       low = low === null ? corner : [Math.min(low[0], corner[0]), Math.min(low[1], corner[1]), Math.min(low[2], corner[2])];
     }
@@ -170,7 +172,7 @@ export function boardOf(scene: Scene): FramedBody[] {
 export function hasWalls(scene: Scene): boolean {
   const MANY_PIECES = 40;
   let count = 0;
-  for (const one of scene.drawables.values()) if (!one.ofAgent && one.shape === Shape.Mesh && one.mesh.includes("/modular_")) count += 1;
+  for (const one of scene.drawables.structure.descriptions) if (one !== null && !one.ofAgent && one.shape === Shape.Mesh && one.mesh.includes("/modular_")) count += 1;
   return count > MANY_PIECES;
 }
 

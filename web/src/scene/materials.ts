@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { BufferAttribute, BufferGeometry, Color, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type Material, type WebGLProgramParametersWithUniforms } from "three";
+import { BufferAttribute, BufferGeometry, Color, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type DataArrayTexture, type Material, type WebGLProgramParametersWithUniforms } from "three";
 import { lookOf, type Look, type Rgb } from "./looks";
 import type { ShapeMesh } from "./shape_library";
-import { grainTexture, paintTexture, plainTexture, sampleCoarsely } from "./paint";
+import { grainTexture, paintLayers, paintTexture, plainTexture, sampleCoarsely } from "./paint";
 
 /** Worlds with a square plain of this size have hills, woods and a fence around it. */
 export const PLAIN_SIDE_M = 200;
@@ -49,6 +49,39 @@ function addGloss(shader: WebGLProgramParametersWithUniforms): void {
   shader.fragmentShader = shader.fragmentShader
     .replace("#include <common>", "#include <common>\nvarying float vGloss;")
     .replace("#include <roughnessmap_fragment>", "#include <roughnessmap_fragment>\nroughnessFactor = clamp(roughnessFactor - 0.62 * vGloss, 0.16, 1.0);");
+}
+
+/**
+ * Colours of instances: base colour and roughness, second colour and glow, layer of the paint and its repetitions. A corner
+ * has a mix of the two colours, a factor of the colour, and gloss.
+ */
+const INKS = /* glsl */ `
+attribute vec3 paint;
+attribute vec4 baseInk;
+attribute vec4 trimInk;
+attribute vec2 paintInk;
+varying vec4 vInk;
+varying vec2 vPaintUv;
+flat varying vec4 vGlowLayer;
+`;
+const INKS_FOR_CORNER = /* glsl */ `
+vInk = vec4(mix(trimInk.rgb, baseInk.rgb, paint.x) * paint.y, baseInk.a - 0.62 * paint.z);
+vPaintUv = uv * paintInk.y;
+vGlowLayer = vec4(baseInk.rgb * trimInk.a, paintInk.x);
+`;
+const INKS_FOR_PIXEL = /* glsl */ `
+diffuseColor.rgb *= vInk.rgb;
+if (vGlowLayer.a >= 0.0) diffuseColor.rgb *= texture(paints, vec3(vPaintUv, vGlowLayer.a)).rgb;
+`;
+
+function addInks(shader: WebGLProgramParametersWithUniforms, paints: DataArrayTexture): void {
+  shader.uniforms["paints"] = { value: paints };
+  shader.vertexShader = shader.vertexShader.replace("#include <common>", `#include <common>\n${INKS}`).replace("#include <begin_vertex>", `#include <begin_vertex>\n${INKS_FOR_CORNER}`);
+  shader.fragmentShader = shader.fragmentShader
+    .replace("#include <common>", "#include <common>\nuniform mediump sampler2DArray paints;\nvarying vec4 vInk;\nvarying vec2 vPaintUv;\nflat varying vec4 vGlowLayer;")
+    .replace("#include <color_fragment>", INKS_FOR_PIXEL)
+    .replace("#include <roughnessmap_fragment>", "float roughnessFactor = clamp(vInk.a, 0.16, 1.0);")
+    .replace("#include <emissivemap_fragment>", "totalEmissiveRadiance += vGlowLayer.rgb;");
 }
 
 /** Grass, soil, worn tracks, pale and dark tiles, and lines every metre and every ten metres: as in the window. */
@@ -132,6 +165,18 @@ export class Materials {
 
   named(name: string): Material {
     return this.of(name, lookOf(name));
+  }
+
+  /** The material of instances that have their own colours. */
+  inked(opacity: number): Material {
+    const name = `inked|${opacity}`, known = this.made.get(name);
+    if (known !== undefined) return known;
+    const settings = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1 }, paints = this.isSlow ? sampleCoarsely(paintLayers()) : paintLayers();
+    const material = this.isSlow ? new MeshLambertMaterial(settings) : new MeshStandardMaterial({ ...settings, metalness: 0 });
+    material.onBeforeCompile = (shader) => addInks(shader, paints);
+    material.customProgramCacheKey = () => "inked";
+    this.made.set(name, material);
+    return material;
   }
 
   of(name: string, look: Look): Material {

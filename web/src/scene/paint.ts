@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, type DataTexture } from "three";
+import { DataArrayTexture, LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, SRGBColorSpace, type DataTexture, type Texture } from "three";
 import type { Paint, Rgb } from "./looks";
 import { fractal2, latticeValue, noise2 } from "./noise";
-import { paintLater } from "./painter";
+import { paintInto, paintLater, type Canvas } from "./painter";
 
 /** Surface materials of bodies: cells of one picture, by the names that shapes use. */
 enum Cloth { Camouflage, Webbing, Skin, Leather, Metal, Glass, Helmet, Rubber, Steel, Team, DarkCamouflage, DarkWebbing, DarkHelmet }
@@ -11,20 +11,28 @@ const CLOTHS = 13;
 /** The colour of a texture at a position. Textures are painted by code when they are first needed. */
 type Shade = (u: number, v: number, x: number, y: number) => Rgb;
 
+/** A picture of a shade. */
+const canvasOf = (size: number, shade: Shade): Canvas => ({
+  width: size, height: size,
+  row: (y, pixels) => {
+    for (let x = 0; x < size; ++x) {
+      const tone = shade((x + 0.5) / size, (y + 0.5) / size, x, y), at = 4 * x;
+      for (let c = 0; c < 3; ++c) pixels[at + c] = byteOf(tone[c]!);
+      pixels[at + 3] = 255;
+    }
+  },
+});
+
 const byteOf = (tone: number): number => Math.min(Math.max(tone, 0), 1) * 255 + 0.5;
 
 /** A texture that is painted later; `first` is its colour until then. */
 function painted(size: number, first: Rgb, shade: Shade, isData = false): DataTexture {
-  const texture = paintLater(Uint8Array.of(...first.map(byteOf), 255), 1, {
-    width: size, height: size,
-    row: (y, pixels) => {
-      for (let x = 0; x < size; ++x) {
-        const tone = shade((x + 0.5) / size, (y + 0.5) / size, x, y), at = 4 * x;
-        for (let c = 0; c < 3; ++c) pixels[at + c] = byteOf(tone[c]!);
-        pixels[at + 3] = 255;
-      }
-    },
-  });
+  const texture = paintLater(Uint8Array.of(...first.map(byteOf), 255), 1, canvasOf(size, shade));
+  return repeated(texture, isData);
+}
+
+/** Settings of textures that are sampled from near and far. */
+function repeated<T extends Texture>(texture: T, isData: boolean): T {
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
@@ -120,25 +128,48 @@ function once(name: string, make: () => DataTexture): DataTexture {
 }
 
 /** Reduces the number of samples per pixel, because on a processor each sample costs as much as the first one. */
-export function sampleCoarsely(texture: DataTexture): DataTexture {
+export function sampleCoarsely<T extends Texture>(texture: T): T {
   texture.anisotropy = 1;
   texture.minFilter = LinearMipmapNearestFilter;
   texture.needsUpdate = true;
   return texture;
 }
 
+/** Size, first colour and shade of the paints that are pictures. */
+const PICTURES: Partial<Record<Paint, readonly [size: number, first: Rgb, shade: Shade]>> = {
+  concrete: [256, grey(0.8), concrete], brick: [256, [0.66, 0.4, 0.32], brick], crate: [256, [0.82, 0.8, 0.74], crate], leaves: [128, [0.5, 0.64, 0.38], leaves],
+  stone: [256, grey(0.62), stone], cloth: [CELL * 4, [0.36, 0.35, 0.26], cloths], missing: [64, [0.5, 0, 0.5], missing],
+};
+
 /** The texture of a paint; null if it has none. */
 export function paintTexture(paint: Paint): DataTexture | null {
-  switch (paint) {
-    case "concrete": return once(paint, () => painted(256, grey(0.8), concrete));
-    case "brick": return once(paint, () => painted(256, [0.66, 0.4, 0.32], brick));
-    case "crate": return once(paint, () => painted(256, [0.82, 0.8, 0.74], crate));
-    case "leaves": return once(paint, () => painted(128, [0.5, 0.64, 0.38], leaves));
-    case "stone": return once(paint, () => painted(256, grey(0.62), stone));
-    case "cloth": return once(paint, () => painted(CELL * 4, [0.36, 0.35, 0.26], cloths));
-    case "missing": return once(paint, () => painted(64, [0.5, 0, 0.5], missing));
-    default: return null;
-  }
+  const picture = PICTURES[paint];
+  return picture === undefined ? null : once(paint, () => painted(...picture));
+}
+
+const LAYERS: readonly Paint[] = ["concrete", "brick", "crate", "leaves", "stone", "missing"], LAYER_SIDE = 256, LAYER_BYTES = 4 * LAYER_SIDE * LAYER_SIDE;
+let layers: DataArrayTexture | null = null;
+const layersPainted = new Set<number>();
+
+/** Paints that instances of one draw call may have, as the layers of one texture. */
+export function paintLayers(): DataArrayTexture {
+  layers ??= repeated(new DataArrayTexture(new Uint8Array(LAYERS.length * LAYER_BYTES), LAYER_SIDE, LAYER_SIDE, LAYERS.length), false);
+  return layers;
+}
+
+/** The layer of a paint, which is painted after the first call; -1: a plain colour. */
+export function layerOf(paint: Paint): number {
+  const layer = LAYERS.indexOf(paint), picture = PICTURES[paint];
+  if (layer < 0 || picture === undefined || layersPainted.has(layer)) return layer;
+  layersPainted.add(layer);
+  const texture = paintLayers(), pixels = (texture.image.data as Uint8Array).subarray(layer * LAYER_BYTES, (layer + 1) * LAYER_BYTES), [, first, shade] = picture;
+  for (let i = 0; i < LAYER_BYTES; i += 4) pixels.set([...first.map(byteOf), 255], i);
+  const upload = (): void => {
+    texture.needsUpdate = true;
+  };
+  upload();
+  paintInto(canvasOf(LAYER_SIDE, shade), () => pixels, upload);
+  return layer;
 }
 
 /** Three kinds of noise that repeats, for the ground. */

@@ -27,30 +27,36 @@ function work(): void {
   setTimeout(work, 0);
 }
 
-/** Returns a texture with the small picture `first`, which is replaced after `canvas` is painted. Pictures are painted
- * in the order of the calls. Painting takes longer than drawing, and the first frame must not wait for it.
+/**
+ * Paints a picture into `pixels` after the pictures of earlier calls, unless `isGone` returns true. Then calls `done`.
+ * Painting takes longer than drawing, and the first frame must not wait for it.
  */
+export function paintInto({ width, height, row }: Canvas, pixels: () => Uint8Array, done: () => void, isGone: () => boolean = () => false): void {
+  let into: Uint8Array | null = null, y = 0;
+  waiting.push(() => {
+    if (isGone()) return true;
+    into ??= pixels();
+    row(y, into.subarray(4 * width * y, 4 * width * (y + 1)));
+    y += 1;
+    if (y < height) return false;
+    done();
+    painted();
+    return true;
+  });
+  if (isBusy) return;
+  isBusy = true;
+  setTimeout(work, 0);
+}
+
+/** Returns a texture with the small picture `first`, which is replaced after `canvas` is painted. */
 export function paintLater(first: Uint8Array<ArrayBuffer>, firstHeight: number, canvas: Canvas): DataTexture {
   const { width, height } = canvas, texture = new DataTexture(first, first.length / 4 / firstHeight, firstHeight);
-  let pixels: Uint8Array<ArrayBuffer> | null = null, y = 0, isGone = false;
+  let pixels = first, isGone = false;
   const gone = (): void => {
     isGone = true;
   };
   texture.addEventListener("dispose", gone);
-  waiting.push(() => {
-    if (isGone) return true;
-    pixels ??= new Uint8Array(width * height * 4);
-    canvas.row(y, pixels.subarray(4 * width * y, 4 * width * (y + 1)));
-    y += 1;
-    if (y < height) return false;
-    replace(texture, gone, pixels, width, height);
-    painted();
-    return true;
-  });
-  if (!isBusy) {
-    isBusy = true;
-    setTimeout(work, 0);
-  }
+  paintInto(canvas, () => (pixels = new Uint8Array(width * height * 4)), () => replace(texture, gone, pixels, width, height), () => isGone);
   return texture;
 }
 

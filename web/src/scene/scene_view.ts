@@ -3,6 +3,7 @@ import {
   ACESFilmicToneMapping, AmbientLight, BasicShadowMap, CapsuleGeometry, Color, DirectionalLight, FogExp2, HemisphereLight, Mesh, MeshBasicMaterial, PCFShadowMap, PointLight, Scene as World, Vector3,
   WebGLRenderer,
 } from "three";
+import type { Structure } from "../format/drawables";
 import { Shape, type Light, type Scene, type Speech, type Vec3 } from "../format/scene";
 import type { Ghosts } from "../run/contents";
 import { Playout, type Between } from "../run/playout";
@@ -78,6 +79,7 @@ export class SceneView {
   private readonly scriptUi: ScriptUi;
   private readonly pointLights: PointLight[] = [];
   private backdrop: Mesh[] = [];
+  private plains: { structure: Structure | null; slots: number[] } = { structure: null, slots: [] };
   private ghosts: Mesh[] = [];
   private scene: Scene | null = null;
   private imagined: Ghosts | null = null;
@@ -375,9 +377,12 @@ export class SceneView {
   }
 
   private showBackdrop(scene: Scene): void {
-    let hasPlain = false;
-    for (const d of scene.drawables.values())
-      hasPlain ||= d.visible && d.shape === Shape.Plane && d.size[0] === PLAIN_SIDE_M && d.size[2] === PLAIN_SIDE_M && Math.hypot(...d.place) < 0.5;
+    const { drawables } = scene, { structure } = drawables;
+    if (this.plains.structure !== structure) {
+      this.plains = { structure, slots: [] };
+      structure.descriptions.forEach((d, slot) => d?.visible === true && d.shape === Shape.Plane && d.size[0] === PLAIN_SIDE_M && d.size[2] === PLAIN_SIDE_M && this.plains.slots.push(slot));
+    }
+    const hasPlain = this.plains.slots.some((slot) => Math.hypot(...drawables.placeAt(slot)) < 0.5);
     if (hasPlain && this.backdrop.length < BACKDROP.length) {
       this.removeBackdrop();
       for (const key of BACKDROP) {

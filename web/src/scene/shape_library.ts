@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
+import { Shape, type Agent, type Description, type Quat, type Vec3 } from "../format/scene";
 
 /**
  * Triangles as sent by the run (docs/dev/stream.md): the same as in the window. Counter-clockwise if seen from
  * outside.
  */
 export interface ShapeMesh {
+  /** Meshes with the same triangles have the same number. */
+  readonly number: number;
   readonly count: number;
   readonly positions: Float32Array<ArrayBuffer>;
   readonly normals: Float32Array<ArrayBuffer>;
@@ -85,6 +87,8 @@ class Columns {
   }
 }
 
+let meshes = 0;
+
 export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   const input = new Columns(new DataView(bytes)), count = input.number(), indexCount = input.number(), hasSkin = input.number() !== 0;
   const indices = input.indices(indexCount), positions = new Float32Array(3 * count), uvs = new Float32Array(2 * count), paint = new Float32Array(3 * count), normals = new Float32Array(3 * count);
@@ -95,12 +99,13 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   for (const part of [0, 2]) input.shares(paint, part, 3, count);
   if (indices.some((index) => index >= count)) throw new Error("a shape has no such corner");
   const seen = trianglesOf(indices, positions, (_, shortest) => shortest > 0);
-  if (!hasSkin) return { count, positions, normals, uvs, paint, indices: seen, material, skin: null };
+  meshes += 1;
+  if (!hasSkin) return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: null };
   const bones = new Uint16Array(4 * count), shares = new Float32Array(4 * count);
   for (const part of [0, 1]) input.bytes(bones, part, 4, count);
   input.shares(shares, 0, 4, count);
   for (let i = 0; i < count; ++i) shares[4 * i + 1] = 1 - shares[4 * i]!;
-  return { count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
+  return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
 }
 
 /** The triangles that pass a test of their longest and shortest edge, in m. */
@@ -139,19 +144,23 @@ function hex(value: number): string {
 }
 
 /** The key of a drawable's shape, equal to that of ShapeKey in app/shape_contents.cpp. */
-export function shapeKey(d: Drawable, agentBody: boolean): string {
+export function shapeKey(d: Description, agentBody: boolean): string {
   if (d.shape === Shape.Mesh) return `mesh/${d.mesh}`;
   return `${d.shape}.${agentBody ? 1 : 0}.${d.size.map(hex).join(".")}.${hex(d.repeats[0])}.${hex(d.repeats[1])}.${d.material.startsWith("Soarbox/") ? d.material : ""}`;
 }
 
 /** Whether a capsule of an agent is its body rather than something that it carries. */
-export function looksLikeABody(d: Drawable, agent: Agent | undefined): boolean {
+export function looksLikeABody(d: Description, agent: Agent | undefined): boolean {
   return d.ofAgent && agent !== undefined && d.shape === Shape.Capsule && d.size[1] > Math.fround(0.6) * agent.height;
 }
 
 /** The shapes that the run has sent so far. */
 export class ShapeLibrary {
   private readonly known = new Map<string, Known>();
+  /** Shapes by their packed triangles: many drawables differ only in their material. */
+  private readonly unpacked = new Map<string, Promise<ShapeMesh>>();
+  /** Number of shapes that have arrived so far. */
+  changes = 0;
 
   /** `changed` is called when something new can be drawn. */
   constructor(private readonly changed: () => void) {}
@@ -164,15 +173,23 @@ export class ShapeLibrary {
     };
     this.known.set(key, known);
     if (content.fine !== undefined) {
-      const material = content.material ?? "White", fine = readShape(await unpack(content.fine), material);
-      const coarse = content.coarse === undefined ? fine : readShape(await unpack(content.coarse), material);
-      known.levels = [fine, coarse, content.tiny === undefined ? coarse : readShape(await unpack(content.tiny), material)];
+      const material = content.material ?? "White", fine = await this.unpack(content.fine, material);
+      const coarse = content.coarse === undefined ? fine : await this.unpack(content.coarse, material);
+      known.levels = [fine, coarse, content.tiny === undefined ? coarse : await this.unpack(content.tiny, material)];
     }
+    this.changes += 1;
     this.changed();
+  }
+
+  private async unpack(packed: string, material: string): Promise<ShapeMesh> {
+    let mesh = this.unpacked.get(packed);
+    if (mesh === undefined) this.unpacked.set(packed, (mesh = unpack(packed).then((bytes) => readShape(bytes, material))));
+    return { ...(await mesh), material };
   }
 
   clear(): void {
     this.known.clear();
+    this.unpacked.clear();
   }
 
   /** Null: not received yet. */
@@ -189,7 +206,7 @@ export class ShapeLibrary {
   }
 
   /** The body of a drawable with a skeleton; null: it has no skeleton. */
-  bodyOf(d: Drawable): BodyLook | null {
+  bodyOf(d: Description): BodyLook | null {
     if (d.shape !== Shape.Mesh) return null;
     const body = this.known.get(`mesh/${d.mesh}`)?.body ?? null;
     // A soldier may change its uniform by the name of its material.
