@@ -26,6 +26,10 @@ OrderedJson InfoOf(const record::Reader& recording) {
                    {"step_s", header.step_s},
                    {"build", header.build},
                    {"kept_files", header.files.size()}};
+  if (const record::Waits& waits = recording.waits(); waits.ticks > 0) {
+    made["ticks_that_waited"] = waits.ticks;
+    made["seconds_waited"] = waits.seconds;
+  }
   if (!header.branched_from.empty()) {
     made["branched_from"] = header.branched_from;
     made["branch_tick"] = header.branch_tick;

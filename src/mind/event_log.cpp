@@ -120,13 +120,20 @@ bool EventLog::IsSound() const {
   return true;
 }
 
+void EventLog::Grow(std::size_t room) {
+  auto larger = std::make_unique_for_overwrite<char[]>(room);
+  if (used_ > 0) std::memcpy(larger.get(), bytes_.get(), used_);
+  bytes_ = std::move(larger);
+  room_ = room;
+}
+
 void EventLog::DropDetails() {
   if (!std::exchange(may_have_details_, false)) return;
   std::size_t kept = 0;
   std::string_view left = bytes();
   for (EventFrame frame; TakeFrame(left, frame);) {
     if (frame.kind == NumberOf<RuleFired>() || frame.kind == NumberOf<ElementChanged>()) continue;
-    if (char* const place = bytes_.data() + kept; place != frame.whole.data())
+    if (char* const place = bytes_.get() + kept; place != frame.whole.data())
       std::memmove(place, frame.whole.data(), frame.whole.size());
     kept += frame.whole.size();
   }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <string>
+#include <memory>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -34,25 +34,21 @@ class EventLog {
  public:
   EventLog() = default;
   /// Copies the bytes of another log or of a file. Accepts any bytes (see IsSound).
-  explicit EventLog(std::string_view bytes) : bytes_(bytes), used_(bytes.size()), may_have_details_(!bytes.empty()) {}
-  EventLog(const EventLog& other)
-      : bytes_(other.bytes()), used_(other.used_), may_have_details_(other.may_have_details_) {}
+  explicit EventLog(std::string_view bytes) : may_have_details_(!bytes.empty()) { Fill(bytes); }
+  EventLog(const EventLog& other) : may_have_details_(other.may_have_details_) { Fill(other.bytes()); }
   EventLog& operator=(const EventLog& other) {
-    if (bytes_.size() < other.used_) bytes_.resize(other.bytes_.size());  // Reserve more: the log often grows.
-    // Allows self-assignment.
-    if (other.used_ > 0) std::memmove(bytes_.data(), other.bytes_.data(), other.used_);
-    used_ = other.used_;
+    Fill(other.bytes());
     may_have_details_ = other.may_have_details_;
     return *this;
   }
   EventLog(EventLog&& other) noexcept
       : bytes_(std::move(other.bytes_)),
+        room_(std::exchange(other.room_, 0)),
         used_(std::exchange(other.used_, 0)),
-        may_have_details_(other.may_have_details_) {
-    other.bytes_.clear();
-  }
+        may_have_details_(other.may_have_details_) {}
   EventLog& operator=(EventLog&& other) noexcept {
     bytes_.swap(other.bytes_);
+    std::swap(room_, other.room_);
     std::swap(used_, other.used_);
     std::swap(may_have_details_, other.may_have_details_);
     return *this;
@@ -65,7 +61,7 @@ class EventLog {
     may_have_details_ = false;
   }
   bool empty() const { return used_ == 0; }
-  std::string_view bytes() const { return std::string_view(bytes_).substr(0, used_); }
+  std::string_view bytes() const { return {bytes_.get(), used_}; }
   friend bool operator==(const EventLog& a, const EventLog& b) { return a.bytes() == b.bytes(); }
 
   template <typename Kind>
@@ -112,8 +108,21 @@ class EventLog {
 
   struct Sizer;
 
-  std::string bytes_;  ///< Only the first used_ bytes are events.
-  std::size_t used_ = 0;
+  /// Replaces all bytes. `bytes` may belong to this log.
+  void Fill(std::string_view bytes) {
+    if (bytes.size() > room_) {
+      // No zeros are written, and the log is not larger than the copied one, because many copies are made.
+      bytes_ = std::make_unique_for_overwrite<char[]>(bytes.size());
+      room_ = bytes.size();
+    }
+    if (!bytes.empty()) std::memmove(bytes_.get(), bytes.data(), bytes.size());
+    used_ = bytes.size();
+  }
+  void Grow(std::size_t room);
+
+  std::unique_ptr<char[]> bytes_;
+  std::size_t room_ = 0;           ///< Size of bytes_.
+  std::size_t used_ = 0;           ///< Number of bytes that are events.
   bool may_have_details_ = false;  ///< May contain firings or elements.
 };
 
@@ -146,8 +155,8 @@ void EventLog::Add(const Kind& event) {
   constexpr std::size_t kHead = 3, kMostHead = 11;  // Kind, and a size that takes two bytes nearly always.
   Sizer most;
   Kind::Fields(event, most);
-  if (used_ + kMostHead + most.size > bytes_.size()) bytes_.resize(2 * (used_ + kMostHead + most.size));
-  char* const begin = bytes_.data() + used_;
+  if (const std::size_t needed = used_ + kMostHead + most.size; needed > room_) Grow(2 * needed);
+  char* const begin = bytes_.get() + used_;
   FieldWriter fields(begin + kHead);
   Kind::Fields(event, fields);
   auto size = static_cast<std::size_t>(fields.at() - begin) - kHead;

@@ -23,6 +23,13 @@ enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< The Header; always the first block.
   kInputs = 2,  ///< Inputs before the ticks of the next block, or of ticks that a bounded recording has dropped.
   kTicks = 3,   ///< Consecutive ticks; the first is complete, the others are differences.
+  kWaits = 5,   ///< Waits; at the end, if the run waited. The ticks do not depend on it.
+};
+
+/// How often and how long a run waited for its recording.
+struct Waits {
+  std::uint64_t ticks = 0;  ///< Number of ticks that waited.
+  double seconds = 0;       ///< Real time, in total.
 };
 
 /// Precedes each block. Little-endian, in this order.

@@ -115,6 +115,15 @@ Result<void> Reader::ReadFrames() {
           return Damaged(block.payload_at, "the blocks of the recording are out of order");
         blocks_.push_back(block);
         break;
+      case BlockKind::kWaits: {
+        const Result<std::string> payload = ReadPayload(block);
+        if (!payload) return payload.error();
+        ByteReader in(*payload);
+        waits_.ticks = in.Number();
+        waits_.seconds = in.Double();
+        if (in.failed()) return Damaged(block.payload_at, "this block is damaged");
+        break;
+      }
       default:
         break;  // A kind that a later version added.
     }

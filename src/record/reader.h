@@ -36,6 +36,9 @@ class Reader final : public TickSource {
   /// killed.
   const std::string& ending() const { return ending_; }
 
+  /// How long the run waited for the recording; all 0 if it did not, or was killed.
+  const Waits& waits() const { return waits_; }
+
   Result<const TickRecord*> At(std::uint64_t tick) override;
   /// Reads the entire file.
   Result<std::vector<TickInputs>> Inputs() override;
@@ -58,6 +61,7 @@ class Reader final : public TickSource {
   std::vector<Block> blocks_;  ///< Blocks of ticks, in order.
   std::vector<Block> inputs_;
   std::string ending_;
+  Waits waits_;
   BlockCursor cursor_;
 };
 

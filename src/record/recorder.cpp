@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "record/recorder.h"
 
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -41,7 +42,8 @@ void Observe(const sim::Simulation& simulation, sim::EventList events, Level lev
   KeepLevel(record, level);
 }
 
-Recorder::Recorder(std::unique_ptr<Writer> writer, Level level) : writer_(std::move(writer)), level_(level) {
+Recorder::Recorder(std::unique_ptr<Writer> writer, Level level, std::size_t records)
+    : writer_(std::move(writer)), level_(level), unused_(records) {
   try {
     thread_ = std::thread([this] { Write(); });
   } catch (const std::system_error&) {
@@ -60,9 +62,23 @@ void KeepLevel(TickRecord& record, Level level) {
   std::erase_if(record.minds, [](const MindRecord& mind) { return mind.events.empty(); });
 }
 
+/// Takes a record that is not in use. Waits until there is one; after a failure, there may be none.
 TickRecord Recorder::Blank() {
-  const std::lock_guard lock(mutex_);
-  if (written_.empty()) return {};
+  std::unique_lock lock(mutex_);
+  if (written_.empty() && unused_ == 0 && !failure_) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    is_waited_for_ = true;
+    has_room_.wait(lock, [&] { return !written_.empty() || failure_; });
+    is_waited_for_ = false;
+    ++waits_.ticks;
+    waits_.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  if (written_.empty()) {
+    if (unused_ > 0) --unused_;
+    return {};
+  }
+  // The one that was used last is the most likely to be in a cache of the processor.
   TickRecord tick = std::move(written_.back());
   written_.pop_back();
   return tick;
@@ -86,15 +102,13 @@ Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList ev
 
 Result<void> Recorder::Take(TickRecord record) {
   if (is_told_) return {};
+  (void)Blank();  // This record takes its place.
   return Push(std::move(record));
 }
 
 Result<void> Recorder::Push(TickRecord tick) {
   if (!thread_.joinable()) Write(tick);
-  // A run that is faster than the disk waits here.
-  constexpr std::size_t kMostWaiting = 120;
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return waiting_.size() < kMostWaiting || failure_; });
+  const std::lock_guard lock(mutex_);
   if (failure_) {
     is_told_ = true;
     return *failure_;
@@ -104,7 +118,7 @@ Result<void> Recorder::Push(TickRecord tick) {
     return {};
   }
   waiting_.push_back(std::move(tick));
-  if (waiting_.size() == 1) changed_.notify_all();
+  if (waiting_.size() == 1) has_work_.notify_one();
   return {};
 }
 
@@ -114,7 +128,7 @@ Result<void> Recorder::Finish() {
     if (std::exchange(is_over_, true)) return {};
   }
   if (thread_.joinable()) {
-    changed_.notify_all();
+    has_work_.notify_one();
     thread_.join();
   } else {
     Flush();
@@ -135,32 +149,32 @@ void Recorder::Write(TickRecord& tick) {
 
 void Recorder::Flush() {
   if (failure_) return;
-  if (const Result<void> flushed = writer_->Flush(); !flushed) failure_ = flushed.error();
+  Result<void> done = writer_->Flush();
+  if (done && waits_.ticks > 0) done = writer_->AddWaits(waits_);
+  if (!done) failure_ = done.error();
 }
 
-/// The writing thread. It takes all waiting ticks at once, so that it rarely blocks the run.
+/// The writing thread. It takes all waiting ticks at once, so that it rarely locks, and returns each as soon as it is
+/// written.
 void Recorder::Write() {
   std::deque<TickRecord> taken;
+  std::unique_lock lock(mutex_);
   while (true) {
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return !waiting_.empty() || is_over_; });
-      if (waiting_.empty()) break;
-      taken.swap(waiting_);
-    }
-    changed_.notify_all();
-    for (TickRecord& tick : taken) {
+    has_work_.wait(lock, [&] { return !waiting_.empty() || is_over_; });
+    if (waiting_.empty()) break;
+    taken.swap(waiting_);
+    for (; !taken.empty() && !failure_; taken.pop_front()) {
+      lock.unlock();
       // Cleared here, so that the run's thread does not have to.
-      Write(tick);
-      if (failure_) break;
+      Write(taken.front());
+      lock.lock();
+      written_.push_back(std::move(taken.front()));
+      if (is_waited_for_) has_room_.notify_one();
     }
     if (failure_) break;
-    constexpr std::size_t kMostBlank = 8;
-    const std::lock_guard lock(mutex_);
-    for (; !taken.empty(); taken.pop_front())
-      if (written_.size() < kMostBlank) written_.push_back(std::move(taken.front()));
   }
-  changed_.notify_all();
+  if (is_waited_for_) has_room_.notify_one();
+  lock.unlock();
   Flush();
 }
 

@@ -25,9 +25,14 @@ void KeepLevel(TickRecord& record, Level level);
 
 /// Writes each tick of a run to a file. The thread of the run only copies the tick; another thread writes it. If no
 /// thread can be started, the thread of the run writes it.
+///
+/// There are at most `records` records, whose memory is reused. If all of them wait to be written, the run waits, too.
+/// The recording then reports at its end how often and how long (Waits in file_format.h).
 class Recorder {
  public:
-  Recorder(std::unique_ptr<Writer> writer, Level level);
+  static constexpr std::size_t kRecords = 64;  ///< A little over two seconds of simulated time.
+
+  Recorder(std::unique_ptr<Writer> writer, Level level, std::size_t records = kRecords);
   /// Writes the remaining ticks.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -54,10 +59,13 @@ class Recorder {
   bool is_told_ = false;  ///< The failure was returned to the caller.
 
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable has_work_, has_room_;
   std::deque<TickRecord> waiting_;   ///< Ticks that are to be written.
-  std::vector<TickRecord> written_;  ///< Records that were written; their memory is reused.
+  std::vector<TickRecord> written_;  ///< Records that were written, to be used again.
+  std::size_t unused_;               ///< Number of records that were not created yet.
+  bool is_waited_for_ = false;       ///< The run waits for a record.
   bool is_over_ = false;             ///< No more ticks will be added.
+  Waits waits_;
   std::optional<Diagnostic> failure_;
   std::thread thread_;  ///< Not joinable if the thread of the run writes.
 };

@@ -85,7 +85,8 @@ TEST_F(RecordingTest, WhereNoThreadCanBeStartedTheRunsThreadWritesTheSame) {
   const auto record = [&](const fs::path& to) {
     Result<std::unique_ptr<Writer>> writer = Writer::Create(to, SomeHeader(), {});
     ASSERT_TRUE(writer) << Format(writer.error());
-    Recorder recorder(std::move(*writer), Level::kAll);
+    // With fewer records, the run would wait, and the recording would say so.
+    Recorder recorder(std::move(*writer), Level::kAll, ticks.size());
     for (const TickRecord& tick : ticks) ASSERT_TRUE(recorder.Take(tick));
     ASSERT_TRUE(recorder.Finish());
   };
@@ -95,6 +96,29 @@ TEST_F(RecordingTest, WhereNoThreadCanBeStartedTheRunsThreadWritesTheSame) {
   record(folder() / "one-thread.soarrec");
   EXPECT_GT(Content(file()).size(), 1'000u);
   EXPECT_EQ(Content(file()), Content(folder() / "one-thread.soarrec"));
+}
+
+TEST_F(RecordingTest, ARunWithoutFreeRecordsWaitsAndTheRecordingSaysSo) {
+  const std::vector<TickRecord> ticks = SomeTicks(200);
+  const auto waits = [&](std::size_t records) -> Waits {
+    Result<std::unique_ptr<Writer>> writer = Writer::Create(file(), SomeHeader(), {});
+    EXPECT_TRUE(writer) << Format(writer.error());
+    Recorder recorder(std::move(*writer), Level::kAll, records);
+    for (const TickRecord& tick : ticks) EXPECT_TRUE(recorder.Take(tick));
+    EXPECT_TRUE(recorder.Finish());
+    const Result<std::unique_ptr<Reader>> reader = Reader::Open(file());
+    EXPECT_TRUE(reader) << Format(reader.error());
+    for (const std::uint64_t tick : {0, 150, 199}) {
+      const Result<const TickRecord*> read = (*reader)->At(tick);
+      EXPECT_TRUE(read && Bytes(**read) == Bytes(ticks[tick])) << tick;
+    }
+    return (*reader)->waits();
+  };
+  const Waits few = waits(1);
+  EXPECT_GT(few.ticks, 0u);
+  EXPECT_LT(few.ticks, 200u);
+  EXPECT_GT(few.seconds, 0);
+  EXPECT_EQ(waits(ticks.size()).ticks, 0u);
 }
 
 TEST_F(RecordingTest, AFileThatEndsAnywhereKeepsItsCompleteBlocks) {

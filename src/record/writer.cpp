@@ -95,6 +95,17 @@ Result<void> Writer::Flush() {
   return {};
 }
 
+Result<void> Writer::AddWaits(const Waits& waits) {
+  if (failure_) return *failure_;
+  BlockFrame frame;
+  frame.kind = BlockKind::kWaits;
+  std::string payload;
+  ByteWriter out(payload);
+  out.Number(waits.ticks);
+  out.Double(waits.seconds);
+  return Write(EncodeBlock(frame, payload));
+}
+
 /// Writes the remaining blocks to a new file and then replaces the old one, so that one complete file always exists.
 /// All inputs are kept, because they are needed to simulate the run again from its beginning.
 Result<void> Writer::DropOlderHalf() {

@@ -47,6 +47,8 @@ class Writer {
   Result<void> AddEarlierInputs(const std::vector<TickInputs>& earlier);
   /// Writes the ticks of the incomplete block.
   Result<void> Flush();
+  /// Stores how long the run waited. Call it after the last tick and Flush.
+  Result<void> AddWaits(const Waits& waits);
 
   std::uint64_t bytes() const { return bytes_; }
 
