@@ -59,6 +59,7 @@ const TickRecord* BlockCursor::At(std::uint64_t tick) {
     read_ = payload_.size() - in.left();
     ++next_tick_;
   }
+  world::PlaceHung(record_.scene.drawables);
   return &record_;
 }
 

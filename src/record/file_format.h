@@ -17,7 +17,7 @@ namespace soarbox::record {
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
 /// The only version that this program reads. It is incremented when the format changes after a release.
-inline constexpr std::uint16_t kVersion = 11;
+inline constexpr std::uint16_t kVersion = 12;
 
 enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< The Header; always the first block.

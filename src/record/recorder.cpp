@@ -11,12 +11,13 @@ namespace soarbox::record {
 
 namespace {
 
-void ObserveWorld(const sim::Simulation& simulation, sim::EventList events, TickRecord& record) {
+void ObserveWorld(const sim::Simulation& simulation, sim::EventList events, world::HungThings hung,
+                  TickRecord& record) {
   record.tick = simulation.tick();
   record.state_hash = simulation.StateHash();
   record.inputs.clear();
   for (const sim::Input& input : simulation.LastInputs()) record.inputs.push_back(sim::WriteInput(input));
-  simulation.Snapshot(record.scene);
+  simulation.Snapshot(record.scene, hung);
   record.events = std::move(events);
 }
 
@@ -37,7 +38,7 @@ void ObserveMinds(const sim::Simulation& simulation, Level level, std::vector<Mi
 }  // namespace
 
 void Observe(const sim::Simulation& simulation, sim::EventList events, Level level, TickRecord& record) {
-  ObserveWorld(simulation, std::move(events), record);
+  ObserveWorld(simulation, std::move(events), world::HungThings::kPlaced, record);
   ObserveMinds(simulation, level, record.minds);
   KeepLevel(record, level);
 }
@@ -94,7 +95,8 @@ Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList ev
     tick.scene = seen->scene;
     tick.events = std::move(events);
   } else {
-    ObserveWorld(simulation, std::move(events), tick);
+    // The file stores on which bones things hang, not where.
+    ObserveWorld(simulation, std::move(events), world::HungThings::kNotPlaced, tick);
   }
   ObserveMinds(simulation, level_, tick.minds);
   return Push(std::move(tick));

@@ -318,6 +318,51 @@ TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {
   EXPECT_GT(followed, 100);
 }
 
+TEST_F(RecordingTest, ThingsThatHangOnBonesArePlacedWhereTheirBodiesHoldThem) {
+  std::mt19937 random(9);
+  const auto number = [&] { return static_cast<float>(random() % 1000) / 99; };
+  std::vector<TickRecord> ticks = SomeTicks(120), placed;
+  world::Pose pose;
+  pose.rig = &world::SoldierRig();
+  pose.parts = {{0, 0, 1}};
+  world::DrawableSnapshot body, rifle;
+  body.id = 100'000;
+  rifle.id = 100'001;
+  body.owner_id = rifle.owner_id = 1;
+  body.belongs_to_agent = rifle.belongs_to_agent = true;
+  for (TickRecord& tick : ticks) {
+    pose.parts[0].time_s += 1 / 30.0f;
+    body.bones = world::BodyBones(pose);
+    body.position = {number(), 1, number()};
+    if (random() % 9 == 0) rifle.hung.on = rifle.hung.on == 0 ? body.id : 0;
+    rifle.hung.bone = 3;
+    if (random() % 5 == 0) rifle.hung.position = {0, number() / 100, 0};
+    if (rifle.hung.on == 0) rifle.position = {number(), number(), number()};
+    tick.scene.drawables.push_back(body);
+    if (random() % 7 != 0) tick.scene.drawables.push_back(rifle);
+    placed.push_back(tick);
+    world::PlaceHung(placed.back().scene.drawables);
+  }
+  Write(file(), ticks);
+  const std::string unplaced = Content(file());
+  Write(file(), placed);
+  EXPECT_EQ(Content(file()), unplaced) << "positions that follow from bones are stored";
+  const Result<std::unique_ptr<Reader>> opened = Reader::Open(file());
+  ASSERT_TRUE(opened) << Format(opened.error());
+  for (const std::uint64_t tick : {0, 3, 4, 5, 50, 51, 52, 53, 54, 55, 90, 119, 7, 8}) {
+    const Result<const TickRecord*> read = (*opened)->At(tick);
+    ASSERT_TRUE(read) << Format(read.error());
+    EXPECT_EQ(Bytes(**read), Bytes(ticks[tick]));
+    ASSERT_EQ((*read)->scene.drawables.size(), placed[tick].scene.drawables.size());
+    auto expected = placed[tick].scene.drawables.begin();
+    for (const world::DrawableSnapshot& drawable : (*read)->scene.drawables) {
+      EXPECT_EQ(drawable.position, expected->position) << tick << " " << drawable.id;
+      EXPECT_EQ(drawable.orientation, expected->orientation) << tick << " " << drawable.id;
+      ++expected;
+    }
+  }
+}
+
 TEST_F(RecordingTest, AHundredProgramsThatAreKilledLeaveTheirCompleteBlocks) {
   const std::vector<TickRecord> ticks = SomeTicks(60);
   std::mt19937 random(8);

@@ -211,6 +211,50 @@ struct Expected {
   }
 };
 
+/// Position and orientation of a drawable that hangs on a bone follow from the bone, so they are never stored. Of one
+/// that hung on a bone before, they are expected to be the defaults.
+template <>
+struct Expected<world::DrawableSnapshot> {
+  const world::DrawableSnapshot& before;
+  world::Vec3 position;
+  world::Quat orientation;
+
+  Expected(const world::DrawableSnapshot& earlier, const world::DrawableSnapshot& now) : before(earlier) {
+    if (const bool is_hung = now.hung.on != 0; is_hung || earlier.hung.on == 0) {
+      position = is_hung ? now.position : earlier.position;
+      orientation = is_hung ? now.orientation : earlier.orientation;
+    }
+  }
+
+  template <typename Member>
+  const Member& operator->*(Member world::DrawableSnapshot::*member) const {
+    if constexpr (std::is_same_v<Member, Vec3>)
+      if (member == &world::DrawableSnapshot::position) return position;
+    if constexpr (std::is_same_v<Member, Quat>)
+      if (member == &world::DrawableSnapshot::orientation) return orientation;
+    return before.*member;
+  }
+};
+
+/// The expectation for an entry `now` that was `before`.
+template <typename T>
+Expected<T> Expect(const T& before, const T& now) {
+  if constexpr (std::is_same_v<T, world::DrawableSnapshot>) {
+    return {before, now};
+  } else {
+    return {before};
+  }
+}
+
+/// The state of an entry from which its changes are read.
+template <typename T>
+void PrepareToRead(T&) {}
+void PrepareToRead(world::DrawableSnapshot& drawable) {
+  if (drawable.hung.on == 0) return;
+  drawable.position = {};
+  drawable.orientation = {};
+}
+
 /// One bit per member that differs from the expectation. `same_texts`: members that are texts are known to be
 /// unchanged.
 template <HasFields T, typename E>
@@ -278,7 +322,7 @@ class StepWriter {
   void Gone() { Put(Step::kGone); }
   void New(const T& value) {
     static const T kNothing{};
-    const Expected<T> expected{kNothing};
+    const Expected<T> expected = Expect(kNothing, value);
     Put(Step::kNew);
     out_.Number(value.id);
     PutMembers(out_, Differences(expected, value), expected, value);
@@ -304,12 +348,12 @@ class StepWriter {
 };
 
 /// The expectation for agents, whose ids ascend. They have the horizontal position and the direction of their first
-/// drawable, and the same height as before. If they have no drawable, they are unchanged.
+/// drawable that hangs on no bone, and the same height as before. If they have no drawable, they are unchanged.
 class Followed {
  public:
   Followed(const world::SceneSnapshot& scene) {
     for (const world::DrawableSnapshot& drawable : scene.drawables)
-      if (drawable.belongs_to_agent) bodies_.push_back(&drawable);
+      if (drawable.belongs_to_agent && drawable.hung.on == 0) bodies_.push_back(&drawable);
     if (!std::ranges::is_sorted(bodies_, {}, kOwner)) std::ranges::stable_sort(bodies_, {}, kOwner);
   }
   void Follow(std::uint32_t agent, Vec3& position, Vec3& forward) {
@@ -420,7 +464,7 @@ void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>
     const T& value = now.At(at);
     for (; !before.IsEnd(old) && before.At(old).id < value.id; old = before.After(old)) steps.Gone();
     if (!before.IsEnd(old) && before.At(old).id == value.id) {
-      steps.Next(Expected<T>{before.At(old)}, value);
+      steps.Next(Expect(before.At(old), value), value);
       old = before.After(old);
     } else {
       steps.New(value);
@@ -450,6 +494,7 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
         if (!list.IsEnd(at)) in.Fail();
         return;
       case Step::kChanged:
+        PrepareToRead(list.Edit(at));
         GetMembers(in, list.Edit(at));
         at = list.After(at);
         break;

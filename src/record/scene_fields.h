@@ -9,11 +9,15 @@ namespace soarbox::record {
 
 /// The members of the parts of a scene, in the order in which a recording stores them, without the id of the part. To
 /// record a new member of a snapshot, add it at the end of its list and increment the version of the format.
+constexpr auto FieldsOf(const world::HungSnapshot&) {
+  using T = world::HungSnapshot;
+  return std::tuple(&T::on, &T::bone, &T::position, &T::orientation);
+}
 constexpr auto FieldsOf(const world::DrawableSnapshot&) {
   using T = world::DrawableSnapshot;
   return std::tuple(&T::owner_id, &T::belongs_to_agent, &T::shape, &T::mesh, &T::material, &T::size,
                     &T::texture_repeats, &T::position, &T::orientation, &T::scale, &T::visible, &T::bones,
-                    &T::shows_skeleton);
+                    &T::shows_skeleton, &T::hung);
 }
 constexpr auto FieldsOf(const world::LightSnapshot&) {
   using T = world::LightSnapshot;

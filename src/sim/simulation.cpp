@@ -573,8 +573,8 @@ const ForeignBodies& Simulation::foreign() const {
 world::SceneSnapshot Simulation::Snapshot() const {
   return impl_->world.Snapshot();
 }
-void Simulation::Snapshot(world::SceneSnapshot& scene) const {
-  impl_->world.Snapshot(scene);
+void Simulation::Snapshot(world::SceneSnapshot& scene, world::HungThings hung) const {
+  impl_->world.Snapshot(scene, hung);
 }
 world::OverlaySnapshot Simulation::Overlays(const world::OverlayWants& wants) const {
   return TakeOverlays(*impl_->arena, *impl_->minds, wants);

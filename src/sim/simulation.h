@@ -97,7 +97,7 @@ class Simulation {
   const ForeignBodies& foreign() const;
   world::SceneSnapshot Snapshot() const;
   /// The same. Reuses the memory of `scene`.
-  void Snapshot(world::SceneSnapshot& scene) const;
+  void Snapshot(world::SceneSnapshot& scene, world::HungThings hung = world::HungThings::kPlaced) const;
   /// The additional data that overlays draw.
   world::OverlaySnapshot Overlays(const world::OverlayWants& wants) const;
   /// Hash of all state that determines the world's future (World::Hash, and the commands of bodies).

@@ -132,7 +132,7 @@ class Scene {
   /// Fills in drawables, lights, particles, ambient light and sky, and starts the list of lines. Agents and objects are
   /// drawn at the positions of their bodies; their nodes follow a tick later. Recomputes only what has changed since
   /// the last snapshot of any caller. `is_known`: this snapshot was filled from this scene before.
-  void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
+  void FillSnapshot(SceneSnapshot& snapshot, bool is_known, HungThings hung) const;
 
  private:
   friend class Agent;
@@ -154,6 +154,7 @@ class Scene {
   WorldTransform Transform(NodeId node) const;
   /// `by_body`: use the transforms of bodies for agents and objects, not those of their nodes.
   static WorldTransform TransformOf(const Node& node, bool by_body = false);
+  static HungSnapshot HungOf(const Node& node);
   // The following set a node's drawable. They are also used for the nodes of objects.
   void ShapeBox(Node& node, float width_m, float height_m, float length_m, float u_tile, float v_tile);
   void ShapeCapsule(Node& node, float height_m, float radius_m);
@@ -169,8 +170,8 @@ class Scene {
   /// Call it when only its transform has changed.
   void Moved(Node& node);
   void Forget(Node& node);
-  void Refresh() const;
-  void Redraw(Node& node) const;
+  void Refresh(HungThings hung) const;
+  void Redraw(Node& node, HungThings hung) const;
 
   MediaCatalog& catalog_;
   std::map<NodeId, Node> nodes_;

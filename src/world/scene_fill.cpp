@@ -34,6 +34,15 @@ void MakeRing(const WorldTransform& transform, float radius_m, Color color, std:
   }
 }
 
+/// The scale of a node in the world.
+template <typename Node>
+Vec3 ScaleOf(const Node& node) {
+  Vec3 scale = node.scale;
+  for (const Node* at = node.above; at->above; at = at->above)
+    scale = {scale.x * at->scale.x, scale.y * at->scale.y, scale.z * at->scale.z};
+  return scale;
+}
+
 /// Ids ascend in lists of nodes.
 template <typename Node>
 void AddOnce(std::vector<const Node*>& list, const Node& node) {
@@ -85,8 +94,18 @@ void Scene::Forget(Node& node) {
   }
 }
 
+/// How a node hangs on a bone, if its drawable and that of the carrier are drawn where their nodes are, and the carrier
+/// hangs on no bone itself.
+HungSnapshot Scene::HungOf(const Node& node) {
+  const Node* const carrier = node.above;
+  if (node.bone < 0 || node.has_offset || carrier->content != NodeContent::kDrawable || !carrier->animator ||
+      carrier->bone >= 0 || carrier->was_moved || carrier->has_offset || carrier->drawn_in == 0)
+    return {};
+  return {Number(carrier->id), static_cast<std::uint32_t>(node.bone), node.position, node.orientation};
+}
+
 /// Updates the cached drawable of one node.
-void Scene::Redraw(Node& node) const {
+void Scene::Redraw(Node& node, HungThings hung) const {
   Picture& picture = *picture_;
   switch (node.content) {
     case NodeContent::kNone:
@@ -109,9 +128,16 @@ void Scene::Redraw(Node& node) const {
       // The drawable of most bodies is a direct child without a transform of its own.
       const Node* const body = node.above;
       const bool is_body = node.is_in_place && body->HasBody() && body->bone < 0 && !body->above->above;
-      const WorldTransform transform =
-          is_body ? WorldTransform{body->body_position, body->body_orientation, body->scale} : TransformOf(node, true);
       DrawableSnapshot& drawable = picture.drawables.Edit(place);
+      drawable.hung = HungOf(node);
+      const bool is_unplaced = drawable.hung.on != 0 && hung == HungThings::kNotPlaced;
+      WorldTransform transform{body->body_position, body->body_orientation, body->scale};
+      if (is_unplaced) {
+        picture.has_unplaced = true;
+        transform = {drawable.position, drawable.orientation, ScaleOf(node)};
+      } else if (!is_body) {
+        transform = TransformOf(node, true);
+      }
       if (std::exchange(node.has_new_look, false)) {
         drawable.owner_id = Number(node.owner);
         drawable.belongs_to_agent = node.owner_is_agent;
@@ -149,7 +175,7 @@ void Scene::Redraw(Node& node) const {
   }
 }
 
-void Scene::Refresh() const {
+void Scene::Refresh(HungThings hung) const {
   Picture& picture = *picture_;
   ++picture.refreshings;
   for (const NodeId id : picture.gone) {
@@ -160,7 +186,7 @@ void Scene::Refresh() const {
   // The recursion is limited by kDeepest.
   const auto redraw_all = [&](const auto& self, Node& node) -> void {
     if (std::exchange(node.drawn_in, picture.refreshings) == picture.refreshings) return;
-    if (node.content != NodeContent::kNone) Redraw(node);
+    if (node.content != NodeContent::kNone) Redraw(node, hung);
     for (Node* child : node.children) self(self, *child);
   };
   for (Node* node : picture.waiting) {
@@ -173,6 +199,7 @@ void Scene::Refresh() const {
     Node& node = const_cast<Node&>(*Find(id));
     if (node.drawn_pose != node.animator->changes()) redraw_all(redraw_all, node);
   }
+  if (hung == HungThings::kPlaced && std::exchange(picture.has_unplaced, false)) PlaceHung(picture.drawables);
   if (!picture.few_changed) return;
   picture.few_changed = false;
   ++picture.few_version;
@@ -197,8 +224,8 @@ void Scene::Refresh() const {
   }
 }
 
-void Scene::FillSnapshot(SceneSnapshot& snapshot, bool is_known) const {
-  Refresh();
+void Scene::FillSnapshot(SceneSnapshot& snapshot, bool is_known, HungThings hung) const {
+  Refresh(hung);
   const Picture& picture = *picture_;
   snapshot.drawables = picture.drawables;
   if (!is_known || snapshot.kept.few != picture.few_version) {

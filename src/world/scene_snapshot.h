@@ -32,6 +32,14 @@ enum class ShapeKind : std::uint8_t {
   kSphere,    ///< size.x = radius in m.
 };
 
+/// How a drawable hangs on a bone of another one: position and rotation relative to the bone.
+struct HungSnapshot {
+  std::uint32_t on = 0;  ///< The id of that drawable; 0: it does not hang on a bone.
+  std::uint32_t bone = 0;
+  Vec3 position;
+  Quat orientation;
+};
+
 /// One visible object, in world coordinates.
 struct DrawableSnapshot {
   std::uint32_t id = 0;        ///< Unique among drawables during the life of the world.
@@ -48,6 +56,7 @@ struct DrawableSnapshot {
   bool visible = true;
   BodyBones bones;              ///< For meshes with a skeleton.
   bool shows_skeleton = false;  ///< Also draw its bones.
+  HungSnapshot hung;            ///< If set, position and orientation follow from it (PlaceHung).
 };
 
 enum class LightKind : std::uint8_t { kDirectional, kPoint };
@@ -172,6 +181,12 @@ struct CameraSnapshot {
   float vertical_fov_deg = 45;
 };
 
+/// Whether the position and orientation of drawables that hang on bones are computed, which takes a microsecond each.
+enum class HungThings : std::uint8_t {
+  kPlaced,
+  kNotPlaced,  ///< They are those of an earlier snapshot. PlaceHung computes them.
+};
+
 struct SceneSnapshot {
   std::uint64_t tick = 0;
   double time_s = 0;
@@ -201,5 +216,9 @@ struct SceneSnapshot {
     std::uint64_t few = 0, ui = 0;
   } kept;
 };
+
+/// Computes position and orientation of each drawable that hangs on a bone. Drawables that hang on something that does
+/// not exist or itself hangs on a bone keep theirs.
+void PlaceHung(SharedList<DrawableSnapshot>& drawables);
 
 }  // namespace soarbox::world

@@ -168,7 +168,7 @@ class World {
 
   SceneSnapshot Snapshot() const;
   /// The same. Reuses the memory of `snapshot`, so that little is allocated.
-  void Snapshot(SceneSnapshot& snapshot) const;
+  void Snapshot(SceneSnapshot& snapshot, HungThings hung = HungThings::kPlaced) const;
   /// Adds navigation meshes, the influence map and the shapes of bodies, whether scripts show them or not.
   void AddOverlays(const OverlayWants& wants, OverlaySnapshot& overlays) const;
 

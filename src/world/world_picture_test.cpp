@@ -112,6 +112,45 @@ void ExpectSame(const SceneSnapshot& a, const SceneSnapshot& b) {
   EXPECT_EQ(a.ambient, b.ambient);
 }
 
+TEST(WorldPicture, ThingsThatHangOnBonesArePlacedAfterwardsAsInTheWorld) {
+  Stage stage;
+  SceneSnapshot later;
+  for (int tick = 1; tick <= 60; ++tick) {
+    stage.Tick();
+    stage.world().Snapshot(later, HungThings::kNotPlaced);
+    if (tick % 4 != 0) continue;
+    SceneSnapshot placed = later;
+    PlaceHung(placed.drawables);
+    const SceneSnapshot now = stage.world().Snapshot();
+    ASSERT_EQ(placed.drawables.size(), now.drawables.size());
+    std::size_t hung = 0;
+    for (std::size_t i = 0; i < now.drawables.size(); ++i) {
+      const DrawableSnapshot &a = placed.drawables[i], &b = now.drawables[i];
+      SCOPED_TRACE(b.id);
+      hung += b.hung.on != 0 ? 1 : 0;
+      EXPECT_LT(Length(a.position - b.position), 1e-4f);
+      EXPECT_LT(Length(Rotate(a.orientation, {1, 2, 3}) - Rotate(b.orientation, {1, 2, 3})), 1e-4f);
+      EXPECT_EQ(a.scale, b.scale);
+    }
+    EXPECT_EQ(hung, 3u);
+    if (HasFailure()) FAIL() << tick;
+  }
+}
+
+TEST(WorldPicture, AThingOnABoneThatDoesNotExistKeepsItsPlace) {
+  SharedList<DrawableSnapshot> drawables;
+  DrawableSnapshot thing;
+  thing.position = {1, 2, 3};
+  thing.id = 4;
+  for (const std::uint32_t on : {4u, 5u, 7u, ~0u}) {
+    ++thing.id;
+    thing.hung = {on, 1'000'000, {}, {}};
+    drawables.push_back(thing);
+  }
+  PlaceHung(drawables);
+  for (const DrawableSnapshot& drawable : drawables) EXPECT_EQ(drawable.position, thing.position);
+}
+
 TEST(WorldPicture, SnapshotsTickByTickAreThoseOfAWorldThatNobodyLookedAtBefore) {
   Stage watched;
   // Reuses snapshots in turn, as a recording does.

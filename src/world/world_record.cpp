@@ -52,12 +52,12 @@ SceneSnapshot World::Snapshot() const {
   return snapshot;
 }
 
-void World::Snapshot(SceneSnapshot& snapshot) const {
+void World::Snapshot(SceneSnapshot& snapshot, HungThings hung) const {
   const bool is_known = snapshot.kept.world == impl_->number;
   snapshot.kept.world = impl_->number;
   snapshot.tick = impl_->tick;
   snapshot.time_s = time_s();
-  impl_->scene.FillSnapshot(snapshot, is_known);
+  impl_->scene.FillSnapshot(snapshot, is_known, hung);
   impl_->ui.FillSnapshot(snapshot, is_known);
   impl_->sounds.FillSnapshot(snapshot);
 
