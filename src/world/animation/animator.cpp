@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "world/state_hash.h"
 
@@ -19,21 +20,23 @@ void Animator::SetTime(std::size_t clip, float time_s) {
   } else {
     state.time_s = std::clamp(time_s, 0.0f, length);
   }
-  Changed();
+  StateChanged();
 }
 
 void Animator::SetWeight(std::size_t clip, float weight) {
   states_[clip].weight = weight;
-  Changed();
+  StateChanged();
 }
 
 void Animator::SetEnabled(std::size_t clip, bool enabled) {
+  enabled_ = enabled_ + (enabled ? 1 : 0) - (states_[clip].enabled ? 1 : 0);
   states_[clip].enabled = enabled;
-  Changed();
+  StateChanged();
 }
 
 void Animator::SetLooping(std::size_t clip, bool looping) {
   states_[clip].looping = looping;
+  is_hashed_ = false;
 }
 
 void Animator::SetLocomotion(bool enabled, LocomotionStyle style) {
@@ -51,8 +54,8 @@ void Animator::Walk(const BodyMotion& motion, float seconds) {
 Pose Animator::NowPose() const {
   Pose pose;
   pose.rig = rig_;
-  pose.parts.reserve(4 + (has_locomotion_ ? locomotion_.shares().size() : 0));
-  for (std::uint32_t i = 0; i < states_.size(); ++i) {
+  pose.parts.reserve(enabled_ + (has_locomotion_ ? locomotion_.shares().size() : 0));
+  for (std::uint32_t i = 0; enabled_ > 0 && i < states_.size(); ++i) {
     // Weights that are negative or not finite have no effect.
     if (states_[i].enabled && states_[i].weight > 0 && std::isfinite(states_[i].weight))
       pose.parts.push_back({i, states_[i].time_s, states_[i].weight});
@@ -65,12 +68,16 @@ Pose Animator::NowPose() const {
   return pose;
 }
 
-void Animator::AddTo(StateHash& hash) const {
-  for (const AnimationState& state : states_) {
-    hash.Add(static_cast<std::uint64_t>(state.enabled) * 2 + static_cast<std::uint64_t>(state.looping));
-    hash.Add(state.time_s);
-    hash.Add(state.weight);
+void Animator::AddTo(StateHash& hash) {
+  if (!std::exchange(is_hashed_, true)) {
+    StateHash states;
+    for (const AnimationState& state : states_) {
+      states.Add(static_cast<std::uint64_t>(state.enabled) * 2 + static_cast<std::uint64_t>(state.looping));
+      states.Add(state.time_s, state.weight);
+    }
+    hash_of_states_ = states.value();
   }
+  hash.Add(hash_of_states_);
   hash.Add(static_cast<std::uint64_t>(has_locomotion_));
   locomotion_.AddTo(hash);
 }

@@ -56,10 +56,15 @@ class Animator {
   /// Incremented when the pose or its display may have changed; never 0.
   std::uint64_t changes() const { return changes_; }
 
-  void AddTo(StateHash& hash) const;
+  /// Not const, because it keeps a part of the hash. Call it on the world's thread.
+  void AddTo(StateHash& hash);
 
  private:
   void Changed() { ++changes_; }
+  void StateChanged() {
+    Changed();
+    is_hashed_ = false;
+  }
 
   const Rig* rig_;
   std::vector<AnimationState> states_;
@@ -67,6 +72,10 @@ class Animator {
   bool has_locomotion_ = false;
   bool shows_skeleton_ = false;
   std::uint64_t changes_ = 1;
+  std::size_t enabled_ = 0;  ///< Number of states that are enabled.
+  // Scripts set the states, and seldom. So their hash is kept.
+  bool is_hashed_ = false;
+  std::uint64_t hash_of_states_ = 0;
 };
 
 }  // namespace soarbox::world
