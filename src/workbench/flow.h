@@ -22,4 +22,10 @@ enum class Flow : std::uint8_t {
   kStepTurn,  ///< Pauses at the end of the game's turn; after one tick in a world without turns.
 };
 
+/// Whether the command lets the world or a mind advance by a step.
+inline constexpr bool IsStep(Flow flow) {
+  return flow == Flow::kStepTick || flow == Flow::kStepTurn || flow == Flow::kStepDecision ||
+         flow == Flow::kStepPhase || flow == Flow::kStepChange;
+}
+
 }  // namespace soarbox::workbench

@@ -114,6 +114,37 @@ void ScriptDesk::GoOn(ScriptGoRequest::How how) {
   stops_.GoOn(StepOf(how));
 }
 
+bool ScriptDesk::ObeyInTick(Flow flow, Pace& pace) {
+  switch (flow) {
+    case Flow::kTogglePause:
+      pace.Resume();
+      GoOn();
+      return true;
+    case Flow::kStepTick:
+    case Flow::kStepTurn:
+      pace.Pause();  // At the end of this tick.
+      GoOn();
+      return true;
+    case Flow::kStepDecision:
+    case Flow::kStepPhase:
+    case Flow::kStepChange:
+      common_.surroundings.Tell("A script is stopped in the middle of a tick. Let it continue first");
+      return true;
+    case Flow::kFaster:
+    case Flow::kSlower:
+    case Flow::kNormalSpeed:
+    case Flow::kUnlimited:
+      pace.Obey(flow);
+      return true;
+    case Flow::kReset:
+    case Flow::kNextSeed:
+    case Flow::kQuit:
+      Leave();
+      return false;
+  }
+  return true;
+}
+
 void ScriptDesk::Obey(const LineStopRequest& request) {
   if (!CanStop())
     return common_.surroundings.Tell("Scripts cannot stop here: they stop in a run in a window or on a server's page");

@@ -15,6 +15,7 @@
 #include "workbench/contents.h"
 #include "workbench/desk_common.h"
 #include "workbench/file_desk.h"
+#include "workbench/pace.h"
 #include "workbench/requests.h"
 
 namespace soarbox::workbench {
@@ -55,6 +56,8 @@ class ScriptDesk {
   void GoOn(ScriptGoRequest::How how = ScriptGoRequest::How::kOn);
   /// Lets the stopped script continue; no script stops in the rest of this tick.
   void Leave() { stops_.Leave(); }
+  /// Executes a command of the run while a script is stopped. Returns false if it must be executed after this tick.
+  bool ObeyInTick(Flow flow, Pace& pace);
   /// Returns true once after each stop.
   bool TakeNews() { return std::exchange(has_news_, false); }
 

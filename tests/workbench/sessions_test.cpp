@@ -20,6 +20,7 @@
 #include "sim/scenario.h"
 #include "workbench/contents_json.h"
 #include "workbench/desk.h"
+#include "workbench/flow_info.h"
 #include "workbench/pace.h"
 #include "workbench/requests_json.h"
 
@@ -333,6 +334,30 @@ TEST_F(Sessions, AScriptStopsInsideATickWhileItsUserIsServed) {
   desk->Bring(std::move(belongings));
   Tick(*desk, 1);
   EXPECT_EQ(waits, 13);
+}
+
+TEST_F(Sessions, EachCommandOfTheRunHasOneMeaningWhileAScriptIsStopped) {
+  Begin(record::Level::kDecisions, "thesis");
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+  std::vector<std::string> effects;
+  desk.scripts().SetWait([&] {
+    const auto flow = static_cast<workbench::Flow>(effects.size());
+    workbench::Pace pace(1);
+    if (flow == workbench::Flow::kTogglePause) pace.Pause();
+    room.told.clear();
+    std::string effect = desk.scripts().ObeyInTick(flow, pace) ? "" : "after the tick";
+    if (desk.scripts().is_stopped()) effect += room.told.empty() ? "stays stopped" : "refused";
+    if (pace.paused()) effect += "pauses";
+    if (pace.speed() != 1) effect += ", other speed";
+    effects.push_back(effect);
+  });
+  user.Ask(R"({"request": "line-stop", "file": "SeekingLuaAgent.lua", "line": 14})");
+  user.Serve();
+  Tick(desk, static_cast<int>(workbench::kFlowInfos.size()));
+  EXPECT_THAT(effects, testing::ElementsAre("", "pauses", "refused", "refused", "refused", "stays stopped, other speed",
+                                            "stays stopped, other speed", "stays stopped", "stays stopped, other speed",
+                                            "after the tick", "after the tick", "after the tick", "pauses"));
 }
 
 TEST_F(Sessions, ARecordingIsWatchedForwardsAndBackwards) {

@@ -40,11 +40,6 @@ constexpr auto kContentsEvery = std::chrono::milliseconds(250);
 /// the world is paused, and while no page is open.
 constexpr int kIdle_ms = 50, kAlone_ms = 500;
 
-bool IsStep(Flow flow) {
-  return flow == Flow::kStepTick || flow == Flow::kStepTurn || flow == Flow::kStepDecision ||
-         flow == Flow::kStepPhase || flow == Flow::kStepChange;
-}
-
 /// Common parts of live runs and recordings: the open panels, and the time of the next contents.
 class PanelsOfPage {
  public:
@@ -291,26 +286,12 @@ class LiveEngine {
   /// Executes commands for the run while a script is stopped. Postpones restarts to the end of the tick.
   void ObeyInTick(EnginePage::Asked& asked) {
     workbench::ScriptDesk& scripts = desk_->scripts();
-    if (asked.pause) {
-      *asked.pause ? pace_.Pause() : pace_.Resume();
-      if (!*asked.pause) scripts.GoOn();
-    }
+    if (asked.pause && *asked.pause) pace_.Pause();
+    if (asked.pause && !*asked.pause) scripts.ObeyInTick(Flow::kTogglePause, pace_);
     for (const Flow flow : asked.flows) {
-      if (flow == Flow::kReset || flow == Flow::kNextSeed) {
-        postponed_.flows.push_back(flow);
-        postponed_.seed = asked.seed;
-        scripts.Leave();
-      } else if (flow == Flow::kTogglePause) {
-        pace_.Resume();
-        scripts.GoOn();
-      } else if (flow == Flow::kStepTick || flow == Flow::kStepTurn) {
-        pace_.Pause();  // Takes effect at the end of this tick.
-        scripts.GoOn();
-      } else if (IsStep(flow)) {
-        page_.Tell("A script is stopped in the middle of a tick. Let it continue first");
-      } else {
-        pace_.Obey(flow);
-      }
+      if (scripts.ObeyInTick(flow, pace_)) continue;
+      postponed_.flows.push_back(flow);
+      postponed_.seed = asked.seed;
     }
     // The simulation executes these inputs in the next tick.
     for (sim::InputValue& input : asked.inputs) session_.simulation().Submit(std::move(input));

@@ -152,28 +152,6 @@ void LiveWindow::Tick(double step_s) {
   if (due == 0) session_.Idle();
 }
 
-void LiveWindow::ObeyInTick(viewer::ViewerCommand command) {
-  using viewer::ViewerCommand;
-  workbench::ScriptDesk& scripts = desk_->scripts();
-  const std::optional<workbench::Flow> flow = FlowOf(command);
-  if (command == ViewerCommand::kTogglePause) {
-    pace_.Resume();
-    scripts.GoOn();
-  } else if (command == ViewerCommand::kSingleStep) {
-    pace_.Pause();  // Takes effect at the end of this tick.
-    scripts.GoOn();
-  } else if (command == ViewerCommand::kReset || command == ViewerCommand::kNextSeed ||
-             command == ViewerCommand::kQuit) {
-    postponed_.push_back(command);
-    scripts.Leave();
-  } else if (command == ViewerCommand::kStepDecision || command == ViewerCommand::kStepPhase ||
-             command == ViewerCommand::kStepChange) {
-    viewer_.Tell("A script is stopped in the middle of a tick. Let it continue first");
-  } else if (flow) {
-    pace_.Obey(*flow);
-  }
-}
-
 void LiveWindow::WaitInTick() {
   workbench::ScriptDesk& scripts = desk_->scripts();
   // The script may have moved what is in the picture.
@@ -184,7 +162,10 @@ void LiveWindow::WaitInTick() {
     viewer_.SetStatus({.paused = true, .speed = pace_.speed(), .message = "a script is stopped"});
     viewer_.Show(newest_);
     is_closed_ = !viewer_.RenderFrame();
-    for (const viewer::ViewerCommand command : viewer_.TakeCommands()) ObeyInTick(command);
+    for (const viewer::ViewerCommand command : viewer_.TakeCommands()) {
+      const std::optional<workbench::Flow> flow = FlowOf(command);
+      if (flow && !scripts.ObeyInTick(*flow, pace_)) postponed_.push_back(command);
+    }
     window_desk_.Serve(*desk_);
     is_closed_ |= has_script_ && viewer_.ui_script().is_over;
   }
@@ -199,16 +180,16 @@ Result<void> LiveWindow::Obey() {
   for (const ViewerCommand command : viewer_.TakeCommands()) commands.push_back(command);
   for (const ViewerCommand command : commands) {
     // A user who looks at the past and lets the world or a mind advance returns to the present.
-    const bool is_step = command == ViewerCommand::kSingleStep || command == ViewerCommand::kStepDecision ||
-                         command == ViewerCommand::kStepPhase || command == ViewerCommand::kStepChange;
-    if (command == ViewerCommand::kTogglePause || is_step) desk_->GoOn();
-    if (const std::optional<workbench::Flow> flow = FlowOf(command)) pace_.Obey(*flow);
+    const std::optional<workbench::Flow> flow = FlowOf(command);
+    const bool advances = flow && (*flow == workbench::Flow::kTogglePause || workbench::IsStep(*flow));
+    if (advances) desk_->GoOn();
+    if (flow) pace_.Obey(*flow);
     if (command == ViewerCommand::kStepChange) {
       if (const std::string refusal = desk_->AwaitChange(); !refusal.empty()) {
         pace_.Pause();
         viewer_.Tell(refusal);
       }
-    } else if (command == ViewerCommand::kTogglePause || is_step) {
+    } else if (advances) {
       desk_->change().AwaitNothing();
     }
     const Result<bool> obeyed = control.Obey(command, session_, viewer_, newest_);

@@ -55,7 +55,6 @@ class LiveWindow {
   void Tick(double step_s);
   /// Serves the user while a script is stopped in the middle of a tick.
   void WaitInTick();
-  void ObeyInTick(viewer::ViewerCommand command);
   /// Executes the user's commands for the run. After an error the run cannot continue.
   Result<void> Obey();
 
