@@ -17,6 +17,7 @@ list(APPEND SOARBOX_KERNEL_SOURCES
   match/rete_check.cpp
   match/rete_guard.cpp
   match/rete_join.cpp
+  match/rete_join_sparse.cpp
   match/rete_match.cpp
   match/rete_nodes.cpp
   match/rete_query.cpp
