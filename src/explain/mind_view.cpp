@@ -157,6 +157,10 @@ bool MindView::IsPending(const std::string& rule) {
   return ReadIsPending(rule, Ask("matches --assertions"));
 }
 
+mind::Decision MindView::DecisionOf(const std::string& state) {
+  return inspector_->Operators(state).decision.value_or(mind::Decision());
+}
+
 std::vector<Preference> MindView::Preferences(const std::string& state) {
   std::vector<Preference> found;
   for (const PreferenceFact& fact : inspector_->Operators(state).preferences) {

@@ -58,6 +58,8 @@ class MindView {
   /// How often the rule has fired; nothing if that is not reported.
   std::optional<std::uint64_t> Firings(const std::string& rule);
   std::vector<Preference> Preferences(const std::string& state);
+  /// The recorded decision about a state's operators; empty if the kernel does not report it.
+  mind::Decision DecisionOf(const std::string& state);
   /// Values that an attribute has anywhere in working memory.
   std::vector<std::string> ValuesOf(const std::string& attribute);
   /// Values at the end of a path of attributes that begins at identifier `id`. Each value occurs once.

@@ -2,18 +2,15 @@
 #include "explain/reasons.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <map>
 #include <optional>
 
 #include "diagnostics/diagnostic.h"
+#include "explain/impasse_reasons.h"
 #include "explain/inspector.h"
 #include "explain/rule_makers.h"
 #include "explain/rule_slips.h"
 #include "explain/rule_text.h"
 #include "vocabulary/vocabulary.h"
-#include "wording/decision_text.h"
 #include "wording/number_words.h"
 #include "wording/sentences.h"
 
@@ -248,10 +245,6 @@ std::string MindReasons::WhatFailed() {
   if (failed.size() > kMostRulesTold)
     text += "; " + Say(Situation::kMoreNotLoaded, {{"count", std::to_string(failed.size() - kMostRulesTold)}});
   return text;
-}
-
-mind::Decision MindReasons::DecisionOf(const std::string& state) {
-  return MakeInspector(agent_)->Operators(state).decision.value_or(mind::Decision());
 }
 
 std::string MindReasons::StateOf(const RuleText& rule) {
@@ -605,123 +598,6 @@ std::vector<Reason> MindReasons::Nearest(const RuleList& candidates, const std::
   return reasons;
 }
 
-std::string MindReasons::WhyAlike(const std::string& state, const std::vector<Preference>& proposals) {
-  const std::vector<Preference> preferences = view_.Preferences(state);
-  // Whether all candidates have the same unary preference.
-  const auto have_all = [&](std::string_view section) {
-    return proposals.size() > 1 && std::ranges::all_of(proposals, [&](const Preference& proposal) {
-             return std::ranges::any_of(preferences, [&](const Preference& one) {
-               return one.section == section && one.operator_id == proposal.operator_id;
-             });
-           });
-  };
-  if (have_all("worst")) return Say(Situation::kTieAllSigned, {{"sign", "<"}});
-  if (have_all("best")) return Say(Situation::kTieAllSigned, {{"sign", ">"}});
-  // One rule proposes all of them because an attribute that rules make has several values.
-  const auto is_same = [&](const Preference& proposal) { return proposal.rule == proposals.front().rule; };
-  if (proposals.size() < 2 || !std::ranges::all_of(proposals, is_same)) return {};
-  const auto proposer = std::ranges::find(rules(), proposals.front().rule, &RuleText::name);
-  if (proposer == rules().end()) return {};
-  for (const RuleAttribute& action : proposer->actions) {
-    if (action.attribute == "operator" || !IsVariable(action.value)) continue;
-    for (const RuleAttribute& source : proposer->conditions) {
-      if (source.negated || source.value != action.value || !IsConstantAttribute(source.attribute)) continue;
-      const auto path = proposer->paths.find(source.id);
-      if (path == proposer->paths.end() || path->second.empty() || path->second.front() == "io") continue;
-      const RuleText* maker = nullptr;
-      for (const RuleText& rule : rules())
-        for (const RuleAttribute& made : rule.actions)
-          if (maker == nullptr && !rule.name.starts_with("chunk*") && made.attribute == source.attribute &&
-              !made.removes && IsVariable(made.value) && !rule.applies.empty())
-            maker = &rule;
-      std::set<std::string> values;
-      for (const Preference& proposal : proposals)
-        for (const std::string& value : view_.ValuesAt(proposal.operator_id, {action.attribute})) values.insert(value);
-      if (maker == nullptr || values.size() != proposals.size()) continue;
-      return Say(Situation::kTieBySeveral, {{"attribute", action.attribute},
-                                            {"source", source.attribute},
-                                            {"values", Listed(std::vector<std::string>(values.begin(), values.end()))},
-                                            {"rule", maker->name}});
-    }
-  }
-  return {};
-}
-
-std::vector<Reason> MindReasons::ExplainTie(const std::string& state, const std::string& below) {
-  // The remaining candidates are the items of the impasse; other operators may be proposed and dropped.
-  const std::vector<std::string> items = view_.ValuesAt(below, {"item"});
-  std::vector<Preference> proposals;
-  for (Preference& preference : view_.Preferences(state)) {
-    const std::string& op = preference.operator_id;
-    if (preference.section != "acceptable") continue;
-    if (!items.empty() && std::ranges::find(items, op) == items.end()) continue;
-    if (std::ranges::find(proposals, op, &Preference::operator_id) == proposals.end())
-      proposals.push_back(std::move(preference));
-  }
-  // Sorts "O2" before "O10".
-  std::ranges::sort(proposals, {}, [](const Preference& proposal) {
-    return std::pair(proposal.operator_id.size(), proposal.operator_id);
-  });
-  std::vector<std::string> names;
-  std::vector<Reason> lines;
-  for (const Preference& proposal : proposals) {
-    if (std::ranges::find(names, proposal.name) == names.end()) names.push_back(proposal.name);
-    if (lines.size() < kMostValuesShown && !proposal.rule.empty())
-      lines.push_back(Say(Situation::kIsProposedBy,
-                          {{"op", view_.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
-  }
-  const std::string alike = WhyAlike(state, proposals);
-  // A proposed constant is a candidate without a name.
-  for (const std::string& item : items)
-    if (std::ranges::find(proposals, item, &Preference::operator_id) == proposals.end()) names.push_back(item);
-  const std::string among =
-      names.size() == 1
-          ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
-          : Listed(names);
-  const std::string why = Say(Situation::kTie, {{"operators", among}}) + alike;
-  lines.insert(lines.begin(), {Say(Situation::kTieIn, {{"state", state}, {"why", why}}), Reason::Kind::kTorn});
-  lines.push_back(Say(Situation::kTieAdvice));
-  return lines;
-}
-
-std::vector<Reason> MindReasons::ExplainConflict(const std::string& state, const StackEntry& below) {
-  const bool is_conflict = below.about == "operator conflict";
-  const Situation situation = is_conflict ? Situation::kConflictIn : Situation::kConstraintFailureIn;
-  const Reason::Kind kind = is_conflict ? Reason::Kind::kTorn : Reason::Kind::kOther;
-  mind::Decision decision = DecisionOf(state);
-  decision.selected = mind::Decision::kNoOperator;
-  if (const std::string why = wording::WhyNothing(decision); !why.empty() && decision.impasse != mind::Impasse::kNone)
-    return {{Say(situation, {{"state", state}, {"why", why}}), kind}};
-  // For another kernel: the preferences of that kind among the candidates.
-  const std::vector<std::string> items = view_.ValuesAt(below.id, {"item"});
-  std::string said;
-  for (const Preference& preference : view_.Preferences(state)) {
-    const std::string& kind = preference.section;
-    const bool may_be_why = is_conflict ? kind == "better" || kind == "worse" : kind == "require" || kind == "prohibit";
-    if (!may_be_why || std::ranges::find(items, preference.operator_id) == items.end()) continue;
-    said += (said.empty() ? "" : "; ") + ("rule " + preference.rule + " says " + preference.text);
-  }
-  return {{Say(situation, {{"state", state}, {"why", said}}), kind}};
-}
-
-std::string MindReasons::WhyAllDropped(const std::string& state) {
-  if (state.empty()) return {};
-  const mind::Decision decision = DecisionOf(state);
-  if (!decision.empty()) return wording::WhyNothing(decision);
-  // For another kernel, the drops are not known. Lists its preferences against operators, if there are proposals.
-  std::string against;
-  bool is_proposed = false;
-  for (const Preference& preference : view_.Preferences(state)) {
-    is_proposed |= preference.section == "acceptable";
-    if (preference.section != "reject" && preference.section != "prohibit") continue;
-    against +=
-        (against.empty() ? "" : "; ") +
-        Say(preference.section == "reject" ? Situation::kRejects : Situation::kProhibits,
-            {{"maker", "rule " + preference.rule}, {"op", preference.name + " (" + preference.operator_id + ")"}});
-  }
-  return is_proposed && !against.empty() ? Say(Situation::kAllDropped, {{"why", against}}) : std::string();
-}
-
 std::vector<Reason> MindReasons::WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                                const std::set<std::string>& known) {
   const std::string& name = selected.about;
@@ -775,7 +651,7 @@ std::vector<Reason> MindReasons::WhyNotApplied(const StackEntry& selected, const
     const std::vector<StackEntry> stack = view_.Stack();
     const auto at = std::ranges::find(stack, selected.id, &StackEntry::id);
     const std::string substate = at == stack.end() || at + 1 == stack.end() ? "" : (at + 1)->id;
-    if (const std::string why = WhyAllDropped(substate); !why.empty())
+    if (const std::string why = WhyAllDropped(view_, substate); !why.empty())
       return {Say(Situation::kDroppedIn, {{"state", substate}, {"why", why}})};
     reasons.push_back(Say(Situation::kNothingBelow, op));
     for (Reason& near : Nearest(below, known)) reasons.push_back(std::move(near));
@@ -804,9 +680,9 @@ std::vector<Reason> MindReasons::WhyIdle(const std::set<std::string>& known) {
       continue;
     }
     if (entry.about == "operator tie") {
-      reasons = ExplainTie(state, entry.id);
+      reasons = ExplainTie(view_, state, entry.id);
     } else if (entry.about == "operator conflict" || entry.about == "operator constraint-failure") {
-      reasons = ExplainConflict(state, entry);
+      reasons = ExplainConflict(view_, state, entry);
     }
     // A substate because of a state no-change gives no new information.
     if (entry.about != "state no-change" || selected == nullptr) {
@@ -854,7 +730,7 @@ std::vector<Reason> MindReasons::WhyIdle(const std::set<std::string>& known) {
     if (entry.about != "state no-change") alike.clear();
     if (entry.is_state) alike.push_back(entry.id);
   }
-  if (std::string why = WhyAllDropped(alike.empty() ? state : alike.front()); !why.empty()) {
+  if (std::string why = WhyAllDropped(view_, alike.empty() ? state : alike.front()); !why.empty()) {
     reasons.push_back(Say(Situation::kDroppedIn, {{"state", alike.empty() ? state : alike.front()}, {"why", why}}));
     return reasons;
   }

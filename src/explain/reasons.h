@@ -76,19 +76,8 @@ class MindReasons {
   std::vector<Reason> Nearest(const RuleList& candidates, const std::set<std::string>& known);
   /// For a condition about an operator that is not selected: "the operator selected in S1 is rest (O1)".
   std::string ExplainSelected(const RuleText& rule, const ConditionText& condition);
-  /// Why no preference decides among candidates, as the end of a sentence: they have the same preference, or one rule
-  /// proposes them because an attribute has several values. Empty if neither is so.
-  std::string WhyAlike(const std::string& state, const std::vector<Preference>& proposals);
-  /// `below`: the substate of the tie.
-  std::vector<Reason> ExplainTie(const std::string& state, const std::string& below);
-  std::vector<Reason> ExplainConflict(const std::string& state, const StackEntry& below);
   std::vector<Reason> WhyNotApplied(const StackEntry& selected, const std::string& state, bool is_below,
                                     const std::set<std::string>& known);
-  /// Explains why all operators that are proposed in a state were dropped. Empty if none is proposed, or if the kernel
-  /// does not report it.
-  std::string WhyAllDropped(const std::string& state);
-  /// The recorded decision about a state's operators; empty if the kernel does not report it.
-  mind::Decision DecisionOf(const std::string& state);
   Makers MakersOf(const RuleText& rule, const ConditionText& condition);
   /// Follows the chain from a condition to the only rule that makes the required element, to the condition for which
   /// that rule waits, and so on. Returns the members of a circle if the chain ends in one; else nothing.

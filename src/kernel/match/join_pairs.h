@@ -86,8 +86,8 @@ struct TokensAndElement {
   }
 };
 
-/// Creates the tokens of a memory, which is not sparse and has a join and other tokens, for the pairs of a token and
-/// the elements with an identifier in a bucket.
+/// Creates the tokens of a memory for pairs of one token and the elements of a bucket (elements with the same
+/// identifier). The memory is not sparse, has a join, and has other tokens.
 class BucketTokens {
  public:
   [[gnu::always_inline]] BucketTokens(ReteState& state, std::uint32_t index, const TokenAndBucket& pairs)
