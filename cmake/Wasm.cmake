@@ -10,7 +10,7 @@ include("${SOARBOX_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake")
 # Uses WebAssembly's own exceptions; JavaScript's are slower.
 set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions")
-# Memory grows as needed, up to 4 GB. The stack is as large as in native builds, because minds and scripts need it. Optimising in the linker would
-# take ten times as long and did not improve any measurement.
+# Memory grows as needed, up to 4 GB. The stack is as large as in native builds, because minds and scripts need it. Optimising in the linker takes
+# two minutes for each program and makes none faster, only smaller (SOARBOX_SMALL_ENGINE).
 set(CMAKE_EXE_LINKER_FLAGS_INIT
-  "-fwasm-exceptions -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=8MB -sINITIAL_MEMORY=64MB -Wno-limited-postlink-optimizations")
+  "-O1 -fwasm-exceptions -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=8MB -sINITIAL_MEMORY=64MB -Wno-limited-postlink-optimizations")
