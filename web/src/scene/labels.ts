@@ -12,12 +12,17 @@ const MOST_NAMES = 60, MOST_PLACES = 24, MOST_SPEECH = 8, GONE_M = 130, PLACE_GO
 export const SPEECH_S = 3.5;
 /** Names are shown up to this multiple of the distance to the camera's target. */
 const FURTHER = 2, MOST_COVERED = 0.5;
-/** With more agents than this, labels show only names, except for the selected agent. */
-const MOST_WHOLE = 24;
+/**
+ * With more agents than this, or if complete labels would cover more than this share of the picture, labels show only
+ * names, except for the selected agent.
+ */
+const MOST_WHOLE = 24, MOST_LABELLED = 0.15, WHOLE_LABEL_PX2 = 80 * 44;
 /** Border, padding and height of a name alone. */
 const COMPACT_EDGES_PX = 12, COMPACT_PX = 20;
 /** Border and padding of a name, as scene.css has them. */
 const NAME_EDGES_PX = 20;
+/** Shorter lines between labels and agents are left out. Lines begin at least this far from a label's corner. */
+const LEAST_THREAD_PX = 12, THREAD_INSET_PX = 8;
 /** Longer speech is wrapped. */
 const SPEECH_PX = 210;
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
@@ -109,7 +114,7 @@ export class Labels {
       for (const { one, point } of heads) {
         const isSelected = one.id === selected, doing = doingOf(scene, one.id), name = `${one.agent.kind === FOREIGN ? "◇ " : ""}${shortened(one.agent.name, 28)}`, nameWide = textWidth(name, NAME_FONT);
         // In a crowd, labels show names only: they are more important than operators.
-        const isCrowd = heads.length > MOST_WHOLE && !isSelected;
+        const isCrowd = !isSelected && (heads.length > MOST_WHOLE || heads.length * WHOLE_LABEL_PX2 > MOST_LABELLED * view.width * view.height);
         const whole = names < MOST_NAMES && !isCrowd ? layout.place(point.x, point.y, Math.max(nameWide, textWidth(doing, DOING_FONT), 44) + NAME_EDGES_PX, doing === "" ? 29 : 44) : null;
         const box = whole ?? (names < MOST_NAMES ? layout.place(point.x, point.y, nameWide + COMPACT_EDGES_PX, COMPACT_PX) : null);
         if (box === null) {
@@ -132,9 +137,9 @@ export class Labels {
   /** `doing`: null for a name alone. */
   private name(one: Placed, name: string, doing: string | null, box: Box, point: Point, isSelected: boolean): Child {
     const health = Math.min(Math.max(one.agent.health / 100, 0), 1), color = cssColor(agentColor(one.agent));
-    const thread = Math.hypot(box.left + box.width / 2 - point.x, box.top + box.height - point.y);
+    const [x, y] = threadFrom(box, point);
     return [
-      thread > 16 && h("div.thread", { key: `t${one.id}`, style: threadStyle(box.left + box.width / 2, box.top + box.height, point.x, point.y) }),
+      Math.hypot(x - point.x, y - point.y) > LEAST_THREAD_PX && h("div.thread", { key: `t${one.id}`, style: threadStyle(x, y, point.x, point.y) }),
       h(`div.name${isSelected ? ".selected" : ""}${doing === null ? ".compact" : ""}`, { key: `n${one.id}`, style: { ...position(box), "border-left-color": color }, on: { click: () => this.select(one.id) } },
         h("b", null, name), doing !== null && doing !== "" && h("span", null, doing),
         one.agent.alive && doing !== null && h("i.health", null, h("i", { style: { width: `${Math.round(health * 100)}%`, background: cssColor(healthColor(health)) } }))),
@@ -153,7 +158,7 @@ export class Labels {
       const fade = Math.min(1, (SPEECH_S - (view.time - one.time)) / 0.6);
       const key = `${one.from}/${one.time}/${one.text}`;
       shown.push(
-        h("div.thread.speaking", { key: `u${key}`, style: threadStyle(box.left + box.width / 2, box.top + box.height, point.x, point.y) }),
+        h("div.thread.speaking", { key: `u${key}`, style: threadStyle(...threadFrom(box, point), point.x, point.y) }),
         h("div.speech", { key: `s${key}`, style: { ...position(box), opacity: String(Math.max(0, fade)) } }, text));
     }
     return shown;
@@ -171,6 +176,13 @@ export class Labels {
 
 function position(box: Box): Record<string, string> {
   return { transform: `translate(${box.left.toFixed(1)}px, ${box.top.toFixed(1)}px)`, width: `${Math.ceil(box.width)}px` };
+}
+
+/** Where the line from a label to its agent begins: on the edge that faces the agent. */
+export function threadFrom(box: Box, to: { x: number; y: number }): [x: number, y: number] {
+  const bottom = box.top + box.height, isBeside = to.y >= box.top && to.y <= bottom;
+  if (isBeside) return [to.x < box.left ? box.left : Math.min(to.x, box.left + box.width), to.y];
+  return [Math.min(Math.max(to.x, box.left + THREAD_INSET_PX), box.left + box.width - THREAD_INSET_PX), to.y < box.top ? box.top : bottom];
 }
 
 function threadStyle(x0: number, y0: number, x1: number, y1: number): Record<string, string> {

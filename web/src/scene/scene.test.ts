@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Shape, type Agent, type Drawable } from "../format/scene";
 import { LabelLayout } from "./label_layout";
+import { threadFrom } from "./labels";
 import { kindColor, lookOf, teamColor } from "./looks";
 import { looksLikeABody, readShape, shapeKey, ShapeLibrary, withoutSmall } from "./shape_library";
 import { parseMarkup } from "./script_ui";
@@ -110,4 +111,13 @@ test("scripts' markup: colours, fonts, percent signs, and what is cut off", () =
   assert.deepEqual(parseMarkup("a%1b%%%R\n%@24%c").map((line) => line.map((run) => [run.text, run.color, run.font])), [[["a", 0, 0], ["b%", 1, 0]], [["c", 0, 4]]]);
   assert.deepEqual(parseMarkup("<b>%").map((line) => line.map((run) => run.text)), [["<b>"]]);
   assert.deepEqual(parseMarkup("x%@24"), [[{ text: "x", color: 0, font: 0, mono: false }]]);
+});
+
+test("the line from a label to its agent begins at the edge that faces the agent", () => {
+  const box = { left: 100, top: 100, width: 80, height: 40 };
+  assert.deepEqual(threadFrom(box, { x: 140, y: 200 }), [140, 140]);
+  assert.deepEqual(threadFrom(box, { x: 140, y: 50 }), [140, 100]);
+  assert.deepEqual(threadFrom(box, { x: 10, y: 120 }), [100, 120]);
+  assert.deepEqual(threadFrom(box, { x: 300, y: 120 }), [180, 120]);
+  assert.deepEqual(threadFrom(box, { x: 300, y: 300 }), [172, 140]);
 });
