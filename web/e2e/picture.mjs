@@ -87,6 +87,39 @@ test("the names of agents are not cut", async () => {
   await close();
 });
 
+test("on a phone all steps and the speed are in the bar, labels are names, and signs are beside the first line of their text", async () => {
+  const { page, troubles, close } = await openPage("/", { size: [390, 844] });
+  await openWorld(page, "sheepdog");
+  await page.waitForSelector(".labels .name");
+  const right = (selector) => page.locator(selector).evaluate((one) => one.getBoundingClientRect().right);
+  for (const name of ["Step a tick", "Step a decision", "Step a phase", "Begin again", "Faster"]) assert.ok((await right(`.flow-bar button[aria-label="${name}"]`)) <= 390, `${name} is in the picture`);
+  await until(async () => (await page.locator(".labels .name").count()) > 3 && (await page.locator(".labels .name:not(.compact):not(.selected)").count()) === 0, "nine labels are only names");
+  await show(page, "Why");
+  await page.waitForSelector(".panel.why .fold-row");
+  const off = await page.locator(".panel.why .fold-row:has(> button.fold)").evaluateAll((rows) => rows.map((row) => {
+    const [sign, text] = [row.children[0], row.children[1]].map((one) => {
+      const range = document.createRange();
+      range.selectNodeContents(one);
+      return range.getClientRects()[0];
+    });
+    return sign === undefined || text === undefined ? 0 : Math.abs(sign.top - text.top);
+  }));
+  assert.ok(off.length > 3 && Math.max(...off) < 6, `signs are ${Math.max(...off)} px from the first lines of their texts`);
+  await picture(page, "phone");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("the dots of the timeline are explained", async () => {
+  const { page, troubles, close } = await openPage("/", { draws: false });
+  await openWorld(page, "thesis");
+  await show(page, "Timeline");
+  await page.waitForSelector(".mark-kinds li:has-text('command')");
+  assert.deepEqual((await page.locator(".mark-kinds li").allInnerTexts()).filter((name) => !/^(command|answer|message|event|error)$/.test(name)), []);
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("keys reach a world's scripts as in the window", async () => {
   const { page, troubles, close } = await openPage("/", { size: [1000, 560] });
   await openWorld(page, "thesis");

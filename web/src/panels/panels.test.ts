@@ -9,7 +9,7 @@ import { sizeText } from "../lesson/start_page";
 import type { MakePanel, PanelContext } from "./panel";
 import { protagonist } from "../app/protagonist";
 import { clock, passes } from "./parts";
-import { lineOf, placeTracks } from "./timeline";
+import { lineOf, namesOf, placeTracks, type BarName } from "./timeline";
 import { problemsPanel } from "./problems";
 
 const MOMENT = { agent: "porter", has_mind: true, not_available: "", past_note: "", not_recorded: "", time: { first_tick: 0, shown_tick: 90, last_tick: 90, step_s: 1 / 30, is_recording: false, is_live: true, can_go_back: true, can_resume: true, resume_refusal: "", branch_tick: null, branches: 0 } };
@@ -98,4 +98,15 @@ test("times, filters and sizes", () => {
   assert.deepEqual([clock(0), clock(61.239), clock(3599.999), clock(-1)], ["0:00.00", "1:01.24", "60:00.00", "0:00.00"]);
   assert.ok(passes("AN be", "anna, bert") && !passes("cy", "anna") && passes("", "x"));
   assert.deepEqual([sizeText(999), sizeText(5400), sizeText(2_340_000)], ["999 bytes", "5 kB", "2.3 MB"]);
+});
+
+test("narrow bars of one operator share a name; wide ones have their own", () => {
+  const bar = (text: string, left: number, right: number, level = 1): BarName => ({ text, kind: "operator", level, left, right });
+  const names = (...bars: BarName[]): string[] => namesOf(bars).map((one) => `${one.text} ${one.left}-${one.right}`);
+  assert.deepEqual(names(bar("follow", 0, 10), bar("follow", 10, 20), bar("follow", 21, 40)), ["follow 0-40"]);
+  assert.deepEqual(names(bar("follow", 0, 20), bar("flee", 20, 25), bar("follow", 25, 40)), []);
+  assert.deepEqual(names(bar("follow", 0, 20), bar("follow", 30, 60)), ["follow 30-60"]);
+  assert.deepEqual(names(bar("step", 0, 30), bar("step", 30, 60)), ["step 0-30", "step 30-60"]);
+  // Levels of the stack are separate lines.
+  assert.deepEqual(names(bar("go", 0, 15), bar("in", 0, 15, 2), bar("go", 15, 30), bar("in", 15, 30, 2)), ["go 0-30", "in 0-30"]);
 });

@@ -6,6 +6,7 @@ import { clock, empty } from "./parts";
 
 const NAMES_PX = 92, LINE_PX = 16, GAP_PX = 6, MARKS_PX = 14, SCALE_PX = 22, MOST_TICKS = 900;
 const MARK_COLORS: Readonly<Record<string, string>> = { command: "#e0a30b", outcome: "#2fa37a", message: "#3a8fd6", event: "#9a6fd0", error: "#d9412b", edit: "#d67a3a", learned: "#c04fa0" };
+const MARK_NAMES: Readonly<Record<string, string>> = { command: "command", outcome: "answer", message: "message", event: "event", error: "error", edit: "changed rule", learned: "learned rule" };
 
 export interface Placement { first: number; last: number; perTick: number; rows: readonly { track: Track; top: number; lines: number }[]; height: number }
 
@@ -25,7 +26,39 @@ export function lineOf(span: Pick<Span, "kind" | "level">): number {
   return span.kind === "operator" ? 2 * span.level - 2 : 2 * span.level - 3;
 }
 
+/** A name that is drawn over the bars of one or more spans. */
+export interface BarName { text: string; kind: Span["kind"]; level: number; left: number; right: number }
+
+/** Minimum width of a bar with its own name, and maximum gap between bars that share one. */
+const LEAST_NAMED_PX = 26, MOST_GAP_PX = 2;
+
+/** Names of bars. Bars that are too narrow for a name share one if they follow each other and mean the same. */
+export function namesOf(bars: readonly BarName[]): BarName[] {
+  const shown: BarName[] = [], narrow = new Map<number, BarName>();
+  for (const bar of bars) {
+    const line = lineOf(bar), before = narrow.get(line);
+    if (bar.right - bar.left >= LEAST_NAMED_PX) {
+      shown.push(bar);
+      narrow.delete(line);
+    } else if (before !== undefined && before.text === bar.text && bar.left - before.right <= MOST_GAP_PX) {
+      before.right = bar.right;
+    } else {
+      const group = { ...bar };
+      shown.push(group);
+      narrow.set(line, group);
+    }
+  }
+  return shown.filter((one) => one.right - one.left >= LEAST_NAMED_PX);
+}
+
 const hue = (text: string): number => [...text].reduce((sum, c) => (sum * 31 + (c.codePointAt(0) ?? 0)) % 360, 7);
+
+/** The beginning of a text that fits into a width, with an ellipsis. */
+function cutTo(out: CanvasRenderingContext2D, text: string, widthPx: number): string {
+  let count = text.length;
+  while (count > 1 && out.measureText(`${text.slice(0, count)}…`).width > widthPx) count -= 1;
+  return `${text.slice(0, count)}…`;
+}
 
 export const timelinePanel: MakePanel = (context) => {
   let canvas: HTMLCanvasElement | null = null, latest: Contents = {}, hint = "";
@@ -57,19 +90,23 @@ export const timelinePanel: MakePanel = (context) => {
       out.globalAlpha = 1;
       out.fillStyle = inkColor;
       out.fillText(track.agent === "" ? "world" : track.agent, 2, top + LINE_PX / 2, NAMES_PX - 8);
+      const bars: BarName[] = [];
       for (const span of track.spans) {
         const left = Math.max(x(span.first_tick), NAMES_PX), right = Math.max(x(span.open ? placed.last : span.last_tick), left + 2), y = top + lineOf(span) * LINE_PX;
         if (right < NAMES_PX || lineOf(span) < 0) continue;
         out.globalAlpha = 1;
         out.fillStyle = span.kind === "state" ? "hsl(32 75% 45%)" : `hsl(${hue(span.text)} 48% 45%)`;
         out.fillRect(left, y + 1, right - left - 0.5, LINE_PX - 2);
-        if (right - left < 26) continue;
+        bars.push({ text: span.text, kind: span.kind, level: span.level, left, right });
+      }
+      for (const name of namesOf(bars)) {
+        const y = top + lineOf(name) * LINE_PX, isCut = out.measureText(name.text).width > name.right - name.left - 8;
         out.save();
         out.beginPath();
-        out.rect(left, y, right - left - 2, LINE_PX);
+        out.rect(name.left, y, name.right - name.left - 2, LINE_PX);
         out.clip();
         out.fillStyle = "#fff";
-        out.fillText(span.text, left + 4, y + LINE_PX / 2 + 0.5);
+        out.fillText(isCut ? cutTo(out, name.text, name.right - name.left - 8) : name.text, name.left + 4, y + LINE_PX / 2 + 0.5);
         out.restore();
       }
       for (const mark of track.marks) {
@@ -109,7 +146,9 @@ export const timelinePanel: MakePanel = (context) => {
         return empty("Operators, impasses, commands and events are drawn here as they happen.");
       }
       return [
-        h("p.quiet.told", { attributes: { "aria-live": "off" } }, hint === "" ? "Click a moment to go there. A state of the stack is orange, an operator has its own colour; dots are commands, answers, messages and events." : hint),
+        h("p.quiet.told", { attributes: { "aria-live": "off" } }, hint === "" ? "Click a moment to go there. A state of the stack is orange, an operator has its own colour." : hint),
+        h("ul.mark-kinds", { attributes: { "aria-label": "Meaning of the dots" } }, Object.entries(MARK_NAMES).filter(([kind]) => tracks.some((track) => track.marks.some((mark) => mark.kind === kind)))
+          .map(([kind, name]) => h("li", { key: kind }, h("i", { style: { background: MARK_COLORS[kind]! } }), name))),
         h("canvas.timeline", {
           foreign: true, attributes: { role: "img", "aria-label": "Operators and events over time; the trace has the same as text" },
           mounted: (element) => {
