@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "diagnostics/problem.h"
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOpen = 200, kMostWatches = 40, kMostNames = 1000;
+constexpr std::size_t kMostOpen = 200, kMostWatches = 40;
 constexpr int kLinesAround = 6;  ///< Lines of the text that are shown before and after the place of a stop.
 
 bool IsScript(const fs::path& file) {
@@ -33,6 +34,16 @@ script::ScriptStep StepOf(ScriptGoRequest::How how) {
          : how == How::kOver ? script::ScriptStep::kOver
          : how == How::kOut  ? script::ScriptStep::kOut
                              : script::ScriptStep::kGo;
+}
+
+/// The name that the run uses for a file: of the file with this path, or with this name if it is no path. Scripts
+/// choose the names of the chunks that they load, so the name may be that of no file of the run.
+std::string FileOf(const std::set<std::string>& files, const std::string& file) {
+  if (files.contains(file)) return file;
+  const fs::path wanted(file), name = wanted.filename();
+  for (const std::string& each : files)
+    if (fs::path(each).filename() == name && (wanted == name || Plain(each) == Plain(wanted))) return each;
+  return file;
 }
 
 std::vector<ScriptContents::Line> LinesAround(const std::string& text, int line) {
@@ -65,25 +76,12 @@ void ScriptDesk::Bring(const Belongings& belongings) {
   watches_ = belongings.watches;
 }
 
-std::string ScriptDesk::FileOf(const std::string& file) {
-  sim::Simulation* const live = common_.Live();
-  if (live == nullptr) return file;
-  if (const auto known = names_.find(file); known != names_.end()) return known->second;
-  if (names_.size() > kMostNames) names_.clear();
-  const fs::path wanted(file), name = wanted.filename();
-  for (const sim::WatchedFile& each : live->Files()) {
-    if (each.is_rules || each.file.filename() != name) continue;
-    if (wanted == name || each.file == wanted || Plain(each.file) == Plain(wanted))
-      return names_[file] = each.file.string();
-  }
-  return file;
-}
-
-bool ScriptDesk::IsOfRun(const std::string& file) {
-  sim::Simulation* const live = common_.Live();
-  if (live == nullptr) return false;
-  const std::vector<sim::WatchedFile> files = live->Files();
-  return std::ranges::any_of(files, [&](const auto& each) { return !each.is_rules && each.file.string() == file; });
+std::set<std::string> ScriptDesk::FilesOfRun() const {
+  std::set<std::string> files;
+  if (sim::Simulation* const live = common_.Live())
+    for (const sim::WatchedFile& each : live->Files())
+      if (!each.is_rules) files.insert(each.file.string());
+  return files;
 }
 
 void ScriptDesk::Wait() {
@@ -91,8 +89,9 @@ void ScriptDesk::Wait() {
   call_ = 0;
   has_news_ = true;
   place_ = stops_.Place();
-  place_.file = FileOf(place_.file);
-  if (IsOfRun(place_.file)) files_.Edit(EditRequest{place_.file, place_.line}, {});
+  const std::set<std::string> files = FilesOfRun();
+  place_.file = FileOf(files, place_.file);
+  if (files.contains(place_.file)) files_.Edit(EditRequest{place_.file, place_.line}, {});
   is_in_tick_ = true;
   wait_();
   is_in_tick_ = false;
@@ -148,12 +147,13 @@ bool ScriptDesk::ObeyInTick(Flow flow, Pace& pace) {
 void ScriptDesk::Obey(const LineStopRequest& request) {
   if (!CanStop())
     return common_.surroundings.Tell("Scripts cannot stop here: they stop in a run in a window or on a server's page");
-  const std::string file = FileOf(request.file);
+  const std::set<std::string> files = FilesOfRun();
+  const std::string file = FileOf(files, request.file);
   if (!request.is_on) return stops_.Clear(file, request.line);
   if (!IsScript(file))
     return common_.note_problem(ProblemIn(file, "this is not a script", "name a file in Lua that the run uses"), {});
   const std::optional<std::string> text = files_.TextOf(file);
-  if (!text && !IsOfRun(file))
+  if (!text && !files.contains(file))
     return common_.note_problem(ProblemIn(file, "the run does not use this script", "name one of its scripts"), {});
   const Result<int> set = stops_.Set(file, text ? *text : ReadText(file).value_or(""), request.line);
   if (!set) {
@@ -199,18 +199,15 @@ void ScriptDesk::Fill(Contents& contents, bool is_visible) {
   shown.at_errors = stops_.at_errors();
   shown.watches = watches_;
   shown.count = count_;
-  if (is_visible) {
-    std::set<std::string> files;
-    for (const sim::WatchedFile& file : common_.Live()->Files())
-      if (!file.is_rules && IsScript(file.file)) files.insert(file.file.string());
-    shown.files.assign(files.begin(), files.end());
-  }
+  if (!is_visible && !is_stopped()) return;
+  const std::set<std::string> files = FilesOfRun();
+  if (is_visible) std::ranges::copy_if(files, std::back_inserter(shown.files), IsScript);
   if (!is_stopped()) return;
   shown.stopped = stops_.Look(call_, open_, watches_);
-  for (script::ScriptFrame& call : shown.stopped->calls) call.file = call.file.empty() ? "" : FileOf(call.file);
+  for (script::ScriptFrame& call : shown.stopped->calls) call.file = call.file.empty() ? "" : FileOf(files, call.file);
   if (shown.stopped->calls.empty()) return;
   const script::ScriptFrame& call = shown.stopped->calls[shown.stopped->call];
-  if (IsOfRun(call.file)) {
+  if (files.contains(call.file)) {
     const std::optional<std::string> text = files_.TextOf(call.file);
     shown.lines = LinesAround(text ? *text : ReadText(call.file).value_or(""), call.line);
   }

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -75,12 +74,8 @@ class ScriptDesk {
   bool CanStop() const;
   /// Called when a script stops: calls the function of SetWait.
   void Wait();
-  /// The name that the run uses for the script with this path or file name. Returns `file` if the run has no such
-  /// script.
-  std::string FileOf(const std::string& file);
-  /// Whether this is the name of a script of the run. The name of a stop may be any text, because scripts choose the
-  /// names of the chunks that they load. Files that are not of the run must not be shown.
-  bool IsOfRun(const std::string& file);
+  /// The names that the run uses for its files, without those of rules.
+  std::set<std::string> FilesOfRun() const;
 
   const DeskCommon& common_;
   FileDesk& files_;
@@ -92,7 +87,6 @@ class ScriptDesk {
   std::uint64_t count_ = 0;   ///< Number of stops.
   debugger::LineStop place_;  ///< Of the present stop.
   bool has_news_ = false, is_in_tick_ = false;
-  std::map<std::string, std::string> names_;  ///< Answers of FileOf.
 };
 
 }  // namespace soarbox::workbench
