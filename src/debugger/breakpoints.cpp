@@ -72,20 +72,21 @@ bool IsNamed(const Breakpoint& point, std::string_view name) {
   return point.what.empty() || IsLikePattern(name, point.what);
 }
 
-std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& event) {
-  using Cause = std::optional<std::string>;
+std::optional<Breakpoints::Cause> CauseIn(const Breakpoint& point, const mind::Event& event) {
+  using Cause = Breakpoints::Cause;
   switch (point.kind) {
     case BreakKind::kFire: {
       const auto* fired = std::get_if<mind::RuleFired>(&event);
       if (fired == nullptr || fired->retracts || !IsRule(fired->rule, point.what)) return std::nullopt;
-      return "rule " + std::string(fired->rule) + " fired";
+      return Cause("rule " + std::string(fired->rule) + " fired", std::string(fired->rule));
     }
     case BreakKind::kElement:
     case BreakKind::kRemoved: {
       const auto* element = std::get_if<mind::ElementChanged>(&event);
       if (element == nullptr || element->added != (point.kind == BreakKind::kElement)) return std::nullopt;
       const explain::ElementFact fact = FactOf(*element);
-      return IsLike(fact, point.what) ? Cause(Describe(fact) + (element->added ? " came" : " went")) : std::nullopt;
+      if (!IsLike(fact, point.what)) return std::nullopt;
+      return Describe(fact) + (element->added ? " came" : " went");
     }
     case BreakKind::kOperator: {
       const auto* selected = std::get_if<mind::OperatorSelected>(&event);
@@ -101,8 +102,8 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
     }
     case BreakKind::kCommand: {
       const auto* said = std::get_if<mind::CommandSaid>(&event);
-      return said != nullptr && IsNamed(point, said->name) ? Cause("command " + wording::CommandText(*said))
-                                                           : std::nullopt;
+      if (said == nullptr || !IsNamed(point, said->name)) return std::nullopt;
+      return "command " + wording::CommandText(*said);
     }
     case BreakKind::kFailed: {
       const auto* ended = std::get_if<mind::CommandEnded>(&event);
@@ -117,7 +118,7 @@ std::optional<std::string> CauseIn(const Breakpoint& point, const mind::Event& e
 }
 
 /// For events of the world, not of a mind.
-std::optional<std::string> CauseIn(const Breakpoint& point, const sim::RunEvent& event) {
+std::optional<Breakpoints::Cause> CauseIn(const Breakpoint& point, const sim::RunEvent& event) {
   if (point.kind == BreakKind::kDeath && event.kind == sim::EventKind::kNews && event.news == "dies") {
     if (!point.agent.empty() && point.agent != event.agent) return std::nullopt;
     return "it dies" + (event.text.empty() ? std::string() : ", " + event.text);
@@ -199,9 +200,9 @@ void Breakpoints::Prepare(sim::Simulation& simulation) {
   }
 }
 
-std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, const sim::MindReport& report) {
+std::optional<Breakpoints::Cause> Breakpoints::NumberCause(const Breakpoint& point, const sim::MindReport& report) {
   const NumberTest test = *ReadNumberTest(point.what);
-  std::optional<std::string> first;
+  std::optional<Cause> first;
   // Tests all elements of the tick, also after a hit: held_ must contain the last value for the next tick.
   report.events.ForEachOf<mind::ElementChanged>([&](const mind::ElementChanged& element) {
     if (!element.added || element.is_object || !IsLikePattern(element.attribute, test.attribute) ||
@@ -217,28 +218,31 @@ std::optional<std::string> Breakpoints::NumberCause(const Breakpoint& point, con
   return first;
 }
 
-std::optional<std::string> Breakpoints::CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
-                                                    const sim::MindReport& report) {
+std::optional<Breakpoints::Cause> Breakpoints::CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
+                                                           const sim::MindReport& report) {
   if (point.kind == BreakKind::kMatch) {
     const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(report.agent);
     const std::optional<explain::MatchFacts> match = mind == nullptr ? std::nullopt : mind->Match(point.what);
     const bool matches = match && !match->failing;
     const bool did = std::exchange(held_[{point.number, report.agent}], matches);
-    return matches && !did ? std::optional("rule " + point.what + " matches") : std::nullopt;
+    if (!matches || did) return std::nullopt;
+    return "rule " + point.what + " matches";
   }
   if (point.kind == BreakKind::kNumber) return NumberCause(point, report);
   mind::Event event;
   for (std::size_t at = 0; report.events.Next(at, event);)
-    if (std::optional<std::string> cause = CauseIn(point, event)) return cause;
+    if (std::optional<Cause> cause = CauseIn(point, event)) return cause;
   return std::nullopt;
 }
 
 std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation, const sim::EventList& events) {
   std::vector<BreakHit> hits;
-  const auto hit = [&](Breakpoint& point, const std::string& agent, const std::string& cause) {
+  const auto hit = [&](Breakpoint& point, const std::string& agent, const Cause& cause) {
     ++point.hits;
-    hits.push_back({point.number, agent, simulation.tick(),
-                    "breakpoint " + std::to_string(point.number) + ": " + (agent.empty() ? "" : agent + ": ") + cause});
+    hits.push_back(
+        {point.number, agent, simulation.tick(),
+         "breakpoint " + std::to_string(point.number) + ": " + (agent.empty() ? "" : agent + ": ") + cause.text,
+         cause.rule});
   };
   const double step_s = simulation.world().settings().step_s, now_s = static_cast<double>(simulation.tick()) * step_s;
   for (Breakpoint& point : list_) {
@@ -249,12 +253,11 @@ std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation, cons
       continue;
     }
     for (const sim::RunEvent& event : events)
-      if (const std::optional<std::string> cause = CauseIn(point, event)) hit(point, event.agent, *cause);
+      if (const std::optional<Cause> cause = CauseIn(point, event)) hit(point, event.agent, *cause);
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {
       const sim::MindReport report = simulation.Mind(i);
       if (!point.agent.empty() && point.agent != report.agent) continue;
-      if (const std::optional<std::string> cause = CauseInMind(point, simulation, report))
-        hit(point, report.agent, *cause);
+      if (const std::optional<Cause> cause = CauseInMind(point, simulation, report)) hit(point, report.agent, *cause);
     }
   }
   return hits;

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "debugger/json.h"
@@ -71,13 +72,22 @@ struct BreakHit {
   int number = 0;
   std::string agent;
   std::uint64_t tick = 0;
-  std::string why;  ///< "breakpoint 2: scout: rule attack*enemy fired"
+  std::string why;        ///< "breakpoint 2: scout: rule attack*enemy fired"
+  std::string rule = {};  ///< The rule that fired; empty if something else was the cause.
 };
 
 /// Checks after each tick whether a breakpoint was hit. Breakpoints do not change the run; the caller pauses it after a
 /// hit.
 class Breakpoints {
  public:
+  /// Why a breakpoint was hit.
+  struct Cause {
+    // Not explicit: most causes are only a text.
+    Cause(std::string text, std::string rule = {})  // NOLINT(google-explicit-constructor)
+        : text(std::move(text)), rule(std::move(rule)) {}
+    std::string text;
+    std::string rule;  ///< As in BreakHit.
+  };
   /// Adds a breakpoint and returns its number. Fails if the pattern has not the form of its kind: it needs the name of
   /// a rule, an element with an attribute, a comparison with a number, or a time above 0.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
@@ -94,10 +104,10 @@ class Breakpoints {
   std::vector<BreakHit> Check(const sim::Simulation& simulation, const sim::EventList& events);
 
  private:
-  std::optional<std::string> CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
-                                         const sim::MindReport& report);
+  std::optional<Cause> CauseInMind(const Breakpoint& point, const sim::Simulation& simulation,
+                                   const sim::MindReport& report);
   /// Returns why a number is a hit. Also records which numbers satisfy the breakpoint now.
-  std::optional<std::string> NumberCause(const Breakpoint& point, const sim::MindReport& report);
+  std::optional<Cause> NumberCause(const Breakpoint& point, const sim::MindReport& report);
 
   std::vector<Breakpoint> list_;
   int last_number_ = 0;

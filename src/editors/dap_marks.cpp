@@ -6,6 +6,7 @@
 
 #include "debugger/watch.h"
 #include "diagnostics/number_from_chars.h"
+#include "diagnostics/wildcard.h"
 #include "editors/dap_server.h"
 #include "editors/dap_words.h"
 #include "explain/command_text.h"
@@ -82,16 +83,14 @@ void DapServer::Log(const std::string& line, const std::filesystem::path& file, 
                    {"line", at}});
 }
 
-bool DapServer::StopsFor(const std::string& reason) {
+bool DapServer::StopsFor(const StopReason& reason) {
+  if (reason.rule.empty()) return true;
   for (const StopWish& wish : wishes_)
-    if (wish.kind == "fire" && reason.find(" " + wish.what + " fired") != std::string::npos) return true;
-  const std::string agent = reason.substr(0, reason.find(": "));
-  bool is_mark = false;
+    if (wish.kind == "fire" && (wish.what == reason.rule || IsLikePattern(reason.rule, wish.what))) return true;
   for (const auto& entry : marks_) {
     for (const Mark& mark : entry.second) {
-      if (reason.find("rule " + mark.rule + " fired") == std::string::npos) continue;
-      is_mark = true;
-      const std::unique_ptr<explain::Inspector> mind = debuggee_->Inspect(agent);
+      if (mark.rule != reason.rule) continue;
+      const std::unique_ptr<explain::Inspector> mind = debuggee_->Inspect(reason.agent);
       const auto value_of = [&](const std::string& path) {
         const debugger::WatchValue value =
             mind == nullptr ? debugger::WatchValue() : debugger::LookAtWatch(*mind, explain::Trimmed(path));
@@ -105,7 +104,7 @@ bool DapServer::StopsFor(const std::string& reason) {
       Log(Interpolated(mark.log, value_of), mark.file, mark.line);
     }
   }
-  return !is_mark;
+  return false;
 }
 
 bool DapServer::StopsInScript(std::uint32_t owner) {
@@ -125,12 +124,12 @@ bool DapServer::StopsInScript(std::uint32_t owner) {
   return false;
 }
 
-bool DapServer::StopsFor(const std::vector<std::string>& reasons) {
+bool DapServer::StopsFor(const StopReasons& reasons) {
   if (const std::optional<std::uint32_t> script = PausedScript())
-    return !(reasons.size() == 1 && reasons.front().ends_with(": breakpoint")) || StopsInScript(*script);
+    return reasons.size() != 1 || reasons.front().kind != StopReason::Kind::kScriptLine || StopsInScript(*script);
   // The loop does not end at the first `true`, because a later reason may be a log point, which must print.
   bool stops = false;
-  for (const std::string& reason : reasons) stops |= StopsFor(reason);
+  for (const StopReason& reason : reasons) stops |= StopsFor(reason);
   return stops;
 }
 

@@ -205,11 +205,11 @@ Json DapServer::StepScript(const std::string& command, std::uint32_t owner) {
                                   : command == "stepIn" ? script::ScriptStep::kInto
                                                         : script::ScriptStep::kOut;
   stopped_at_.clear();
-  const std::vector<std::string> why = Lua().Advance(step, owner);
+  const StopReasons why = Lua().Advance(step, owner);
   TellNews();
   EndIfOver();
-  const bool is_step = why.empty() || why.front().ends_with(": step");
-  Stop(is_step ? "step" : "breakpoint", why.empty() ? std::string() : why.front());
+  const bool is_step = why.empty() || why.front().kind == StopReason::Kind::kScriptStep;
+  Stop(is_step ? "step" : "breakpoint", why.empty() ? std::string() : why.front().text);
   return Json::object();
 }
 

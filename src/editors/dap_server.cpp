@@ -209,7 +209,7 @@ std::vector<Json> DapServer::Advance() {
   if (!running_ || debuggee_ == nullptr) return {};
   const std::vector<std::string> agents = debuggee_->Agents();
   stopped_at_.clear();
-  std::vector<std::string> why = debuggee_->Advance(Step::kTick, agents.empty() ? "" : agents.front());
+  StopReasons why = debuggee_->Advance(Step::kTick, agents.empty() ? "" : agents.front());
   TellNews();
   if (!why.empty() && !StopsFor(why)) why.clear();
   EndIfOver();
@@ -218,13 +218,14 @@ std::vector<Json> DapServer::Advance() {
     if (!why.empty()) {
       for (const auto& [file, marks] : marks_)
         for (const Mark& mark : marks)
-          if (why.front().find(" " + mark.rule + " fired") != std::string::npos) stopped_at_ = mark.rule;
-      stepping_ = agents.empty() ? "" : agents.front();
-      for (const std::string& agent : agents)
-        if (why.front().find(agent + ": ") != std::string::npos) stepping_ = agent;
+          if (why.front().rule == mark.rule) stopped_at_ = mark.rule;
+      stepping_ = !why.front().agent.empty() || agents.empty() ? why.front().agent : agents.front();
     }
-    const bool is_error = !why.empty() && PausedScript() && why.front().find(": error: ") != std::string::npos;
-    Stop(why.empty() ? "pause" : is_error ? "exception" : "breakpoint", why.empty() ? "the run is over" : why.front());
+    const bool is_error = !why.empty() && why.front().kind == StopReason::Kind::kScriptError;
+    Stop(why.empty() ? "pause"
+         : is_error  ? "exception"
+                     : "breakpoint",
+         why.empty() ? "the run is over" : why.front().text);
   }
   for (Json& event : after_) {
     event["seq"] = ++sequence_;
@@ -259,9 +260,9 @@ Json DapServer::StepBy(const std::string& command, const Json& arguments) {
     constexpr int kMostSteps = 300;
     const std::size_t before = depth();
     for (int i = 0; i < kMostSteps && text.empty() && !minds.HasEnded(); ++i) {
-      const std::vector<std::string> why = minds.Advance(step, agent);
-      if (!why.empty()) text = why.front();
-      // stepOut leaves a substate: it repeats the step until the goal stack is shorter.
+      const StopReasons why = minds.Advance(step, agent);
+      if (!why.empty()) text = why.front().text;
+      // Out of a substate: until the goal stack is shorter.
       if (command != "stepOut" || before <= 1 || depth() < before) break;
     }
   }

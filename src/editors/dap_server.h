@@ -61,10 +61,9 @@ class DapServer {
   static std::string FaultOfCondition(const std::string& condition);
   /// Prints the line of a log point, which is in line `at` of the file.
   void Log(const std::string& line, const std::filesystem::path& file, std::size_t at);
-  /// Whether one of these reasons stops the run. A log point does not, but its line is printed. A breakpoint does not
-  /// if its condition does not hold.
-  bool StopsFor(const std::vector<std::string>& reasons);
-  bool StopsFor(const std::string& reason);
+  /// Prints the log points among these reasons to stop. False: none of the others is a reason, so the run goes on.
+  bool StopsFor(const StopReasons& reasons);
+  bool StopsFor(const StopReason& reason);
   bool StopsInScript(std::uint32_t owner);
 
   // Requests about scripts.

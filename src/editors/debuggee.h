@@ -32,6 +32,16 @@ struct StopWish {
 /// Parses an event; nothing if there is no such kind, or for "operator" without a name.
 std::optional<StopWish> ReadStopWish(const std::string& text);
 
+/// Why a run stopped.
+struct StopReason {
+  enum class Kind : std::uint8_t { kMind, kScriptLine, kScriptStep, kScriptError };
+  std::string text;
+  Kind kind = Kind::kMind;
+  std::string agent = {};  ///< kMind: the agent; empty if it is about none.
+  std::string rule = {};   ///< kMind: the rule that fired; empty if something else is the reason.
+};
+using StopReasons = std::vector<StopReason>;
+
 /// The Lua scripts of a world that is being debugged. A script can pause in the middle of a tick. Debuggee::Advance
 /// then continues this tick, until its end or the next pause.
 class ScriptDebuggee {
@@ -41,9 +51,9 @@ class ScriptDebuggee {
   /// script pauses during the call.
   virtual void With(const std::function<void(script::ScriptDebugger&)>& look) = 0;
   virtual bool IsPaused() const = 0;
-  /// If a script is paused, makes a step in it; otherwise runs to the next line of the script of this owner. Ends also
-  /// at a breakpoint, at the end of the run, and after 300 ticks. Returns the reasons for stopping.
-  virtual std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) = 0;
+  /// Continues until a script pauses again or the run ends. If a script is paused, makes a step in it; otherwise stops
+  /// at the next line of the script of this owner. Returns the reasons for stopping.
+  virtual StopReasons Advance(script::ScriptStep step, std::uint32_t owner) = 0;
   /// Passes Lua code to the script of an agent, or of the sandbox (0). It is executed in the next tick.
   virtual void Run(std::uint32_t owner, const std::string& text) = 0;
 };
@@ -57,8 +67,8 @@ class Debuggee {
   /// Null if there is no such agent. Valid until the next step.
   virtual std::unique_ptr<explain::Inspector> Inspect(const std::string& agent) = 0;
   /// Makes a step. Returns the reasons to stop other than the end of the step; empty if there are none.
-  virtual std::vector<std::string> Advance(Step step, const std::string& agent) = 0;
-  /// Goes back by one tick; if a script is paused, to the beginning of its tick. Fails if that is not possible.
+  virtual StopReasons Advance(Step step, const std::string& agent) = 0;
+  /// Goes back by one tick. Fails if that is not possible.
   virtual Result<void> GoBack() = 0;
   /// Goes back to the beginning.
   virtual Result<void> Restart() = 0;

@@ -35,16 +35,17 @@ class KernelDebuggee final : public Debuggee {
     return found == nullptr ? nullptr : explain::MakeInspector(*found);
   }
 
-  std::vector<std::string> Advance(Step step, const std::string& agent) override {
+  StopReasons Advance(Step step, const std::string& agent) override {
     sml::Agent* const mind = kernel_->GetAgent(agent.c_str());
-    if (mind == nullptr) return {"there is no agent " + agent};
+    if (mind == nullptr) return {{"there is no agent " + agent}};
     std::map<std::string, std::uint64_t> fired;
     for (const std::string& rule : stop_rules_) fired[rule] = FiringsOf(*mind, rule);
     const std::string text = mind->ExecuteCommandLine(step == Step::kPhase ? "run --phase 1" : "run --decision 1");
     if (!text.empty()) news_.push_back(text);
-    std::vector<std::string> why;
+    StopReasons why;
     for (const auto& [rule, before] : fired)
-      if (FiringsOf(*mind, rule) > before) why.push_back(agent + ": rule " + rule + " fired");
+      if (FiringsOf(*mind, rule) > before)
+        why.push_back({agent + ": rule " + rule + " fired", StopReason::Kind::kMind, agent, rule});
     const std::unique_ptr<explain::Inspector> looks = explain::MakeInspector(*mind);
     halted_ = looks->Mind().halted;
     CheckWishes(agent, *looks, why);
@@ -108,7 +109,10 @@ class KernelDebuggee final : public Debuggee {
     return std::strtoull(text.c_str() + digit, nullptr, 10);
   }
 
-  void CheckWishes(const std::string& agent, explain::Inspector& mind, std::vector<std::string>& why) {
+  void CheckWishes(const std::string& agent, explain::Inspector& mind, StopReasons& why) {
+    const auto add = [&](const std::string& what) {
+      why.push_back({agent + ": " + what, StopReason::Kind::kMind, agent});
+    };
     const std::vector<explain::StateFact> stack = mind.Stack();
     std::vector<std::string> selected;
     for (const explain::StateFact& state : stack) selected.push_back(state.id + state.operator_id);
@@ -117,12 +121,12 @@ class KernelDebuggee final : public Debuggee {
       for (std::size_t i = 0; i < stack.size(); ++i) {
         const bool is_new = std::ranges::find(before, selected[i]) == before.end();
         if (wish.kind == "operator" && is_new && stack[i].operator_name == wish.what)
-          why.push_back(agent + ": operator " + wish.what + " was selected");
+          add("operator " + wish.what + " was selected");
         const bool is_new_state =
             std::ranges::none_of(before, [&](const std::string& one) { return one.starts_with(stack[i].id); });
         if (wish.kind == "impasse" && is_new_state && stack[i].impasse != "none" &&
             (stack[i].attribute + " " + stack[i].impasse).find(wish.what) != std::string::npos)
-          why.push_back(agent + ": impasse " + stack[i].attribute + " " + stack[i].impasse);
+          add("impasse " + stack[i].attribute + " " + stack[i].impasse);
       }
       if (wish.kind != "element") continue;
       constexpr std::size_t kMost = 200;
@@ -133,7 +137,7 @@ class KernelDebuggee final : public Debuggee {
       for (const explain::ElementFact& element : mind.Search(attribute.substr(0, attribute.find(' ')), kMost)) {
         if (!debugger::IsLike(element, wish.what) || element.timetag <= newest) continue;
         if (element.timetag > last) last = element.timetag;
-        why.push_back(agent + ": element " + element.id + " ^" + element.attribute + " " + element.value);
+        add("element " + element.id + " ^" + element.attribute + " " + element.value);
       }
       newest = last;
     }

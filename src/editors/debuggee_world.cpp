@@ -55,11 +55,11 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
 
   std::unique_ptr<explain::Inspector> Inspect(const std::string& agent) override { return simulation_->Inspect(agent); }
 
-  std::vector<std::string> Advance(Step step, const std::string& agent) override {
+  StopReasons Advance(Step step, const std::string& agent) override {
     constexpr int kMostTicks = 300;  // Maximum number of ticks without a decision before a step ends.
     if (task_.is_paused()) return EndTick(task_.Resume());
     const std::uint64_t decisions = DecisionsOf(agent);
-    std::vector<std::string> why;
+    StopReasons why;
     for (int i = 0; i < kMostTicks && !HasEnded() && why.empty(); ++i) {
       why = Tick();
       if (task_.is_paused() || step != Step::kDecision || DecisionsOf(agent) > decisions) break;
@@ -118,9 +118,9 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
 
   bool IsPaused() const override { return task_.is_paused(); }
 
-  std::vector<std::string> Advance(script::ScriptStep step, std::uint32_t owner) override {
+  StopReasons Advance(script::ScriptStep step, std::uint32_t owner) override {
     constexpr int kMostTicks = 300;  // A step ends if a script is not called for this number of ticks.
-    std::vector<std::string> why;
+    StopReasons why;
     if (task_.is_paused()) {
       task_.Do([&] { scripts_.SetStep(step); });
       why = EndTick(task_.Resume());
@@ -153,18 +153,23 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     scripts_.SetEnabled(true);
   }
 
-  /// If the tick has ended, returns the breakpoints that it hit; otherwise where and why a script has paused.
-  std::vector<std::string> EndTick(bool has_ended) {
-    if (has_ended) return std::exchange(is_set_up_again_, false) ? std::vector<std::string>() : AfterTick();
+  /// Returns what happened in a tick, or why a script has paused during it.
+  StopReasons EndTick(bool has_ended) {
+    if (has_ended) return std::exchange(is_set_up_again_, false) ? StopReasons() : AfterTick();
     std::vector<script::ScriptFrame> calls;
-    std::string reason;
+    StopReason reason;
     task_.Do([&] {
       const script::ScriptView& view = scripts_.view();
       calls = view.Frames();
-      reason = view.reason() == "error" ? "error: " + view.error() : view.reason();
+      using Kind = StopReason::Kind;
+      reason.kind = view.reason() == "error"  ? Kind::kScriptError
+                    : view.reason() == "step" ? Kind::kScriptStep
+                                              : Kind::kScriptLine;
+      reason.text = reason.kind == Kind::kScriptError ? "error: " + view.error() : view.reason();
     });
-    if (calls.empty()) return {reason};
-    return {calls.front().file + ":" + std::to_string(calls.front().line) + ": " + reason};
+    if (!calls.empty())
+      reason.text = calls.front().file + ":" + std::to_string(calls.front().line) + ": " + reason.text;
+    return {reason};
   }
 
   void Watch() {
@@ -190,7 +195,7 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     return mind == nullptr ? 0 : mind->Mind().decisions;
   }
 
-  std::vector<std::string> Tick() {
+  StopReasons Tick() {
     if (simulation_->tick() == 0 && scripts_.HasBreakpoints() && scripts_.IsWanted() &&
         !std::exchange(has_begun_, true)) {
       // Repeats the set-up of the world, because scripts may have breakpoints in it, which are known only now.
@@ -221,11 +226,12 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
     news_.clear();  // The first set-up has printed the same.
   }
 
-  std::vector<std::string> AfterTick() {
+  StopReasons AfterTick() {
     ended_tick_ = simulation_->tick();
     for (const sim::Input& input : simulation_->LastInputs()) inputs_.push_back({simulation_->tick(), input});
-    std::vector<std::string> why;
-    for (const debugger::BreakHit& hit : breakpoints_.Check(*simulation_, TakeEvents())) why.push_back(hit.why);
+    StopReasons why;
+    for (const debugger::BreakHit& hit : breakpoints_.Check(*simulation_, TakeEvents()))
+      why.push_back({hit.why, StopReason::Kind::kMind, hit.agent, hit.rule});
     return why;
   }
 

@@ -137,6 +137,16 @@ class Debugger(unittest.TestCase):
         self.assertEqual("the run is over", self.step("continue")["text"])
         self.assertFalse(self.mark({"line": 20, "condition": "prnt s1 > 5"})[0]["verified"])
 
+    def test_a_condition_holds_in_a_world_as_well(self):
+        (self.rules.parent / "scenario.toml").write_text('[[agent]]\nname = "walker"\nbody = "runner"\nrules = "counter.soar"\n')
+        self.begin(program=str(self.rules.parent), seconds=5)
+        self.mark({"line": 20, "condition": "count > 1"})
+        self.assertIn("walker: rule apply*add fired", self.step("continue")["text"])
+        self.mark({"line": 20, "condition": "count > 5"})
+        self.ask("restart")
+        self.wait_for("stopped")
+        self.assertEqual("the run is over", self.step("continue")["text"])
+
     def test_a_log_point_prints_values_and_does_not_stop(self):
         self.begin(program=str(self.rules), world=False)
         self.mark({"line": 20, "logMessage": "counted to {count}{no.such.thing}."})
