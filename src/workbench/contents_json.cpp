@@ -531,7 +531,9 @@ Json ToJson(const Contents& contents, std::string_view name) {
 Json PageJson(const Contents& contents, std::string_view name) {
   const std::optional<PanelId> panel = FindPanel(name);
   if (!panel || !document::HasDocument(*panel)) return ToJson(contents, name);
-  return {{"document", document::ToJson(document::DocumentOf(*panel, contents))}};
+  Json json{{"document", document::ToJson(document::DocumentOf(*panel, contents))}};
+  if (const std::string badge = document::BadgeOf(*panel, contents); !badge.empty()) json["badge"] = badge;
+  return json;
 }
 
 }  // namespace soarbox::workbench

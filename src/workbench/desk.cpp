@@ -49,7 +49,7 @@ Desk::Desk(LiveRun& run, const record::Header& header, const sim::Scenario& scen
       surroundings_(surroundings),
       turn_ticks_(sim::TurnTicks(scenario)),
       past_(header, scenario, settings),
-      common_{&run, past_, surroundings, NoteProblems()},
+      common_{&run, past_, surroundings, NoteProblems(), ForgetProblems()},
       files_(common_),
       scripts_(common_, files_),
       consoles_(common_, FileOf(scenario)) {
@@ -66,7 +66,7 @@ Desk::Desk(record::Reader& recording, const sim::DataFolders& data, record::Tick
       next_tick_(recording.first_tick()),
       recorded_(recording.header().level),
       past_(recording, data, FirstOf(recording, range), LastOf(recording, range)),
-      common_{nullptr, past_, surroundings, NoteProblems()},
+      common_{nullptr, past_, surroundings, NoteProblems(), ForgetProblems()},
       files_(common_),
       scripts_(common_, files_),
       consoles_(common_, std::filesystem::path(recording.header().folder) / recording.header().scenario) {}

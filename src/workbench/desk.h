@@ -147,6 +147,14 @@ class Desk {
   auto NoteProblems() {
     return [this](Diagnostic diagnostic, std::string agent) { NoteProblem(std::move(diagnostic), std::move(agent)); };
   }
+  /// Drops the problems of a file up to the tick that is shown.
+  auto ForgetProblems() {
+    return [this](const std::string& file) {
+      std::erase_if(problems_, [&](const ProblemRow& one) {
+        return one.diagnostic.file == file && one.tick <= past_.shown_tick();
+      });
+    };
+  }
 
   LiveRun* run_ = nullptr;               ///< Null for a recording.
   record::Reader* recording_ = nullptr;  ///< Null for a live run.

@@ -148,7 +148,8 @@ class Panels(WindowUser):
             expect "Standing"
             expect "End"
             expect-not "Resume here"
-            expect "Problems 1"
+            click "Problems"
+            expect "idler has nothing to do"
             click "Why"
             expect "Why does walker do what it does?"
             expect "command seek"
@@ -398,7 +399,7 @@ class Panels(WindowUser):
                 click "Mind"
                 picture mark.png
                 expect "cannot be looked into"
-                click "Problems 2"
+                click "Problems"
                 expect "its agents do nothing until"
                 click "Why"
                 click "Memory"

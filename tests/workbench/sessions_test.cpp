@@ -14,6 +14,7 @@
 #include "app/record_run.h"
 #include "app/run_session.h"
 #include "debugger/views.h"
+#include "diagnostics/problem.h"
 #include "record/reader.h"
 #include "record/run_test_support.h"
 #include "record/ticks_test_support.h"
@@ -27,6 +28,7 @@
 namespace soarbox {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -267,6 +269,28 @@ TEST_F(Sessions, OnlyFilesOfTheRunAreEditedAndDraftsOutliveTheSession) {
   user.Ask(R"({"request": "edit-text", "what": "revert", "text": ""})");
   user.Serve();
   EXPECT_THAT(user.See("edit")["edit"]["text"].get<std::string>(), Not(HasSubstr("broken")));
+}
+
+TEST_F(Sessions, ProblemsOfAFileAreOverWhenItIsChangedWithoutErrors) {
+  Begin();
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+  user.Ask(R"({"request": "select", "agent": "blue-1"})");
+  user.Ask(R"({"request": "look", "panels": ["edit", "problems"]})");
+  user.Serve();
+  const std::string file = user.See("edit")["files"][0]["file"];
+  user.Ask(Json{{"request", "edit"}, {"file", file}}.dump().c_str());
+  user.Serve();
+  const std::string text = user.See("edit")["edit"]["text"];
+  desk.NoteProblem(ProblemIn(file, "the first problem"), {});
+  desk.NoteProblem(ProblemIn("other.soar", "the second problem"), {});
+  const auto problems_after = [&](const std::string& applied) {
+    user.Ask(Json{{"request", "edit-text"}, {"what", "apply"}, {"text", applied}}.dump().c_str());
+    user.Serve();
+    return user.See("problems")["problems"].dump();
+  };
+  EXPECT_THAT(problems_after("sp {broken (state <s>) --> (<s> ^x"), HasSubstr("the first problem"));
+  EXPECT_THAT(problems_after(text + "\n"), AllOf(HasSubstr("the second problem"), Not(HasSubstr("the first problem"))));
 }
 
 TEST_F(Sessions, AScriptStopsInsideATickWhileItsUserIsServed) {

@@ -25,6 +25,12 @@ const Kind* As(const doc::Node& node) {
   return std::get_if<Kind>(&node.is);
 }
 
+/// A section that cannot be folded. Such sections are items of a list if one follows another.
+bool IsItem(const doc::Node& node) {
+  const auto* section = As<doc::Section>(node);
+  return section != nullptr && !section->unfolds;
+}
+
 void DrawParagraph(PanelFrame& frame, const doc::Paragraph& text) {
   using Style = doc::Paragraph::Style;
   if (text.style == Style::kEmpty) ImGui::Dummy({1, ImGui::GetFontSize() * 0.5f});
@@ -191,6 +197,7 @@ void DocumentView::DrawRange(PanelFrame& frame, const doc::Nodes& nodes, std::si
                  last = nodes.begin() + static_cast<std::ptrdiff_t>(end);
       plot_height_ = GraphHeight(frame, static_cast<std::size_t>(std::find_if_not(first, last, is_plot) - first));
     }
+    if (i > begin && IsItem(nodes[i - 1]) && IsItem(nodes[i])) ImGui::Separator();
     DrawNode(frame, nodes[i], fills && i + 1 == end);
   }
 }

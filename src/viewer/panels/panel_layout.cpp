@@ -34,7 +34,6 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   put(workbench::PanelId::kTimeline, MakeTimelinePanel());
   put(workbench::PanelId::kConsole, MakeConsolePanel());
   put(workbench::PanelId::kEdit, MakeEditPanel());
-  put(workbench::PanelId::kProblems, MakeProblemsPanel());
   put(workbench::PanelId::kMission, MakeMissionPanel());
 }
 
@@ -144,9 +143,8 @@ namespace {
 /// "Problems 3"
 std::string TitleOf(workbench::PanelId panel, const workbench::Contents& contents) {
   std::string title(InfoOf(panel).title);
-  const std::size_t count = panel == workbench::PanelId::kProblems ? contents.problems.size() : 0;
-  if (count > 0) title.append(1, ' ').append(std::to_string(count));
-  return title;
+  const std::string badge = workbench::document::BadgeOf(panel, contents);
+  return badge.empty() ? title : title + " " + badge;
 }
 
 ImVec2 SizeOfTab(const std::string& title) {
@@ -212,7 +210,7 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const workbench::PanelInfo& info = InfoOf(panels[i]);
     const bool is_front = side.front < all.size() && panels[i] == all[side.front];
-    const bool alarms = panels[i] == workbench::PanelId::kProblems && !frame.contents.problems.empty();
+    const bool alarms = !workbench::document::BadgeOf(panels[i], frame.contents).empty();
     const std::string title = TitleOf(panels[i], frame.contents);
     const ImVec2 size = SizeOfTab(title);
     if (i > 0) {

@@ -62,7 +62,7 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
       {workbench::PanelId::kEdit, {"Apply", "walker*propose*seek", "line 14", "variable <t>"}},
       {workbench::PanelId::kBreakpoints, {"stopped", "walker*propose*flee", "Hits"}},
       {workbench::PanelId::kFutures, {"There is only one future so far."}},
-      {workbench::PanelId::kProblems, {"error", "variable <t>", "did you mean", "walker.soar:14", "Open in editor"}},
+      {workbench::PanelId::kProblems, {"error", "variable <t>", "did you mean", "^^^", "walker.soar:14"}},
       {workbench::PanelId::kWatch, {"Nothing is watched yet.", "Side by side:"}},
       {workbench::PanelId::kMinds, {"No mind is shown.", "Side by side:"}},
       {workbench::PanelId::kMission,

@@ -15,4 +15,11 @@ Nodes DocumentOf(PanelId panel, const Contents& contents) {
   return found == std::end(kPanelDocuments) ? Nodes() : found->build(contents);
 }
 
+std::string BadgeOf(PanelId panel, const Contents& contents) {
+  if (panel != PanelId::kProblems) return {};
+  const auto count = std::ranges::count_if(
+      contents.problems, [](const ProblemRow& problem) { return problem.diagnostic.severity != Severity::kNote; });
+  return count == 0 ? std::string() : std::to_string(count);
+}
+
 }  // namespace soarbox::workbench::document

@@ -18,7 +18,9 @@
 namespace soarbox::workbench::document {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 struct Situation {
   const char* title;
@@ -50,6 +52,7 @@ class Documents : public testing::Test {
 std::vector<Situation> Situations() {
   const auto clear = [](Contents& contents) {
     contents.agents.clear();
+    contents.problems.clear();
     contents.agent_count = 0;
     contents.soar_agents.clear();
     contents.messages = nullptr;
@@ -189,6 +192,20 @@ TEST_F(Documents, OfMemorySayAllAboutAnElement) {
   run->contents.memory_search = "speed";
   run->contents.found = {story.element};
   EXPECT_THAT(TextOf(PanelId::kMemory), HasSubstr("1 element\n"));
+}
+
+TEST_F(Documents, OfProblemsCountThemAndHaveAPageForTheSelectedAgent) {
+  run->Fill("walker");
+  EXPECT_EQ(BadgeOf(PanelId::kProblems, run->contents), "1");
+  EXPECT_THAT(TextOf(PanelId::kProblems), Not(HasSubstr("= All")));
+  ProblemRow note;
+  note.diagnostic.severity = Severity::kNote;
+  note.diagnostic.message = "it waits";
+  run->contents.problems.push_back(note);
+  EXPECT_EQ(BadgeOf(PanelId::kProblems, run->contents), "1") << "notes are not counted";
+  EXPECT_THAT(TextOf(PanelId::kProblems), AllOf(HasSubstr("= All"), HasSubstr("= walker"), HasSubstr("it waits")));
+  run->contents.problems.clear();
+  EXPECT_EQ(BadgeOf(PanelId::kProblems, run->contents), "");
 }
 
 TEST_F(Documents, OfMindsShowWhatAScriptShowsAlsoOfAnAgentWithoutAMind) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "debugger/json.h"
 #include "workbench/contents.h"
@@ -13,6 +14,8 @@ namespace soarbox::workbench::document {
 bool HasDocument(PanelId panel);
 /// Builds the document of a panel; empty if it has none.
 Nodes DocumentOf(PanelId panel, const Contents& contents);
+/// The number that the panel's tab shows; empty: none.
+std::string BadgeOf(PanelId panel, const Contents& contents);
 
 /// Converts a document to JSON (docs/workbench.md).
 debugger::Json ToJson(const Nodes& nodes);
@@ -38,6 +41,7 @@ Nodes LearningDocument(const Contents& contents);
 Nodes ExerciseDocument(const Contents& contents);
 Nodes ImageryDocument(const Contents& contents);
 Nodes ScriptDocument(const Contents& contents);
+Nodes ProblemsDocument(const Contents& contents);
 
 struct PanelDocument {
   PanelId panel;
@@ -53,6 +57,7 @@ inline constexpr PanelDocument kPanelDocuments[] = {
     {PanelId::kMinds, MindsDocument},       {PanelId::kLongTerm, LongTermDocument},
     {PanelId::kLearning, LearningDocument}, {PanelId::kExercise, ExerciseDocument},
     {PanelId::kImagery, ImageryDocument},   {PanelId::kScript, ScriptDocument},
+    {PanelId::kProblems, ProblemsDocument},
 };
 
 }  // namespace soarbox::workbench::document

@@ -8,7 +8,6 @@ import { consolePanel } from "../panels/console";
 import type { Panel, PanelContext, PlaceFiles } from "../panels/panel";
 import { outputPanel } from "../panels/output";
 import { ARRANGEMENTS, PANELS } from "../panels/panel_table";
-import { problemsPanel } from "../panels/problems";
 import { timelinePanel } from "../panels/timeline";
 import type { ContentName } from "../run/contents";
 import type { Run } from "../run/run";
@@ -90,7 +89,7 @@ export class RunPage {
       },
     };
     this.edit = new EditPanel(context, () => this.applied());
-    const own = [missionPanel, timelinePanel, problemsPanel, consolePanel, outputPanel].map((make) => make(context));
+    const own = [missionPanel, timelinePanel, consolePanel, outputPanel].map((make) => make(context));
     this.panels = [...own, ...PANELS.filter((one) => one.hasDocument).map((one) => documentPanel(context, one))];
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
@@ -230,9 +229,9 @@ export class RunPage {
   /** Called when rules have changed. A lesson's run begins again, so that checks and picture show the new rules. */
   private applied(): void {
     const { run, attempt } = this, isLive = run.contents.moment?.time.is_live !== false;
-    attempt.applied(run.flow.tick, run.contents.edit?.edit.file);
+    attempt.applied(run.flow.tick);
     if (attempt.isLesson && attempt.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
-    for (const dock of this.docks) dock.note(["mission", "problems"]);
+    for (const dock of this.docks) dock.note(["mission"]);
   }
 
   private grade(): void {

@@ -48,6 +48,7 @@ test("a panel without a document describes its contents, one with a document sho
   const panel = documentPanel(made().context, { word: "rules", title: "Rules", about: "The rules.", hasDocument: true });
   assert.equal(textOf(panel.view({})), "The rules.");
   assert.equal(textOf(panel.view({ rules: { document: [{ is: "empty", s: ["No rules. ", ["Write one.", "quiet"]] }] } })), "No rules. Write one.");
+  assert.deepEqual([panel.badge!({}), panel.badge!({ rules: { document: [], badge: "3" } })], ["", "3"]);
 });
 
 test("texts have roles and send requests; markup in a text is shown as text", () => {

@@ -10,6 +10,7 @@ export function documentPanel(context: PanelContext, info: PanelInfo): Panel {
   const view = new DocumentView(context, info.word), word = info.word as keyof Contents;
   return {
     word: info.word, title: info.title, about: info.about, uses: [word, "moment"],
+    badge: (contents) => (contents[word] as DocumentContent | undefined)?.badge ?? "",
     view: (contents) => {
       const content = contents[word] as DocumentContent | undefined;
       return content?.document === undefined ? empty(info.about) : view.view(content.document);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
-import type { Contents } from "../run/contents";
+import type { Contents, Problem } from "../run/contents";
 import { infoOf, type Panel, type PanelContext } from "../panels/panel";
-import { problemView } from "../panels/problems";
 import type { Editor, EditorCommand } from "./editor";
 import { unpackText } from "../app/address";
 import { fileName, firstFile } from "./first_file";
@@ -15,6 +14,12 @@ const ANSWERED_AFTER_MS = 500;
 /** The run's message after it has reloaded changed rules. */
 const RELOADED = /^Reloaded/;
 
+function problemView(context: PanelContext, one: Problem): View {
+  const place = one.file === undefined ? "" : `${one.file.split("/").at(-1) ?? ""}${one.line === undefined ? "" : `:${one.line}`}${one.column === undefined ? "" : `:${one.column}`}`;
+  return h(`li.problem.${one.severity}`, null,
+    h("div.row", null, h("span.severity", null, one.severity), place !== "" && button(place, () => context.edit(one.file ?? "", one.line), { attributes: { title: "Edit it there" } }, "button.link")),
+    h("p", null, one.message, one.more !== undefined && h("span.quiet", null, ` and ${one.more} more`)), one.excerpt !== undefined && h("pre", null, one.excerpt), one.hint !== undefined && h("p.hint", null, one.hint));
+}
 
 /** The panel with the editor: files, text, problems, and Apply. The editor itself is loaded when it is needed. */
 export class EditPanel implements Panel {

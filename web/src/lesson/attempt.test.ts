@@ -41,14 +41,6 @@ test("checks restart with each Apply", () => {
   assert.equal(whyOpen(time(), attempt), "");
 });
 
-test("a problem disappears after a later change of its file without errors", () => {
-  const attempt = new Attempt(shelf());
-  attempt.begin("scenario:x");
-  assert.equal(attempt.isMended({ file: "a.soar", tick: 5 }), false);
-  attempt.applied(9, "a.soar");
-  assert.deepEqual([{ file: "a.soar", tick: 9 }, { file: "a.soar", tick: 10 }, { file: "b.soar", tick: 5 }, { tick: 5 }].map((one) => attempt.isMended(one)), [true, false, false, false]);
-});
-
 test("at an earlier moment checks show their state at that moment", () => {
   const attempt = new Attempt(shelf()), past = time({ is_live: false, shown_tick: 50 }), mission: Mission = { checks: [check("true", 40), check("true", 60), check("open", 0)], lesson: null, lessons: [] };
   attempt.begin("scenario:x");

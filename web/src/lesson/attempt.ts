@@ -14,8 +14,6 @@ export class Attempt {
   private what = "";
   /** Tick at which the rules of the running world changed; null: they have not changed since its beginning. */
   changedAt: number | null = null;
-  /** The ticks at which files were changed without errors. */
-  private readonly mended = new Map<string, number>();
 
   constructor(private readonly shelf: Shelf) {}
 
@@ -24,7 +22,6 @@ export class Attempt {
     const isSame = what === this.what;
     this.what = what;
     this.changedAt = null;
-    this.mended.clear();
     return isSame;
   }
 
@@ -41,16 +38,10 @@ export class Attempt {
     if (this.isLesson && !this.isTried) this.shelf.setItem(TRIED + this.what, "yes");
   }
 
-  /** Rules were changed at this tick of the run, without errors; `file`: the changed file. */
-  applied(tick: number, file = ""): void {
+  /** Rules were changed at this tick of the run, without errors. */
+  applied(tick: number): void {
     this.note();
     this.changedAt = tick;
-    if (file !== "") this.mended.set(file, tick);
-  }
-
-  /** Whether a problem was in a file that has been changed since, without errors: it is over. */
-  isMended(problem: { readonly file?: string; readonly tick: number }): boolean {
-    return problem.file !== undefined && problem.tick <= (this.mended.get(problem.file) ?? -1);
   }
 
   /** Whether a lesson's run begins again with each Apply. */

@@ -83,7 +83,7 @@ export const PANELS: readonly PanelInfo[] = [
   {
     word: "problems", title: "Problems",
     about: "Errors and warnings in full, with file and line.",
-    hasDocument: false,
+    hasDocument: true,
   },
   {
     word: "watch", title: "Watch",

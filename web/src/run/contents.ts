@@ -53,7 +53,6 @@ export interface EditText {
 export interface StoppedScript { script: string; reason: string; error: string; file?: string; line?: number; count: number }
 export interface Edit { files: readonly { agent: string; file: string; is_rules: boolean }[]; open_files: readonly OpenFile[]; edit: EditText; stopped?: StoppedScript | null }
 
-export interface Problems { problems: readonly (Problem & { agent: string; tick: number; time_s: number; cause: string })[] }
 export interface Check { name: string; expected: string; was: string; agent: string; is_marker: boolean; state: string; tick: number; time_s: number }
 export interface Lesson {
   name: string;
@@ -91,8 +90,8 @@ export interface Ghosts {
   }[];
 }
 
-/** The contents of a panel that is described by a document. */
-export interface DocumentContent { document?: Document }
+/** The contents of a panel that is described by a document, and the number on its tab. */
+export interface DocumentContent { document?: Document; badge?: string }
 
 /** All contents by name. Those that have not arrived yet are missing. */
 export interface Contents extends Partial<Record<DocumentName, DocumentContent>> {
@@ -100,10 +99,9 @@ export interface Contents extends Partial<Record<DocumentName, DocumentContent>>
   timeline?: Timeline;
   console?: Console;
   edit?: Edit;
-  problems?: Problems;
   mission?: Mission;
   ghosts?: Ghosts;
 }
 type DocumentName = "agents" | "mind" | "memory" | "rules" | "why" | "links" | "messages" | "plots" | "trace" | "breakpoints" | "futures" | "watch" | "minds" |
-  "longterm" | "learning" | "exercise" | "imagery" | "script";
+  "longterm" | "learning" | "exercise" | "imagery" | "script" | "problems";
 export type ContentName = keyof Contents;
