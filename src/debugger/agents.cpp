@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "debugger/facts_text.h"
 #include "diagnostics/diagnostic.h"
@@ -43,12 +42,6 @@ std::string LastOperator(const Timeline& timeline, std::string_view agent, std::
     return NameAndId(at->text, at->id);
   const auto at = std::find_if(track->spans.rbegin(), track->spans.rend(), is_meant);
   return at == track->spans.rend() ? std::string() : NameAndId(at->text, at->id);
-}
-
-/// All text that a filter searches.
-std::string TextOf(const AgentRow& row) {
-  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.last_op + " " +
-         row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");
 }
 
 std::string FirstLine(const std::string& text) {
@@ -120,45 +113,6 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
     row.last_op = row.op.empty() ? LastOperator(timeline, row.name, tick.tick) : row.op;
   }
   return rows;
-}
-
-void SortAgents(std::vector<AgentRow>& rows, AgentColumn column, bool descending) {
-  const auto less = [column](const AgentRow& a, const AgentRow& b) {
-    switch (column) {
-      case AgentColumn::kCreated:
-        return a.id < b.id;
-      case AgentColumn::kName:
-        return a.name < b.name;
-      case AgentColumn::kKind:
-        return a.kind < b.kind;
-      case AgentColumn::kTeam:
-        return a.team < b.team;
-      case AgentColumn::kHealth:
-        return a.health < b.health;
-      case AgentColumn::kState:
-        return a.state < b.state;
-      case AgentColumn::kOperator:
-        return a.op < b.op;
-      case AgentColumn::kCommand:
-        return a.command < b.command;
-      case AgentColumn::kErrors:
-        return a.errors < b.errors;
-      case AgentColumn::kDecisions:
-        return a.decisions < b.decisions;
-      case AgentColumn::kTime:
-        return a.decide_us < b.decide_us;
-    }
-    return false;
-  };
-  std::stable_sort(rows.begin(), rows.end(),
-                   [&](const AgentRow& a, const AgentRow& b) { return descending ? less(b, a) : less(a, b); });
-}
-
-std::vector<AgentRow> FilterAgents(const std::vector<AgentRow>& rows, std::string_view text) {
-  std::vector<AgentRow> passed;
-  std::ranges::copy_if(rows, std::back_inserter(passed),
-                       [&](const AgentRow& row) { return Passes(text, TextOf(row)); });
-  return passed;
 }
 
 std::string ToText(const std::vector<AgentRow>& rows) {

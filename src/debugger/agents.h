@@ -71,24 +71,6 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
 std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline& timeline,
                                  const AgentTroubles& troubles);
 
-enum class AgentColumn : std::uint8_t {
-  kCreated,
-  kName,
-  kKind,
-  kTeam,
-  kHealth,
-  kState,
-  kOperator,
-  kCommand,
-  kErrors,
-  kDecisions,
-  kTime,
-};
-/// Sorts rows by a column. Rows that are equal in it keep their order.
-void SortAgents(std::vector<AgentRow>& rows, AgentColumn column, bool descending = false);
-/// The rows that contain each word of `text` in name, kind, team, state, operator, command or error.
-std::vector<AgentRow> FilterAgents(const std::vector<AgentRow>& rows, std::string_view text);
-
 /// Without decision times, because they differ from run to run.
 std::string ToText(const std::vector<AgentRow>& rows);
 Json ToJson(const std::vector<AgentRow>& rows);

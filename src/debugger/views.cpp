@@ -54,6 +54,12 @@ Diagnostic NoSuch(const std::string& what, const std::string& name, const std::v
   return NewProblem("there is no " + what + " '" + name + "'", known.empty() ? "" : hint);
 }
 
+/// All text that a filter searches.
+std::string TextOf(const AgentRow& row) {
+  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.last_op + " " +
+         row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");
+}
+
 template <typename Model>
 ViewText Both(const Model& model) {
   return {ToText(model), Print(ToJson(model))};
@@ -248,10 +254,11 @@ Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, c
   const RunModels& models = *source.models;
   const auto within = [&](std::uint64_t tick) { return tick >= request.first_tick && tick <= request.last_tick; };
   if (request.view == "agents") {
-    return Both(FilterAgents(source.simulation != nullptr
-                                 ? ListAgents(*source.simulation, models.troubles, &models.timeline)
-                                 : ListAgents(*source.last, models.timeline, models.troubles),
-                             request.of));
+    std::vector<AgentRow> rows = source.simulation != nullptr
+                                     ? ListAgents(*source.simulation, models.troubles, &models.timeline)
+                                     : ListAgents(*source.last, models.timeline, models.troubles);
+    std::erase_if(rows, [&](const AgentRow& row) { return !Passes(request.of, TextOf(row)); });
+    return Both(rows);
   }
   if (request.view == "state") return ShowStates(*source.last, request.agent);
   if (request.view == "messages") {

@@ -27,9 +27,6 @@ inline Ogre::Vector3 ToOgre(world::Vec3 v) {
 inline Ogre::Quaternion ToOgre(world::Quat q) {
   return {q.w, q.x, q.y, q.z};
 }
-inline world::Vec3 FromOgre(const Ogre::Vector3& v) {
-  return {v.x, v.y, v.z};
-}
 
 /// Order of drawing: solid things (Ogre's main group), then the ground and the sky, so that only their visible pixels
 /// are shaded, then transparent things. Fills and lines come last (groups 7 and 8).

@@ -43,11 +43,6 @@ export function agentLink(context: PanelContext, name: string): View {
   return button(name === "" ? "world" : name, () => context.run.ask("select", { agent: name }), {}, "button.link");
 }
 
-/** The head of a column of numbers. */
-export function numberHead(name: string): View {
-  return h("th.number", { attributes: { scope: "col" } }, name);
-}
-
 /** A table with a head for each column. */
 export function table(heads: readonly (string | View)[], rows: Child, { caption, what = "table" }: { caption?: string; what?: string } = {}): View {
   return h(what, null, caption !== undefined && h("caption", null, caption),
