@@ -81,7 +81,7 @@ void Scene::ShapeMesh(Node& node, std::string_view mesh) {
   if (catalog_.HasMesh(mesh)) {
     node.drawable.shape = ShapeKind::kMesh;
     node.drawable.mesh = mesh;
-    if (const BodyMesh* body = FindBodyMesh(mesh)) node.animator = std::make_unique<Animator>(body->rig());
+    if (const Rig* rig = RigOfMesh(mesh)) node.animator = std::make_unique<Animator>(*rig);
     return;
   }
   node.drawable.shape = ShapeKind::kBox;

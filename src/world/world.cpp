@@ -57,6 +57,7 @@ void World::Impl::WalkBodies(const Workers& workers) {
   const auto& animated = scene.animated();
   const auto walk = [&](NodeId id) {
     Animator* animator = scene.AnimatorOf(id);
+    animator->Advance(settings.step_s);
     if (!animator->has_locomotion()) return;
     const Scene::Node& node = *scene.Find(id);
     const Agent* agent = node.owner_is_agent ? agents.Find(node.owner) : nullptr;

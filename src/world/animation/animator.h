@@ -18,6 +18,9 @@ struct AnimationState {
   bool looping = true;
   float time_s = 0;
   float weight = 1;
+  bool plays = false;    ///< Advance advances it: it was started by Play.
+  float speed = 1;       ///< Factor of its time while it plays; negative: backwards.
+  float fade_per_s = 0;  ///< Change of its weight while it plays; it is switched off at 0.
 };
 
 /// Plays the animations of one body: blends the enabled ones by weight, and computes the pose of the bones.
@@ -38,6 +41,15 @@ class Animator {
   void SetWeight(std::size_t clip, float weight);
   void SetEnabled(std::size_t clip, bool enabled);
   void SetLooping(std::size_t clip, bool looping);
+
+  /// Plays an animation from its start (from its end if the speed is negative), and fades out the others that play. If
+  /// it plays already and has not ended, it continues with the new settings. An animation that does not loop keeps its
+  /// last pose.
+  void Play(std::size_t clip, bool loops, float speed, float blend_s);
+  /// Fades out all animations that play.
+  void Stop(float blend_s);
+  /// Advances the animations that play. Call it once per tick.
+  void Advance(float seconds);
 
   void set_shows_skeleton(bool shows) {
     shows_skeleton_ = shows;
@@ -65,10 +77,14 @@ class Animator {
     Changed();
     is_hashed_ = false;
   }
+  void Switch(AnimationState& state, bool enabled);
+  void MoveTo(std::size_t clip, float time_s);
+  void FadeOut(AnimationState& state, float blend_s);
 
   const Rig* rig_;
   std::vector<AnimationState> states_;
   Locomotion locomotion_;
+  bool plays_ = false;  ///< An animation may play.
   bool has_locomotion_ = false;
   bool shows_skeleton_ = false;
   std::uint64_t changes_ = 1;

@@ -6,18 +6,24 @@
 
 namespace soarbox::world {
 
-/// The pose of a bone relative to its parent or its model: a rotation followed by a translation.
+/// The pose of a bone relative to its parent or its model: a scale, then a rotation, then a translation. Only bones of
+/// models from files have a scale.
 struct BonePose {
   Vec3 position;
   Quat orientation;
-  Vec3 Apply(Vec3 v) const { return position + Rotate(orientation, v); }
+  Vec3 scale{1, 1, 1};
+  Vec3 Apply(Vec3 v) const { return position + Rotate(orientation, {v.x * scale.x, v.y * scale.y, v.z * scale.z}); }
   friend bool operator==(const BonePose& a, const BonePose& b) = default;
 };
 
-/// The pose b, which is relative to the pose a, in the coordinates of a's parent.
+/// The pose b, which is relative to the pose a, in the coordinates of a's parent. Scales are multiplied axis by axis:
+/// the result has no shear.
 inline BonePose operator*(const BonePose& a, const BonePose& b) {
-  return {a.Apply(b.position), a.orientation * b.orientation};
+  return {a.Apply(b.position),
+          a.orientation * b.orientation,
+          {a.scale.x * b.scale.x, a.scale.y * b.scale.y, a.scale.z * b.scale.z}};
 }
+/// The inverse of a pose without a scale.
 inline BonePose Inverse(const BonePose& a) {
   const Quat back = Conjugate(a.orientation);
   return {Rotate(back, -a.position), back};

@@ -15,14 +15,15 @@ class Mix {
     const float w = dot < 0 ? -weight : weight;
     turn_ = {turn_.w + w * q.w, turn_.x + w * q.x, turn_.y + w * q.y, turn_.z + w * q.z};
     place_ += pose.position * weight;
+    scale_ += pose.scale * weight;
     sum_ += weight;
   }
   float sum() const { return sum_; }
-  BonePose Mean() const { return {place_ / sum_, Normalized(turn_)}; }
+  BonePose Mean() const { return {place_ / sum_, Normalized(turn_), scale_ / sum_}; }
 
  private:
   Quat turn_{0, 0, 0, 0};
-  Vec3 place_;
+  Vec3 place_, scale_;
   float sum_ = 0;
 };
 

@@ -20,6 +20,9 @@ struct Pose {
     float weight = 0;
     friend bool operator==(const Part&, const Part&) = default;
   };
+  /// Maximum number of animations that a mesh from a file blends; further ones have no effect.
+  static constexpr std::size_t kMostOfModel = 16;
+
   const Rig* rig = nullptr;  ///< Must not be null when bones are computed.
   /// First the `played` animations of scripts, whose weights are above 0; then those of the walk.
   std::vector<Part> parts;

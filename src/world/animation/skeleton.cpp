@@ -13,6 +13,12 @@ int Skeleton::Add(std::string name, int parent, const BonePose& bind_in_model) {
   return count() - 1;
 }
 
+int Skeleton::AddToParent(std::string name, int parent, const BonePose& bind) {
+  bind_in_model_.push_back(parent < 0 ? bind : BindInModel(parent) * bind);
+  bones_.push_back({std::move(name), parent, bind});
+  return count() - 1;
+}
+
 int Skeleton::Find(std::string_view name) const {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     if (bones_[i].name == name) return static_cast<int>(i);

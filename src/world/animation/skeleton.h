@@ -21,6 +21,8 @@ class Skeleton {
 
   /// Adds a bone with its bind pose relative to the model; returns its index. The parent must exist.
   int Add(std::string name, int parent, const BonePose& bind_in_model);
+  /// The same with the bind pose relative to the parent, which may have a scale.
+  int AddToParent(std::string name, int parent, const BonePose& bind);
 
   const std::vector<Bone>& bones() const { return bones_; }
   int count() const { return static_cast<int>(bones_.size()); }
