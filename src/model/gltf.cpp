@@ -10,6 +10,7 @@
 
 #include "diagnostics/problem.h"
 #include "model/gltf_file.h"
+#include "model/gltf_rig.h"
 #include "picture/jpeg_reader.h"
 #include "picture/png_reader.h"
 
@@ -23,27 +24,6 @@ constexpr int kDeepestNode = 64;
 constexpr int kMostNodes = 20'000;
 /// Of all textures together.
 constexpr std::size_t kMostPixels = std::size_t{1} << 24;
-/// Further away nothing is drawn, and floats become coarse.
-constexpr float kFarthest_m = 1e5f;
-
-/// A transformation: three axes and a place.
-struct Frame {
-  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, place;
-
-  Vec3 Turned(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
-  Vec3 Placed(Vec3 v) const { return Turned(v) + place; }
-  float Determinant() const { return Dot(Cross(x, y), z); }
-  /// Turns a normal. It stays perpendicular to the surface even if the axes have different scales: the matrix of
-  /// cofactors does that.
-  Vec3 TurnedNormal(Vec3 n) const {
-    const Vec3 turned = Cross(y, z) * n.x + Cross(z, x) * n.y + Cross(x, y) * n.z;
-    return Normalized(Determinant() < 0 ? -turned : turned);
-  }
-};
-
-Frame operator*(const Frame& a, const Frame& b) {
-  return {a.Turned(b.x), a.Turned(b.y), a.Turned(b.z), a.Placed(b.place)};
-}
 
 float ToLight(float shown) {
   return std::pow(std::clamp(shown, 0.0f, 1.0f), 2.2f);
@@ -79,6 +59,71 @@ struct Paint {
   }
 };
 
+struct MadeCorner {
+  Corner shown;
+  CornerSkin skin;
+};
+
+/// Places the corners of one mesh, and attaches them to joints.
+struct CornerMover {
+  Frame in_model;      ///< Of a model that does not move: from the space of the mesh to the model.
+  bool moves = false;  ///< The model moves, and what follows is used.
+  GltfRig::Binding binding;
+  GltfFile::Values joints, weights;  ///< Four for each corner; empty if one joint moves the mesh.
+
+  bool IsMirrored() const {
+    return moves ? (AtRest(JointsOf(0)) * binding.to_skin).Determinant() < 0 : in_model.Determinant() < 0;
+  }
+
+  MadeCorner Move(std::size_t i, Vec3 position, Vec3 normal) const {
+    MadeCorner made;
+    if (!moves) {
+      made.shown.position = in_model.Placed(position);
+      made.shown.normal = in_model.TurnedNormal(normal);
+      return made;
+    }
+    made.skin = JointsOf(i);
+    const Frame rest = AtRest(made.skin);
+    made.skin.position = binding.to_skin.Placed(position);
+    made.skin.normal = binding.to_skin.TurnedNormal(normal);
+    made.shown.position = rest.Placed(made.skin.position);
+    made.shown.normal = rest.TurnedNormal(made.skin.normal);
+    // Renderers multiply normals by cofactors, which mirrors them with the corners.
+    if (rest.Determinant() < 0) made.skin.normal = -made.skin.normal;
+    for (std::uint8_t& joint : made.skin.joints) joint = binding.joints[joint];
+    return made;
+  }
+
+ private:
+  /// The joints of a corner by their index in the skin.
+  CornerSkin JointsOf(std::size_t i) const {
+    CornerSkin skin;
+    skin.weights[0] = 1;
+    if (i >= joints.count) return skin;
+    std::array<float, 4> shares{};
+    float sum = 0;
+    for (std::size_t k = 0; k < shares.size(); ++k) sum += shares[k] = std::max(weights.numbers[4 * i + k], 0.0f);
+    if (!(sum > 1e-6f) || !std::isfinite(sum)) return skin;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      skin.joints[k] = static_cast<std::uint8_t>(joints.numbers[4 * i + k]);
+      skin.weights[k] = shares[k] / sum;
+    }
+    return skin;
+  }
+
+  Frame AtRest(const CornerSkin& skin) const {
+    Frame sum{{}, {}, {}, {}};
+    for (std::size_t k = 0; k < skin.joints.size(); ++k) {
+      const Frame& rest = binding.rest[skin.joints[k]];
+      sum.x += rest.x * skin.weights[k];
+      sum.y += rest.y * skin.weights[k];
+      sum.z += rest.z * skin.weights[k];
+      sum.place += rest.place * skin.weights[k];
+    }
+    return sum;
+  }
+};
+
 class ModelReader {
  public:
   ModelReader(std::string_view file, const ReadNeighbour& neighbour) : file_(file, neighbour) {}
@@ -98,15 +143,24 @@ class ModelReader {
 
  private:
   void AddScene() {
+    const std::vector<std::uint64_t> roots = Roots();
+    for (const std::uint64_t root : roots)
+      if (file_.ok()) CheckNode(root, 0);
+    if (file_.ok()) rig_.Read(roots);
+    for (const std::uint64_t root : roots)
+      if (file_.ok()) AddNode(root, {});
+  }
+
+  /// The nodes of the default scene that have no parent.
+  std::vector<std::uint64_t> Roots() {
     const Json& root = file_.root();
-    if (!root.contains("scenes")) {
-      const std::size_t count = root.contains("nodes") && root["nodes"].is_array() ? root["nodes"].size() : 0;
-      const std::set<std::uint64_t> children = count > 0 ? Children(root["nodes"]) : std::set<std::uint64_t>();
-      for (std::size_t i = 0; i < count && file_.ok(); ++i)
-        if (!children.contains(i)) AddNode(i, Frame(), 0);
-      return;
-    }
-    AddNodes(file_.At("scenes", file_.Number(root, "scene").value_or(0)), "nodes", Frame(), 0);
+    if (root.contains("scenes")) return NodesOf(file_.At("scenes", file_.Number(root, "scene").value_or(0)), "nodes");
+    const std::size_t count = root.contains("nodes") && root["nodes"].is_array() ? root["nodes"].size() : 0;
+    const std::set<std::uint64_t> children = count > 0 ? Children(root["nodes"]) : std::set<std::uint64_t>();
+    std::vector<std::uint64_t> roots;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!children.contains(i)) roots.push_back(i);
+    return roots;
   }
 
   /// The indices of the nodes that have a parent. In a file without scenes, all other nodes are shown with their
@@ -121,54 +175,57 @@ class ModelReader {
     return children;
   }
 
-  void AddNodes(const Json& owner, const char* member, const Frame& frame, int depth) {
+  std::vector<std::uint64_t> NodesOf(const Json& owner, const char* member) {
+    std::vector<std::uint64_t> nodes;
     const auto found = owner.find(member);
-    if (found == owner.end() || !found->is_array()) return;
+    if (found == owner.end() || !found->is_array()) return nodes;
     for (const Json& child : *found) {
-      if (!child.is_number_unsigned()) file_.Fail(std::string("\"") + member + "\" has something that is not a number");
-      if (!file_.ok()) return;
-      AddNode(child.get<std::uint64_t>(), frame, depth);
+      if (!child.is_number_unsigned()) {
+        file_.Fail(std::string("\"") + member + "\" has something that is not a number");
+        return {};
+      }
+      nodes.push_back(child.get<std::uint64_t>());
     }
+    return nodes;
   }
 
-  void AddNode(std::uint64_t index, const Frame& above, int depth) {
+  void CheckNode(std::uint64_t index, int depth) {
     if (depth > kDeepestNode || ++nodes_ > kMostNodes)
       return file_.Fail("its nodes are nested in a circle, too deep or too many");
-    const Json& node = file_.At("nodes", index);
-    const Frame frame = above * FrameOf(node);
-    if (const auto mesh = file_.Number(node, "mesh")) AddMesh(*mesh, frame);
-    AddNodes(node, "children", frame, depth + 1);
-  }
-
-  Frame FrameOf(const Json& node) {
-    if (const auto m = file_.Floats(node, "matrix", 16); m.size() == 16)
-      return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
-    Frame frame;
-    if (const auto turn = file_.Floats(node, "rotation", 4); turn.size() == 4) {
-      const float length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
-      if (length > 0) {
-        const world::Quat q{turn[3] / length, turn[0] / length, turn[1] / length, turn[2] / length};
-        frame = {Rotate(q, frame.x), Rotate(q, frame.y), Rotate(q, frame.z), {}};
-      }
+    for (const std::uint64_t child : NodesOf(file_.At("nodes", index), "children")) {
+      if (!file_.ok()) return;
+      CheckNode(child, depth + 1);
     }
-    if (const auto scale = file_.Floats(node, "scale", 3); scale.size() == 3)
-      frame = {frame.x * scale[0], frame.y * scale[1], frame.z * scale[2], {}};
-    if (const auto place = file_.Floats(node, "translation", 3); place.size() == 3)
-      frame.place = {place[0], place[1], place[2]};
-    return frame;
   }
 
-  void AddMesh(std::uint64_t index, const Frame& frame) {
+  /// Where a node is.
+  struct Spot {
+    Frame in_model;
+    std::optional<std::uint16_t> bone;  ///< The bone that carries it, if any.
+    Frame in_bone;                      ///< Relative to the bone, or else to the model.
+  };
+
+  void AddNode(std::uint64_t index, const Spot& above) {
+    const Json& node = file_.At("nodes", index);
+    const Frame frame = FrameOfNode(file_, node);
+    Spot spot{above.in_model * frame, above.bone, above.in_bone * frame};
+    if (const auto bone = rig_.BoneOf(index)) spot = {spot.in_model, bone, {}};
+    if (const auto mesh = file_.Number(node, "mesh")) AddMesh(*mesh, spot, file_.Number(node, "skin"));
+    for (const std::uint64_t child : NodesOf(node, "children"))
+      if (file_.ok()) AddNode(child, spot);
+  }
+
+  void AddMesh(std::uint64_t index, const Spot& spot, std::optional<std::uint64_t> skin) {
     const Json& mesh = file_.At("meshes", index);
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array()) return;
     for (const Json& primitive : *primitives) {
-      if (primitive.is_object()) AddPrimitive(primitive, frame);
+      if (primitive.is_object()) AddPrimitive(primitive, spot, skin);
       if (!file_.ok()) return;
     }
   }
 
-  void AddPrimitive(const Json& primitive, const Frame& frame) {
+  void AddPrimitive(const Json& primitive, const Spot& spot, std::optional<std::uint64_t> skin) {
     constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;
     const std::uint64_t mode = file_.Number(primitive, "mode").value_or(kTriangles);
     if (mode < kTriangles || mode > kFan) return;  // Points and lines.
@@ -197,13 +254,13 @@ class ModelReader {
       return file_.Fail("it has more than " + std::to_string(kMostCorners) + " corners or " +
                         std::to_string(kMostIndices / 3) + " triangles: make it simpler");
 
+    const auto vector = [](const GltfFile::Values& from, std::size_t i) {
+      return Vec3{from.numbers[3 * i], from.numbers[3 * i + 1], from.numbers[3 * i + 2]};
+    };
+    const CornerMover mover = MoverOf(attributes, spot, skin, positions.count);
+    if (!file_.ok()) return;
     const auto corner = [&](std::size_t i) {
-      Corner made;
-      const auto vector = [i](const GltfFile::Values& from) {
-        return Vec3{from.numbers[3 * i], from.numbers[3 * i + 1], from.numbers[3 * i + 2]};
-      };
-      made.position = frame.Placed(vector(positions));
-      if (has_normals) made.normal = frame.TurnedNormal(vector(normals));
+      MadeCorner made = mover.Move(i, vector(positions, i), has_normals ? vector(normals, i) : Vec3{});
       Light light = paint.factor;
       if (places.width == 2 && i < places.count) light = paint.At(places.numbers[2 * i], places.numbers[2 * i + 1]);
       if (colors.width >= 3 && i < colors.count) {
@@ -211,14 +268,46 @@ class ModelReader {
         light.green *= colors.numbers[colors.width * i + 1];
         light.blue *= colors.numbers[colors.width * i + 2];
       }
-      made.red = ToShown(light.red);
-      made.green = ToShown(light.green);
-      made.blue = ToShown(light.blue);
-      const float far = std::max({std::abs(made.position.x), std::abs(made.position.y), std::abs(made.position.z)});
-      if (!(far < kFarthest_m)) file_.Fail("it is larger than 100 km");
+      made.shown.red = ToShown(light.red);
+      made.shown.green = ToShown(light.green);
+      made.shown.blue = ToShown(light.blue);
+      const auto is_near = [](Vec3 at) {
+        return std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) < kFarthest_m;
+      };
+      if (!is_near(made.shown.position) || !is_near(made.skin.position)) file_.Fail("it is larger than 100 km");
       return made;
     };
-    AddTriangles(triangles, positions.count, has_normals, frame.Determinant() < 0, corner);
+    AddTriangles(triangles, positions.count, has_normals, mover.IsMirrored(), corner);
+  }
+
+  /// Reads the joints of a mesh; for a model that does not move, nothing.
+  CornerMover MoverOf(const Json& attributes, const Spot& spot, std::optional<std::uint64_t> skin,
+                      std::size_t corners) {
+    CornerMover mover;
+    mover.in_model = spot.in_model;
+    mover.moves = rig_.moves();
+    if (!mover.moves) return mover;
+    const auto joints = skin ? file_.Number(attributes, "JOINTS_0") : std::nullopt;
+    if (!joints) {
+      mover.binding = rig_.BindBone(spot.bone, spot.in_bone);
+      return mover;
+    }
+    mover.binding = rig_.BindSkin(*skin);
+    mover.joints = file_.FloatsOf(*joints);
+    if (const auto weights = file_.Number(attributes, "WEIGHTS_0")) mover.weights = file_.FloatsOf(*weights);
+    if (!file_.ok()) return mover;
+    if (mover.joints.width != 4 || mover.weights.width != 4 || mover.joints.count < corners ||
+        mover.weights.count < corners)
+      file_.Fail("a mesh with a skin does not have four joints and weights for each corner");
+    const auto most = static_cast<float>(mover.binding.joints.size());
+    for (const float joint : mover.joints.numbers)
+      if (!(joint >= 0 && joint < most)) file_.Fail("a mesh refers to a joint that its skin does not have");
+    return mover;
+  }
+
+  void Push(const MadeCorner& made) {
+    model_.corners.push_back(made.shown);
+    if (rig_.moves()) model_.skins.push_back(made.skin);
   }
 
   template <typename MakeCorner>
@@ -226,7 +315,7 @@ class ModelReader {
                     const MakeCorner& corner) {
     const auto base = static_cast<std::uint32_t>(model_.corners.size());
     if (has_normals)
-      for (std::size_t i = 0; i < count; ++i) model_.corners.push_back(corner(i));
+      for (std::size_t i = 0; i < count; ++i) Push(corner(i));
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
       std::array<std::uint32_t, 3> at{triangles[i], triangles[i + 1], triangles[i + 2]};
       if (is_mirrored) std::swap(at[1], at[2]);
@@ -235,13 +324,17 @@ class ModelReader {
         continue;
       }
       // Without normals each triangle is flat.
-      std::array<Corner, 3> corners{corner(at[0]), corner(at[1]), corner(at[2])};
-      const Vec3 normal =
-          Normalized(Cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position));
-      for (Corner& made : corners) {
-        made.normal = normal;
+      std::array<MadeCorner, 3> corners{corner(at[0]), corner(at[1]), corner(at[2])};
+      const auto flat = [&](auto place) {
+        return Normalized(Cross(place(corners[1]) - place(corners[0]), place(corners[2]) - place(corners[0])));
+      };
+      const Vec3 normal = flat([](const MadeCorner&made) { return made.shown.position; }),
+                 in_skin = flat([](const MadeCorner&made) { return made.skin.position; });
+      for (MadeCorner& made : corners) {
+        made.shown.normal = normal;
+        made.skin.normal = in_skin;
         model_.indices.push_back(static_cast<std::uint32_t>(model_.corners.size()));
-        model_.corners.push_back(made);
+        Push(made);
       }
     }
   }
@@ -302,6 +395,7 @@ class ModelReader {
 
   GltfFile file_;
   Model model_;
+  GltfRig rig_{file_, model_};
   std::map<std::uint64_t, picture::Pixels> textures_;
   std::size_t pixels_ = 0;
   int nodes_ = 0;

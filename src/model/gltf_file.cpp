@@ -44,7 +44,8 @@ std::size_t WidthOf(std::string_view type) {
   if (type == "SCALAR") return 1;
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
-  return type == "VEC4" ? 4 : 0;
+  if (type == "VEC4") return 4;
+  return type == "MAT4" ? 16 : 0;
 }
 
 /// A number of a buffer, as a fraction if it is a normalised integer.

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
 #include "model/gltf.h"
 #include "picture/png.h"
+#include "world/animation/pose.h"
 
 namespace soarbox::model {
 namespace {
@@ -166,6 +168,222 @@ TEST(Gltf, NoBytesOfAFileThatIsCutOffOrChangedAreReadBeyondItsEnd) {
         for (const std::uint32_t index : read->indices) ASSERT_LT(index, read->corners.size());
     }
   }
+}
+
+/// Bytes of an accessor's data, collected one after the other.
+class Parts {
+ public:
+  /// Adds values and returns the accessor as JSON.
+  std::string Add(const std::string& bytes, std::size_t count, const std::string& type, int component = 5126,
+                  const std::string& more = {}) {
+    views_ += std::string(views_.empty() ? "" : ",") + R"({"buffer": 0, "byteOffset": )" + std::to_string(all_.size()) +
+              R"(, "byteLength": )" + std::to_string(bytes.size()) + "}";
+    accessors_ += std::string(accessors_.empty() ? "" : ",") + R"({"bufferView": )" + std::to_string(count_) +
+                  R"(, "componentType": )" + std::to_string(component) + R"(, "count": )" + std::to_string(count) +
+                  R"(, "type": ")" + type + R"(")" + more + "}";
+    all_ += bytes;
+    while (all_.size() % 4 != 0) all_ += '\0';
+    return std::to_string(count_++);
+  }
+  std::string Json() const {
+    return R"("buffers": [{"byteLength": )" + std::to_string(all_.size()) + R"(}], "bufferViews": [)" + views_ +
+           R"(], "accessors": [)" + accessors_ + "]";
+  }
+  const std::string& bytes() const { return all_; }
+
+ private:
+  std::string all_, views_, accessors_;
+  int count_ = 0;
+};
+
+/// What a test changes in ArmFile.
+struct Arm {
+  std::string armature;  ///< More of the node above the joints.
+  float bind_scale = 1;  ///< The skin is modelled in this many units per metre.
+  std::string times_kind = "LINEAR";
+  int weight_of_fourth = 0;
+  bool splines = false;
+  std::string joints = "[1, 2]";
+  std::initializer_list<float> times = {0, 1};
+  std::string node_of_animation = "2";
+};
+
+/// A triangle on an arm of two joints, one metre apart along x. Its corners belong to the shoulder, to both joints, and
+/// to the elbow. The animation "bend" turns the elbow by 90 degrees about z within a second, and "grow" makes the
+/// shoulder twice as large in one step at 1 s.
+std::string ArmFile(const Arm& arm = {}) {
+  Parts parts;
+  const float u = arm.bind_scale;
+  const std::string positions = parts.Add(Floats({0, 0, 0, u, 0, 0, 2 * u, 0, 0}), 3, "VEC3");
+  const std::string normals = parts.Add(Floats({0, 0, 1, 0, 0, 1, 0, 0, 1}), 3, "VEC3");
+  const std::string joints = parts.Add(std::string("\0\0\0\0\0\1\0\0\1\0\0\0", 12), 3, "VEC4", 5121);
+  const auto last = static_cast<char>(arm.weight_of_fourth);
+  const std::string weights = parts.Add(std::string("\xff\0\0", 3) + last + std::string("\x80\x80\0\0\xff\0\0\0", 8), 3,
+                                        "VEC4", 5121, R"(, "normalized": true)");
+  const float s = 1 / u;
+  const std::string inverse = parts.Add(
+      Floats({s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0, 0, 0, 0, 1, s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0, -1, 0, 0, 1}), 2,
+      "MAT4");
+  const std::string times = parts.Add(Floats(arm.times), arm.times.size(), "SCALAR");
+  constexpr float kHalf = 0.70710678f;
+  const std::string turns =
+      arm.splines ? parts.Add(Floats({9, 9, 9, 9, 0, 0, 0, 1, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, kHalf, kHalf, 9, 9, 9, 9}),
+                              6, "VEC4")
+                  : parts.Add(Floats({0, 0, 0, 1, 0, 0, kHalf, kHalf}), 2, "VEC4");
+  const std::string sizes = parts.Add(Floats({1, 1, 1, 2, 2, 2}), 2, "VEC3");
+  const std::string json =
+      R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 3]}], "nodes": [{"name": "armature", "children": [1])" +
+      arm.armature + R"(}, {"name": "shoulder", "children": [2]}, {"name": "elbow", "translation": [1, 0, 0]},
+          {"mesh": 0, "skin": 0}],
+          "meshes": [{"primitives": [{"attributes": {"POSITION": )" +
+      positions + R"(, "NORMAL": )" + normals + R"(, "JOINTS_0": )" + joints + R"(, "WEIGHTS_0": )" + weights +
+      R"(}}]}], "skins": [{"joints": )" + arm.joints + R"(, "inverseBindMatrices": )" + inverse + R"(}],
+          "animations": [{"name": "bend", "channels": [{"sampler": 0, "target": {"node": )" +
+      arm.node_of_animation + R"(, "path": "rotation"}}],
+          "samplers": [{"input": )" +
+      times + R"(, "output": )" + turns + R"(, "interpolation": ")" + arm.times_kind + R"("}]},
+          {"name": "grow", "channels": [{"sampler": 0, "target": {"node": 1, "path": "scale"}},
+                                        {"sampler": 9, "target": {"node": 1, "path": "weights"}}],
+          "samplers": [{"input": )" +
+      times + R"(, "output": )" + sizes + R"(, "interpolation": "STEP"}]}], )" + parts.Json() + "}";
+  return Glb(json, parts.bytes());
+}
+
+/// Positions of the corners in an animation of the model; rounded to mm.
+std::vector<world::Vec3> CornersAt(const Model& model, const char* animation, float time_s) {
+  world::Pose pose;
+  pose.rig = &model.rig;
+  pose.parts = {{static_cast<std::uint32_t>(model.rig.FindClip(animation)), time_s, 1}};
+  pose.played = 1;
+  std::vector<world::BonePose> bones;
+  pose.WorkOut(bones);
+  const std::vector<Frame> joints = FramesOfJoints(model, bones);
+  std::vector<world::Vec3> corners;
+  const auto rounded = [](float value) { return std::round(value * 1000) / 1000 + 0.0f; };
+  for (const CornerSkin& skin : model.skins) {
+    world::Vec3 at;
+    for (std::size_t k = 0; k < 4; ++k) at += skin.weights[k] * joints[skin.joints[k]].Placed(skin.position);
+    corners.push_back({rounded(at.x), rounded(at.y), rounded(at.z)});
+  }
+  return corners;
+}
+
+using Corners = std::vector<world::Vec3>;
+
+TEST(GltfSkin, JointsMoveTheirCornersByWeight) {
+  const Result<Model> read = ReadGltf(ArmFile(), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->rig.BoneNames(), (std::vector<std::string_view>{"armature", "shoulder", "elbow"}));
+  EXPECT_EQ(read->rig.ClipNames(), (std::vector<std::string_view>{"bend", "grow"}));
+  EXPECT_FLOAT_EQ(read->rig.clips[0].length_s(), 1);
+  EXPECT_EQ(read->max, (world::Vec3{2, 0, 0}));
+  EXPECT_EQ(CornersAt(*read, "bend", 0), (Corners{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(CornersAt(*read, "bend", 1), (Corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+  EXPECT_EQ(CornersAt(*read, "bend", 0.5f), (Corners{{0, 0, 0}, {1, 0, 0}, {1.707f, 0.707f, 0}}));
+  // In steps: the earlier value holds until the next one.
+  EXPECT_EQ(CornersAt(*read, "grow", 0.9f), (Corners{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(CornersAt(*read, "grow", 1), (Corners{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}));
+}
+
+TEST(GltfSkin, SplinesAreReadAsLinesBetweenTheirValues) {
+  const Result<Model> read = ReadGltf(ArmFile({.times_kind = "CUBICSPLINE", .splines = true}), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(CornersAt(*read, "bend", 0.5f), (Corners{{0, 0, 0}, {1, 0, 0}, {1.707f, 0.707f, 0}}));
+}
+
+TEST(GltfSkin, UnitsOfTheSkinAndTheNodesAboveItDoNotMatter) {
+  // A skin in centimetres, below a node that makes it smaller and moves it up.
+  const Result<Model> read = ReadGltf(
+      ArmFile({.armature = R"(, "scale": [0.5, 0.5, 0.5], "translation": [0, 3, 0])", .bind_scale = 100}), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_NEAR(read->max.x, 1, 1e-5);
+  EXPECT_NEAR(read->max.y, 3, 1e-5);
+  EXPECT_EQ(CornersAt(*read, "bend", 1), (Corners{{0, 3, 0}, {0.5f, 3, 0}, {0.5f, 3.5f, 0}}));
+  // Corners are stored in the size of the model.
+  EXPECT_NEAR(read->skins[2].position.x, 1, 1e-5);
+}
+
+TEST(GltfSkin, WeightsAreDividedByTheirSum) {
+  const Result<Model> read = ReadGltf(ArmFile({.weight_of_fourth = 255}), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_FLOAT_EQ(read->skins[0].weights[0], 0.5f);
+  EXPECT_FLOAT_EQ(read->skins[0].weights[3], 0.5f);
+}
+
+TEST(GltfSkin, ANodeWithoutASkinMovesItsMesh) {
+  Parts parts;
+  const std::string times = parts.Add(Floats({0.5f, 2.5f}), 2, "SCALAR"),
+                    places = parts.Add(Floats({0, 0, 0, 0, 4, 0}), 2, "VEC3"),
+                    positions = parts.Add(kTriangle, 3, "VEC3");
+  const std::string json =
+      R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"mesh": 0, "scale": [1, 1, -1]}, {"mesh": 0}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": )" +
+      positions + R"(}}]}],
+      "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                      "samplers": [{"input": )" +
+      times + R"(, "output": )" + places + R"(}]},
+                     {"channels": [{"sampler": 0, "target": {"node": 0, "path": "weights"}}]}], )" +
+      parts.Json() + "}";
+  const Result<Model> read = ReadGltf(Glb(json, parts.bytes()), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->rig.BoneNames(), (std::vector<std::string_view>{"node 0"}));
+  EXPECT_EQ(read->rig.ClipNames(), (std::vector<std::string_view>{"animation 0"}));
+  EXPECT_FLOAT_EQ(read->rig.clips[0].length_s(), 2.5f);
+  // The first mesh is mirrored, so its corners go round the other way. The second one is still.
+  EXPECT_EQ(CornersAt(*read, "animation 0", 1.5f),
+            (Corners{{0, 2, 0}, {0, 3, 0}, {1, 2, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(read->corners[0].normal, (world::Vec3{0, 0, -1}));
+  EXPECT_EQ(read->skins[0].normal, (world::Vec3{0, 0, -1}));
+}
+
+TEST(GltfSkin, WhatIsWrongIsNamed) {
+  EXPECT_EQ(ProblemOf(ArmFile({.joints = "[1]"})), "a mesh refers to a joint that its skin does not have");
+  EXPECT_EQ(ProblemOf(ArmFile({.joints = "[]"})), "skins[0] has no joints");
+  EXPECT_EQ(ProblemOf(ArmFile({.joints = "[1, 7]"})), "skins[0] has a joint that is not a node of the scene");
+  EXPECT_EQ(ProblemOf(ArmFile({.joints = "[1, 2, 0]"})), "skins[0] has fewer inverse bind matrices than joints");
+  EXPECT_EQ(ProblemOf(ArmFile({.times_kind = "WIGGLY"})),
+            "animations[0].channels[0] has the interpolation WIGGLY, which is not supported");
+  EXPECT_EQ(ProblemOf(ArmFile({.times_kind = "CUBICSPLINE"})),
+            "animations[0].channels[0] has 2 values of 4 numbers for 2 times");
+  EXPECT_EQ(ProblemOf(ArmFile({.times = {1, 1}})),
+            "animations[0].channels[0] has times that do not ascend within 0 to 3600 s");
+  // Animations of nodes that are not shown are left out.
+  const Result<Model> read = ReadGltf(ArmFile({.node_of_animation = "99"}), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->rig.ClipNames(), (std::vector<std::string_view>{"grow"}));
+}
+
+TEST(GltfSkin, NoBytesOfAFileThatIsCutOffOrChangedAreReadBeyondItsEnd) {
+  const std::string whole = ArmFile();
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (const char other : {'\0', '9', '\xff'}) {
+      std::string changed = whole;
+      changed[at] = other;
+      const Result<Model> read = ReadGltf(changed, kAlone);
+      if (!read) continue;
+      ASSERT_TRUE(read->skins.empty() || read->skins.size() == read->corners.size());
+      for (const CornerSkin& skin : read->skins)
+        for (const std::uint8_t joint : skin.joints) ASSERT_LT(joint, read->joints.size());
+      for (const Joint& joint : read->joints)
+        ASSERT_TRUE(joint.bone == Joint::kStill || joint.bone < read->rig.skeleton.bones().size());
+    }
+  }
+}
+
+TEST(Models, ThatMoveHaveTheirRigsStored) {
+  Result<Model> read = ReadGltf(ArmFile(), kAlone);
+  ASSERT_TRUE(read);
+  const std::string key = KeepModel("arm.glb", *read);
+  const world::Rig* const rig = world::RigOfMesh(key);
+  ASSERT_NE(rig, nullptr);
+  EXPECT_EQ(rig->model, key);
+  EXPECT_EQ(rig->ClipNames().size(), 2u);
+  // The same file under another name has a rig of its own.
+  EXPECT_NE(world::RigOfMesh(KeepModel("copy.glb", *read)), rig);
+  // Another animation makes another model, though the triangles are the same.
+  read = ReadGltf(ArmFile({.times = {0, 2}}), kAlone);
+  ASSERT_TRUE(read);
+  EXPECT_NE(KeepModel("arm.glb", *read), key);
 }
 
 TEST(Models, AreFoundByTheirTriangles) {
