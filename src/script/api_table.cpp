@@ -82,7 +82,9 @@ std::span<const ApiGroup> ApiGroups() {
        "Agents: their properties, and the forces that steer them. Each function is also a method: "
        "`agent:GetPosition()` is `Agent.GetPosition(agent)`.",
        kAgent},
-      {"Animation", "Animated meshes: their animations and bones. Scripts advance animations themselves.",
+      {"Animation",
+       "Animated meshes: their animations and bones. Animation.Play plays an animation; a script can also advance "
+       "animations itself.",
        AnimationApi()},
       {"Core",
        "The scene (everything visible), the bodies of objects, and lines that are drawn for one step. Colours are "

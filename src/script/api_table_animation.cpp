@@ -15,6 +15,10 @@ Animation.AttachToBone(mesh, "b_Head1", hat, Vector.new(0, 0.2, 0)))"},
      "One of the mesh's animations. Initially it is disabled and looping, has weight 1, and is at its start.",
      R"(local idle = Animation.GetAnimation(mesh, "stand_idle_aim")
 Animation.SetEnabled(idle, true))"},
+    {"Animation.GetAnimationNames", "mesh: Scene", "table of string",
+     "The names of the mesh's animations, counted from 1.",
+     R"(for _, name in ipairs(Animation.GetAnimationNames(mesh)) do assert(Animation.GetAnimation(mesh, name)) end)",
+     true},
     {"Animation.GetBoneNames", "mesh: Scene", "table of string",
      "The names of the bones, counted from 0; {} without bones.",
      R"(print(Animation.GetBoneNames(mesh)[0] ~= nil)  --> true)"},
@@ -38,6 +42,16 @@ Animation.SetEnabled(idle, true))"},
      R"(print(Animation.IsEnabled(animation))  --> false)"},
     {"Animation.IsLooping", "animation: Animation", "boolean", "Whether the animation starts again at its end.",
      R"(print(Animation.IsLooping(animation))  --> true)"},
+    {"Animation.Play",
+     "mesh: Scene, name: string, looping: boolean = true, speed: number -100..100 = 1, blend: number 0..10 [s] = 0.2",
+     "Animation",
+     "Plays one of the mesh's animations. The world then advances it, and the script need not step it. Other "
+     "animations that this function has started fade out. The animation starts at its beginning, or at its end if the "
+     "speed is negative; if it plays already, it continues with the new arguments. If it does not loop, the mesh keeps "
+     "its last pose until Animation.Stop or the next Animation.Play. An unknown name is an error.",
+     R"(local run = Animation.Play(mesh, "stand_run_forward_aim", true, 1.5)
+print(Animation.GetName(run), Animation.IsEnabled(run))  --> stand_run_forward_aim	true)",
+     true},
     {"Animation.Reset", "animation: Animation", "", "Returns to the start.", R"(Animation.Reset(animation))"},
     {"Animation.SetDisplaySkeleton", "mesh: Scene, show: boolean", "", "Shows or hides the bones over the mesh.",
      R"(Animation.SetDisplaySkeleton(mesh, true))"},
@@ -65,9 +79,15 @@ print(Animation.GetNormalizedTime(animation))  --> 0.5)"},
      R"(Animation.SetWeight(animation, 0.25)
 print(Animation.GetWeight(animation))  --> 0.25)"},
     {"Animation.StepAnimation", "animation: Animation, delta: number [ms]", "",
-     "Advances the animation by this time. Nothing else advances animations.",
+     "Advances the animation by this time. Animations that Animation.Play has started advance without it.",
      R"(Animation.SetEnabled(animation, true)
 Animation.StepAnimation(animation, 33))"},
+    {"Animation.Stop", "mesh: Scene, blend: number 0..10 [s] = 0.2", "",
+     "Fades out the animations that Animation.Play has started. The mesh then has the pose of its file, or walks "
+     "(Animation.SetLocomotion).",
+     R"(Animation.Play(mesh, "stand_run_forward_aim")
+Animation.Stop(mesh, 0))",
+     true},
 };
 
 }  // namespace

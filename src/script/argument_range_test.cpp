@@ -35,10 +35,15 @@ end
 /// Lua code of a valid argument.
 std::string RightValue(const ApiFunction& function, const ApiArgument& argument) {
   static const std::map<std::string_view, std::string> kByName{
-      {"Agent.SetLeader leader", "other"},          {"UI.SetWorldPosition ui", "panel"},
-      {"UI.SetWorldRotation ui", "panel"},          {"UI.SetGradientColor direction", "'north_south'"},
-      {"Animation.AttachToBone bone", "'b_Head1'"}, {"Sandbox.CreateSkyBox material", "'ThickCloudsWaterSkyBox'"},
-      {"Core.SetLineStartEnd line", "line"},        {"Sandbox.PlaySound file", "'bell.wav'"},
+      {"Agent.SetLeader leader", "other"},
+      {"UI.SetWorldPosition ui", "panel"},
+      {"UI.SetWorldRotation ui", "panel"},
+      {"UI.SetGradientColor direction", "'north_south'"},
+      {"Animation.AttachToBone bone", "'b_Head1'"},
+      {"Sandbox.CreateSkyBox material", "'ThickCloudsWaterSkyBox'"},
+      {"Core.SetLineStartEnd line", "line"},
+      {"Sandbox.PlaySound file", "'bell.wav'"},
+      {"Animation.Play name", "'stand_run_forward_aim'"},
   };
   const std::string whole = std::string(function.name) + " " + std::string(argument.name);
   if (const auto own = kByName.find(whole); own != kByName.end()) return own->second;

@@ -44,26 +44,80 @@ bool FiniteArgument(lua_State* state, float& number) {
   return finite;
 }
 
-int GetAnimation(lua_State* state) {
-  const std::string_view name = TextArgument(state, 2);
-  const NodeId body = BodyArgument(state, 1);
-  if (body == NodeId::kNone) return 0;
-  world::Scene& scene = ContextOf(state).world.scene();
-  const world::Rig& rig = scene.AnimatorOf(body)->rig();
-  const int clip = rig.FindClip(name);
-  if (clip < 0) {
-    const std::string_view meant = Suggest(name, rig.ClipNames());
-    lua_pushfstring(state, "there is no animation \"%s\" here", lua_tostring(state, 2));
-    if (!meant.empty()) {
-      lua_pushliteral(state, "; did you mean \"");
-      lua_pushlstring(state, meant.data(), meant.size());
-      lua_pushliteral(state, "\"?");
-      lua_concat(state, 4);
-    }
-    return ArgumentError(state, 2, lua_tostring(state, -1));
+/// Pushes what is wrong with the name in argument 2: a similar name, and all names if they are few.
+void PushUnknownName(lua_State* state, std::string_view name, const world::Rig& rig) {
+  constexpr std::size_t kFew = 20, kMostShown = 60;
+  const std::vector<std::string_view> known = rig.ClipNames();
+  std::string text = "there is no animation \"" + std::string(name.substr(0, kMostShown)) + "\" here";
+  const std::string_view meant = Suggest(name, known);
+  if (!meant.empty()) text += "; did you mean \"" + std::string(meant) + "\"?";
+  if (known.empty()) text += "; the mesh has none";
+  if (!known.empty() && (meant.empty() || known.size() <= kFew)) {
+    text += meant.empty() ? "; there are " : " There are ";
+    for (std::size_t i = 0; i < known.size(); ++i) text += (i == 0 ? "" : ", ") + std::string(known[i]);
   }
-  PushHandle(state, {ValueKind::kAnimation, Number(scene.AnimationOf(body, static_cast<std::size_t>(clip)))});
+  lua_pushlstring(state, text.data(), text.size());
+}
+
+/// The animation of the mesh in argument 1 that argument 2 names. Its animator is null, after a warning, if argument 1
+/// is no mesh.
+world::Scene::FoundAnimation NamedArgument(lua_State* state, NodeId& body) {
+  const std::string_view name = TextArgument(state, 2);
+  body = BodyArgument(state, 1);
+  if (body == NodeId::kNone) return {};
+  world::Animator* const animator = ContextOf(state).world.scene().AnimatorOf(body);
+  const int clip = animator->rig().FindClip(name);
+  if (clip >= 0) return {animator, static_cast<std::size_t>(clip)};
+  PushUnknownName(state, name, animator->rig());
+  ArgumentError(state, 2, lua_tostring(state, -1));
+  return {};
+}
+
+int PushAnimation(lua_State* state, NodeId body, std::size_t clip) {
+  PushHandle(state, {ValueKind::kAnimation, Number(ContextOf(state).world.scene().AnimationOf(body, clip))});
   return 1;
+}
+
+int GetAnimation(lua_State* state) {
+  NodeId body{};
+  const auto found = NamedArgument(state, body);
+  return found.animator ? PushAnimation(state, body, found.clip) : 0;
+}
+
+/// Counted from 1.
+int GetAnimationNames(lua_State* state) {
+  const NodeId body = BodyArgument(state, 1);
+  lua_newtable(state);
+  if (body == NodeId::kNone) return 1;
+  int index = 0;
+  for (const std::string_view name : ContextOf(state).world.scene().AnimatorOf(body)->rig().ClipNames()) {
+    lua_pushlstring(state, name.data(), name.size());
+    lua_rawseti(state, -2, ++index);
+  }
+  return 1;
+}
+
+/// Reads an optional number.
+float NumberOr(lua_State* state, int index, float otherwise) {
+  return lua_isnoneornil(state, index) ? otherwise : CheckFloat(state, index);
+}
+constexpr float kBlend_s = 0.2f;
+
+int Play(lua_State* state) {
+  const bool loops = lua_isnoneornil(state, 3) || TruthArgument(state, 3);
+  const float speed = NumberOr(state, 4, 1), blend_s = NumberOr(state, 5, kBlend_s);
+  NodeId body{};
+  const auto found = NamedArgument(state, body);
+  if (!found.animator || !world::IsFinite(speed) || !world::IsFinite(blend_s)) return 0;
+  found.animator->Play(found.clip, loops, speed, blend_s);
+  return PushAnimation(state, body, found.clip);
+}
+
+int Stop(lua_State* state) {
+  const float blend_s = NumberOr(state, 2, kBlend_s);
+  const NodeId body = BodyArgument(state, 1);
+  if (body != NodeId::kNone && world::IsFinite(blend_s)) ContextOf(state).world.scene().AnimatorOf(body)->Stop(blend_s);
+  return 0;
 }
 
 int GetLength(lua_State* state) {
@@ -152,6 +206,7 @@ int StepAnimation(lua_State* state) {
 
 constexpr Binding kAnimationBindings[] = {
     {"GetAnimation", GetAnimation, 2, 2, WrongCount::kError},
+    {"GetAnimationNames", GetAnimationNames, 1, 1, WrongCount::kError},
     {"GetLength", GetLength, 1, 1, WrongCount::kIgnored},
     {"GetName", GetName, 1, 1, WrongCount::kIgnored},
     {"GetNormalizedTime", GetNormalizedTime, 1, 1, WrongCount::kIgnored},
@@ -159,6 +214,7 @@ constexpr Binding kAnimationBindings[] = {
     {"GetWeight", GetWeight, 1, 1, WrongCount::kIgnored},
     {"IsEnabled", IsEnabled, 1, 1, WrongCount::kIgnored},
     {"IsLooping", IsLooping, 1, 1, WrongCount::kIgnored},
+    {"Play", Play, 2, 5, WrongCount::kError},
     {"Reset", Reset, 1, 1, WrongCount::kIgnored},
     {"SetEnabled", SetEnabled, 2, 2, WrongCount::kIgnored},
     {"SetLooping", SetLooping, 2, 2, WrongCount::kIgnored},
@@ -166,6 +222,7 @@ constexpr Binding kAnimationBindings[] = {
     {"SetTime", SetTime, 2, 2, WrongCount::kIgnored},
     {"SetWeight", SetWeight, 2, 2, WrongCount::kIgnored},
     {"StepAnimation", StepAnimation, 2, 2, WrongCount::kIgnored},
+    {"Stop", Stop, 1, 2, WrongCount::kIgnored},
 };
 
 }  // namespace
