@@ -77,7 +77,8 @@ BodyBones GetGiven(ByteReader& in, const Bones& before) {
   return BodyBones(std::move(bones));
 }
 
-/// The rigs that recordings refer to, by number.
+/// The built-in rigs that recordings refer to, by number; and the number for rigs of models from files.
+constexpr std::uint8_t kModelRig = 2;
 const world::Rig* RigNumbered(std::uint8_t number) {
   if (number == 0) return &world::SoldierRig();
   return number == 1 ? &world::RifleRig() : nullptr;
@@ -86,7 +87,7 @@ const world::Rig* RigNumbered(std::uint8_t number) {
 std::optional<std::uint8_t> NumberOf(const world::Rig* rig) {
   for (std::uint8_t number = 0; const world::Rig* known = RigNumbered(number); ++number)
     if (known == rig) return number;
-  return std::nullopt;
+  return rig->model.empty() ? std::nullopt : std::optional(kModelRig);
 }
 
 /// Maximum number of blended movements. One bit for each pair of numbers says whether they changed.
@@ -121,6 +122,7 @@ void PutSame(ByteWriter& out, const Pose& before, const Pose& now) {
 
 void PutMovements(ByteWriter& out, std::uint8_t rig, const Pose& pose) {
   out.Byte(rig);
+  if (rig == kModelRig) out.Text(pose.rig->model);
   out.Number(pose.parts.size());
   out.Number(pose.played);
   for (const Pose::Part& part : pose.parts)
@@ -147,7 +149,13 @@ void GetSame(ByteReader& in, Pose& pose) {
 }
 
 void GetMovements(ByteReader& in, Pose& pose) {
-  pose.rig = RigNumbered(in.Byte());
+  const std::uint8_t rig = in.Byte();
+  pose.rig = RigNumbered(rig);
+  if (rig == kModelRig) {
+    // The file of the model may be missing in the recording.
+    pose.rig = world::FindRig(in.Text());
+    if (pose.rig == nullptr) pose.rig = &world::EmptyRig();
+  }
   const std::uint64_t count = in.Number(), played = in.Number();
   if (pose.rig == nullptr || count > kMostParts || played > count) return in.Fail();
   pose.parts.resize(static_cast<std::size_t>(count));
