@@ -2,10 +2,12 @@
 #include "stream/scene_encoder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bytes/byte_stream.h"
 #include "stream/deflate.h"
 #include "stream/quantise.h"
+#include "world/animation/rig.h"
 #include "world/body_meshes.h"
 
 namespace soarbox::stream {
@@ -36,7 +38,10 @@ enum Tag : std::uint8_t {
   kSounds,
 };
 
-enum Part : std::uint8_t { kDescription = 1, kPlace = 2, kTurn = 4, kBones = 8, kState = 16 };
+enum Part : std::uint8_t { kDescription = 1, kPlace = 2, kTurn = 4, kBones = 8, kState = 16, kMovements = 16 };
+
+/// Differences between the continued movements of a reader and the actual ones that are not corrected.
+constexpr float kTimeSlack_s = 0.004f, kWeightSlack = 0.01f;
 
 float Finite(float value) {
   return std::isfinite(value) ? value : 0;
@@ -158,6 +163,41 @@ std::string SceneEncoder::Camera(const world::SceneSnapshot& scene) {
   return bytes;
 }
 
+/// Compares the movements of a model with those that a reader continues. If they differ, stores the new ones with the
+/// rates of the last block, and returns true. `pose`: null for things without movements.
+bool SceneEncoder::UpdateMovements(Thing& thing, std::uint32_t id, const world::Pose* pose, double time_s) {
+  if (pose == nullptr) return std::exchange(thing.movements, {}).list.size() > 0;
+  Movements now{time_s, {}};
+  for (const world::Pose::Part& part : pose->parts)
+    if (part.clip < pose->rig->clips.size()) now.list.push_back({part.clip, part.time_s, part.weight, 0, 0});
+  const Movements last = std::exchange(last_movements_[id], now);
+  const auto since_s = static_cast<float>(time_s - thing.movements.at_s);
+  const bool is_continued =
+      std::ranges::equal(thing.movements.list, now.list, [&](const Movement& a, const Movement& b) {
+        return a.clip == b.clip && std::abs(a.time_s + a.speed * since_s - b.time_s) < kTimeSlack_s &&
+               std::abs(a.weight + a.weight_per_s * since_s - b.weight) < kWeightSlack;
+      });
+  if (is_continued) return false;
+  const auto step_s = static_cast<float>(time_s - last.at_s);
+  for (Movement& movement : now.list) {
+    const auto before = std::ranges::find(last.list, movement.clip, &Movement::clip);
+    if (before == last.list.end() || step_s <= 0) continue;
+    // At its end, a looping animation continues at its start.
+    const float length_s = pose->rig->clips[movement.clip].length_s();
+    float moved_s = movement.time_s - before->time_s;
+    if (std::abs(moved_s) > length_s / 2) moved_s -= std::copysign(length_s, moved_s);
+    movement.speed = moved_s / step_s;
+    movement.weight_per_s = (movement.weight - before->weight) / step_s;
+  }
+  thing.movements = std::move(now);
+  return true;
+}
+
+/// Removes the movements of things that are not in the present block.
+void SceneEncoder::ForgetMovements(double time_s) {
+  std::erase_if(last_movements_, [time_s](const auto& entry) { return entry.second.at_s != time_s; });
+}
+
 std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bones) {
   std::string changed;
   Out out(changed);
@@ -182,7 +222,10 @@ std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bo
     const Triple place = Steps(drawn.position, kPerMetre);
     const Triple turn = Steps(TurnVector(drawn.orientation), kPerRadian);
     std::vector<Bone> bones;
-    if (!drawn.bones.empty() && (with_bones || is_new)) {
+    const world::Pose* const blended = drawn.bones.pose();
+    const bool is_model = blended != nullptr && !blended->rig->model.empty();
+    const bool has_new_movements = UpdateMovements(thing, drawn.id, is_model ? blended : nullptr, scene.time_s);
+    if (!drawn.bones.empty() && !is_model && (with_bones || is_new)) {
       // Relative to their parents, bones change least.
       const world::BodyMesh* mesh = world::FindBodyMesh(drawn.mesh.value());
       const std::vector<world::BonePose>& poses = drawn.bones.value();
@@ -206,6 +249,7 @@ std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bo
     if (place != thing.place) parts |= kPlace;
     if (turn != thing.turn) parts |= kTurn;
     if (bones != thing.bones) parts |= kBones;
+    if (has_new_movements) parts |= kMovements;
     if (parts == 0) continue;
     ids.Write(drawn.id);
     out.Byte(parts);
@@ -226,11 +270,19 @@ std::string SceneEncoder::Things(const world::SceneSnapshot& scene, bool with_bo
         }
       }
     }
+    if (has_new_movements) {
+      out.Number(thing.movements.list.size());
+      for (const Movement& movement : thing.movements.list) {
+        out.Number(movement.clip);
+        out.ManyFloats(movement.time_s, movement.weight, movement.speed, movement.weight_per_s);
+      }
+    }
     thing.description = std::move(description);
     thing.place = place;
     thing.turn = turn;
     thing.bones = std::move(bones);
   }
+  ForgetMovements(scene.time_s);
   return GoneAndChanged(things_, changed);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "world/animation/pose.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
@@ -46,10 +47,21 @@ class SceneEncoder {
     Triple turn{}, place{};
     friend bool operator==(const Bone&, const Bone&) = default;
   };
+  /// An animation of a model from a file, and how its time and its weight change.
+  struct Movement {
+    std::uint32_t clip = 0;
+    float time_s = 0, weight = 0, speed = 0, weight_per_s = 0;
+  };
+  /// The animations of a model at one moment.
+  struct Movements {
+    double at_s = 0;
+    std::vector<Movement> list;
+  };
   struct Thing {
     std::string description;
     Triple place{}, turn{};
     std::vector<Bone> bones;
+    Movements movements;  ///< As sent. A reader continues them.
     std::uint64_t seen = 0;
   };
   struct Person {
@@ -70,6 +82,8 @@ class SceneEncoder {
   std::string Surroundings(const world::SceneSnapshot& scene);
   std::string Camera(const world::SceneSnapshot& scene);
   std::string Things(const world::SceneSnapshot& scene, bool with_bones);
+  bool UpdateMovements(Thing& thing, std::uint32_t id, const world::Pose* pose, double time_s);
+  void ForgetMovements(double time_s);
   std::string People(const world::SceneSnapshot& scene);
   std::string Components(const world::SceneSnapshot& scene);
   std::string Particles(const world::SceneSnapshot& scene);
@@ -92,6 +106,7 @@ class SceneEncoder {
   std::vector<std::string> new_texts_;
   std::map<std::uint8_t, std::string> sections_;
   std::map<std::uint32_t, Thing> things_;
+  std::map<std::uint32_t, Movements> last_movements_;  ///< Of the previous block, by thing; without rates.
   std::map<std::uint32_t, Person> people_;
   std::map<std::uint32_t, Mind> minds_;
 };
