@@ -284,10 +284,17 @@ TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {
   std::vector<TickRecord> ticks = SomeTicks(200);
   const auto number = [&] { return static_cast<float>(random() % 1000) / 999; };
   const world::Rig& rig = world::SoldierRig();
+  world::Rig model;
+  model.model = "model.glb#00000000000000bb";
+  model.skeleton.AddToParent("bone", -1, {{0, 1, 0}, {}, {2, 1, 1}});
+  world::BoneMovement movement;
+  movement.scale = {{0, 1}, {{2, 1, 1}, {1, 2, 3}}, false};
+  model.clips.emplace_back(world::Clip::Settings{.name = "stretch"}, std::vector{movement});
+  world::KeepRig(model);
   world::Pose pose;
   for (TickRecord& tick : ticks) {
     if (random() % 10 == 0 || pose.rig == nullptr) {
-      pose.rig = random() % 4 == 0 ? &world::RifleRig() : &rig;
+      pose.rig = random() % 4 == 0 ? &world::RifleRig() : random() % 3 == 0 ? world::FindRig(model.model) : &rig;
       pose.parts.resize(random() % 5);
       for (world::Pose::Part& part : pose.parts)
         part = {static_cast<std::uint32_t>(random() % pose.rig->clips.size()), number(), number() + 0.01f};
@@ -298,7 +305,8 @@ TEST_F(RecordingTest, MovementsOfBodiesAreKeptAndTheirBonesFollow) {
       if (random() % 2 == 0) part.time_s += 1 / 30.0f;
     world::DrawableSnapshot& drawable = tick.scene.drawables.Edit(tick.scene.drawables.Find(0));
     drawable.bones = world::BodyBones(pose);
-    if (random() % 12 == 0) drawable.bones = drawable.bones.value();  // Without a pose.
+    // Without a pose.
+    if (random() % 12 == 0 && pose.rig->model.empty()) drawable.bones = drawable.bones.value();
     if (random() % 12 == 0) drawable.bones = {};
   }
   Write(file(), ticks, {.ticks_per_block = 30});

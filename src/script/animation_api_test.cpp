@@ -118,5 +118,52 @@ TEST_F(AnimationApiTest, ABodyWalksByItselfWhenAskedTo) {
   EXPECT_LT(lifted, 35);
 }
 
+/// A model from a file, with the animation "bend".
+class ModelAnimationTest : public HostTest {
+ protected:
+  ModelAnimationTest() {
+    std::filesystem::copy_file(std::filesystem::path(SOARBOX_SOURCE_DIR) / "tests/fuzz/models_corpus/arm.gltf",
+                               folder_ / "arm.gltf");
+    StartWith(R"(
+      function Sandbox_Initialize(s)
+        arm = Core.CreateMesh(s, 'arm.gltf')
+        object = Sandbox.CreateObject(s, 'arm.gltf')
+      end)");
+  }
+};
+
+TEST_F(ModelAnimationTest, AModelHasTheBonesAndAnimationsOfItsFile) {
+  EXPECT_EQ(Errors(), "");
+  EXPECT_EQ(Run("print(table.concat(Animation.GetAnimationNames(arm), ' '), Animation.GetBoneNames(arm)[1])"),
+            "bend\telbow");
+  EXPECT_EQ(Run("local a = Animation.Play(object, 'bend') print(Animation.GetName(a), Animation.GetLength(a))"),
+            "bend\t1");
+}
+
+TEST_F(ModelAnimationTest, TheWorldAdvancesWhatIsPlayed) {
+  Run("bend = Animation.Play(arm, 'bend', false, 2, 0)");
+  Ticks(6);
+  EXPECT_EQ(Run("print(string.format('%.2f', Animation.GetTime(bend)), Animation.IsLooping(bend))"), "0.40\tfalse");
+  Ticks(30);
+  EXPECT_EQ(Run("print(Animation.GetTime(bend), Animation.IsEnabled(bend)) Animation.Stop(arm, 0) "
+                "print(Animation.IsEnabled(bend))"),
+            "1\ttrue|false");
+  EXPECT_EQ(Run("Animation.Play(arm, 'bend')"), "");
+  Ticks(3);
+  EXPECT_EQ(Run("local w = Animation.GetWeight(bend) print(w > 0.4 and w < 0.6)"), "true");
+}
+
+TEST_F(ModelAnimationTest, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
+  EXPECT_EQ(Run("print(pcall(Animation.Play, arm, 'bent'))"),
+            "false\tbad argument #2 to 'Animation.Play' (there is no animation \"bent\" here; did you mean \"bend\"? "
+            "There are bend)");
+  EXPECT_EQ(Run("print(pcall(Animation.Play, arm, 'dance'))"),
+            "false\tbad argument #2 to 'Animation.Play' (there is no animation \"dance\" here; there are bend)");
+  recorder_.warnings.clear();
+  Run("Animation.Play(arm, 'bend', true, 1000)");
+  ASSERT_EQ(recorder_.warnings.size(), 1u);
+  EXPECT_NE(recorder_.warnings[0].message.find("the speed, is 1000: 100 is used"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace soarbox::script

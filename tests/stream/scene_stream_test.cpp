@@ -13,6 +13,8 @@
 #include "sim/simulation.h"
 #include "stream/quantise.h"
 #include "stream/scene_encoder.h"
+#include "world/animation/animator.h"
+#include "world/animation/rig.h"
 
 namespace soarbox::stream {
 namespace {
@@ -26,6 +28,13 @@ class TestReader {
     std::string mesh, material;
     Place place{}, turn{};
     std::size_t bones = 0;
+    struct Movement {
+      std::uint64_t clip = 0;
+      float time_s = 0, weight = 0, speed = 0, weight_per_s = 0;
+      friend bool operator==(const Movement&, const Movement&) = default;
+    };
+    std::vector<Movement> movements;  ///< As sent at moved_at_s.
+    double moved_at_s = 0;
     friend bool operator==(const Thing&, const Thing&) = default;
   };
   struct Person {
@@ -106,14 +115,18 @@ class TestReader {
       }
       if ((parts & 2) != 0) Add(in, thing.place);
       if ((parts & 4) != 0) Add(in, thing.turn);
-      if ((parts & 8) == 0) continue;
-      thing.bones = in.Number();
-      for (std::size_t i = 0; i < thing.bones; ++i) {
+      if ((parts & 8) != 0) thing.bones = in.Number();
+      for (std::size_t i = 0; (parts & 8) != 0 && i < thing.bones; ++i) {
         const std::uint8_t how = in.Byte();
         Place unused{};
         if ((how & 1) != 0) Add(in, unused);
         if ((how & 2) != 0) Add(in, unused);
       }
+      if ((parts & 16) == 0) continue;
+      thing.movements.resize(in.Number());
+      for (Thing::Movement& movement : thing.movements)
+        movement = {in.Number(), in.Float(), in.Float(), in.Float(), in.Float()};
+      thing.moved_at_s = time_s;
     }
   }
   void People(ByteReader& in) {
@@ -281,6 +294,57 @@ TEST(SceneEncoder, TakesAtMost400KilobytesASecondForTwoHundredSoldiers) {
   std::printf("%zu soldiers: %.1f KB/s\n", soldiers, static_cast<double>(bytes) / kSeconds / 1000);
   EXPECT_GE(soldiers, 200u);
   EXPECT_LE(bytes / kSeconds, 400'000u);
+}
+
+world::Clip Nod(const char* name, float length_s) {
+  world::BoneMovement movement;
+  movement.position = {{0, length_s}, {{0, 0, 0}, {0, 1, 0}}, false};
+  return world::Clip({.name = name, .length_s = length_s}, std::vector{movement});
+}
+
+/// A page continues the animations of models from files by itself.
+TEST(SceneEncoder, SendsTheAnimationsOfModelsOnlyWhenTheyChange) {
+  world::Rig made;
+  made.model = "nodding.glb#0000000000000001";
+  made.skeleton.AddToParent("head", -1, {});
+  made.clips = {Nod("slow", 2), Nod("fast", 0.5f)};
+  world::KeepRig(made);
+  world::Animator animator(*world::FindRig(made.model));
+  SceneEncoder encoder({.full_every_s = 100});
+  TestReader reader;
+  world::SceneSnapshot scene;
+  world::DrawableSnapshot drawable;
+  drawable.id = 5;
+  drawable.mesh = made.model;
+  scene.drawables.push_back(drawable);
+  constexpr int kTicks = 300;
+  constexpr float kStep_s = 1.0f / 30;
+  std::size_t sent = 0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick == 20) animator.Play(0, true, 1, 0);
+    if (tick == 200) animator.Play(1, false, 0.5f, 0.4f);
+    animator.Advance(kStep_s);
+    scene.tick = static_cast<std::uint64_t>(tick);
+    scene.time_s = static_cast<double>(tick) * static_cast<double>(kStep_s);
+    scene.drawables.Edit(scene.drawables.Find(5)).bones = world::BodyBones(animator.NowPose());
+    const std::vector<TestReader::Thing::Movement> before = reader.things[5].movements;
+    reader.Read(encoder.Encode(scene).bytes);
+    const TestReader::Thing& thing = reader.things[5];
+    sent += thing.movements != before ? 1 : 0;
+    const world::Pose pose = animator.NowPose();
+    ASSERT_EQ(thing.movements.size(), pose.parts.size()) << tick;
+    const auto since_s = static_cast<float>(scene.time_s - thing.moved_at_s);
+    for (std::size_t i = 0; i < pose.parts.size(); ++i) {
+      EXPECT_EQ(thing.movements[i].clip, pose.parts[i].clip);
+      EXPECT_NEAR(thing.movements[i].time_s + thing.movements[i].speed * since_s, pose.parts[i].time_s, 0.005) << tick;
+      EXPECT_NEAR(thing.movements[i].weight + thing.movements[i].weight_per_s * since_s, pose.parts[i].weight, 0.02)
+          << tick;
+    }
+  }
+  // At its start and once more with its speed, at the ends of loops, and while the two are blended.
+  EXPECT_GE(sent, 6u);
+  EXPECT_LE(sent, 14u);
+  EXPECT_EQ(reader.things[5].bones, 0u);
 }
 
 world::SceneSnapshot HandMade() {

@@ -120,6 +120,116 @@ TEST(Animator, MixesByWeightAndFillsUpWithTheBindPose) {
   EXPECT_EQ(BonesOf(animator)[kHips].position.y, bind);
 }
 
+/// A model of a bone and its child. "rise" moves the child up by 1 m within 1 s, "stretch" doubles the bone at 1 s.
+const Rig& ModelRig() {
+  static const Rig* const kept = [] {
+    Rig rig;
+    rig.model = "model.glb#00000000000000aa";
+    rig.skeleton.AddToParent("bone", -1, {{0, 1, 0}, {}, {2, 2, 2}});
+    rig.skeleton.AddToParent("child", 0, {{1, 0, 0}, {}, {1, 1, 1}});
+    std::vector<BoneMovement> rise, stretch;
+    for (const Skeleton::Bone& bone : rig.skeleton.bones()) {
+      rise.push_back({bone.bind, {}, {}, {}});
+      stretch.push_back({bone.bind, {}, {}, {}});
+    }
+    rise[1].position = {{0, 1}, {{1, 0, 0}, {1, 1, 0}}, false};
+    stretch[0].scale = {{0, 1}, {{2, 2, 2}, {4, 2, 2}}, true};
+    rig.clips.emplace_back(soarbox::world::Clip::Settings{.name = "rise", .length_s = 1}, rise);
+    rig.clips.emplace_back(soarbox::world::Clip::Settings{.name = "stretch", .length_s = 1}, stretch);
+    KeepRig(rig);
+    return FindRig(rig.model);
+  }();
+  return *kept;
+}
+
+TEST(ModelRigs, ScalesOfBonesMoveTheirChildren) {
+  Animator animator(ModelRig());
+  EXPECT_EQ(BonesOf(animator)[1].position, (Vec3{2, 1, 0}));
+  EXPECT_EQ(BonesOf(animator)[1].scale, (Vec3{2, 2, 2}));
+  animator.SetEnabled(0, true);
+  animator.SetTime(0, 0.5f);
+  EXPECT_EQ(BonesOf(animator)[1].position, (Vec3{2, 2, 0}));
+  animator.SetEnabled(0, false);
+  animator.SetEnabled(1, true);
+  animator.SetLooping(1, false);
+  animator.SetTime(1, 0.99f);
+  EXPECT_EQ(BonesOf(animator)[1].position, (Vec3{2, 1, 0}));
+  animator.SetTime(1, 1);
+  EXPECT_EQ(BonesOf(animator)[1].position, (Vec3{4, 1, 0}));
+  EXPECT_EQ(RigOfMesh(ModelRig().model), &ModelRig());
+  EXPECT_EQ(RigOfMesh("model.glb#00000000000000ab"), nullptr);
+  EXPECT_EQ(RigOfMesh(kSoldier), &SoldierRig());
+}
+
+TEST(Animator, PlaysLoopsAndKeepsTheLastPoseWithoutThem) {
+  Animator animator(ModelRig());
+  animator.Play(0, true, 2, 0);
+  for (int i = 0; i < 3; ++i) animator.Advance(0.25f);
+  EXPECT_FLOAT_EQ(animator.state(0).time_s, 0.5f);
+  animator.Play(0, false, 2, 0);  // It plays already, so it continues.
+  EXPECT_FLOAT_EQ(animator.state(0).time_s, 0.5f);
+  for (int i = 0; i < 3; ++i) animator.Advance(0.25f);
+  EXPECT_FLOAT_EQ(animator.state(0).time_s, 1);
+  // Nothing changes any more, so nothing is drawn or recorded again.
+  const std::uint64_t changes = animator.changes();
+  animator.Advance(0.25f);
+  EXPECT_EQ(animator.changes(), changes);
+  EXPECT_TRUE(animator.state(0).enabled);
+  animator.Play(0, false, 1, 0);  // It has ended, so it begins again.
+  EXPECT_EQ(animator.state(0).time_s, 0);
+  animator.Play(1, true, -1, 0);
+  EXPECT_FALSE(animator.state(0).enabled);
+  EXPECT_EQ(animator.state(1).time_s, 1);
+  animator.Advance(0.25f);
+  EXPECT_FLOAT_EQ(animator.state(1).time_s, 0.75f);
+}
+
+TEST(Animator, BlendsFromOneAnimationToTheNextAndToTheBindPose) {
+  Animator animator(ModelRig());
+  animator.Play(0, true, 1, 0.5f);
+  EXPECT_EQ(animator.state(0).weight, 0);
+  animator.Advance(0.25f);
+  EXPECT_FLOAT_EQ(animator.state(0).weight, 0.5f);
+  animator.Advance(0.25f);
+  animator.Play(1, true, 1, 0.5f);
+  animator.Advance(0.125f);
+  EXPECT_FLOAT_EQ(animator.state(0).weight, 0.75f);
+  EXPECT_FLOAT_EQ(animator.state(1).weight, 0.25f);
+  for (int i = 0; i < 3; ++i) animator.Advance(0.125f);
+  EXPECT_FALSE(animator.state(0).enabled);
+  EXPECT_EQ(animator.state(1).weight, 1);
+  animator.Stop(0.25f);
+  animator.Advance(0.125f);
+  EXPECT_FLOAT_EQ(animator.state(1).weight, 0.5f);
+  animator.Advance(0.125f);
+  EXPECT_FALSE(animator.state(1).enabled);
+  EXPECT_TRUE(animator.NowPose().parts.empty());
+  // Animations that scripts step themselves are not changed.
+  animator.SetEnabled(0, true);
+  animator.Play(1, true, 1, 0);
+  animator.Stop(0);
+  animator.Advance(1);
+  EXPECT_TRUE(animator.state(0).enabled);
+  EXPECT_EQ(animator.state(0).time_s, 0);
+}
+
+TEST(SceneAnimation, TheWorldAdvancesAnimationsAndHashesThem) {
+  const auto hash_after = [](int ticks, float speed) {
+    World world;
+    world.catalog().AddMesh(ModelRig().model, {});
+    const NodeId mesh = world.scene().CreateMesh(NodeId::kRoot, ModelRig().model);
+    const NodeId hat = world.scene().CreateBox(NodeId::kRoot, 1, 1, 1);
+    EXPECT_TRUE(world.scene().AttachToBone(mesh, 1, hat, {}, {}));
+    world.scene().AnimatorOf(mesh)->Play(0, true, speed, 0);
+    for (int i = 0; i < ticks; ++i) world.Step();
+    EXPECT_EQ(world.scene().WorldPosition(hat).y > 1.5f, speed > 0);
+    return world.Hash();
+  };
+  EXPECT_EQ(hash_after(15, 1), hash_after(15, 1));
+  EXPECT_NE(hash_after(15, 1), hash_after(15, 0));
+  EXPECT_NE(hash_after(15, 1), hash_after(16, 1));
+}
+
 /// An agent that walks at a constant speed, with an automatically animated body.
 class Walker {
  public:
