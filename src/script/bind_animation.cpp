@@ -116,7 +116,8 @@ int Play(lua_State* state) {
 int Stop(lua_State* state) {
   const float blend_s = NumberOr(state, 2, kBlend_s);
   const NodeId body = BodyArgument(state, 1);
-  if (body != NodeId::kNone && world::IsFinite(blend_s)) ContextOf(state).world.scene().AnimatorOf(body)->Stop(blend_s);
+  if (body != NodeId::kNone && world::IsFinite(blend_s))
+    ContextOf(state).world.scene().AnimatorOf(body)->Play({}, true, 1, blend_s);
   return 0;
 }
 
@@ -200,7 +201,8 @@ int Reset(lua_State* state) {
 int StepAnimation(lua_State* state) {
   const auto found = AnimationArgument(state);
   float millis = 0;
-  if (FiniteArgument(state, millis)) found.animator->Step(found.clip, millis / 1000);
+  if (FiniteArgument(state, millis))
+    found.animator->SetTime(found.clip, found.animator->state(found.clip).time_s + millis / 1000);
   return 0;
 }
 

@@ -33,7 +33,8 @@ class Walk {
     heading_ += turn_left_rad_s * kTick_s;
     const Vec3 ahead{std::sin(heading_), 0, std::cos(heading_)}, left{ahead.z, 0, -ahead.x};
     place_ += (ahead * forward_mps + left * left_mps) * kTick_s;
-    animator_.Walk({.forward_mps = forward_mps, .left_mps = left_mps, .heading_rad = heading_}, kTick_s);
+    const world::BodyMotion motion{.forward_mps = forward_mps, .left_mps = left_mps, .heading_rad = heading_};
+    animator_.Advance(&motion, kTick_s);
     std::vector<BonePose> bones = world::BodyBones(animator_.NowPose());
     const SkinPlace place{{place_, world::Turn({0, 1, 0}, heading_)}};
     if (holds_) feet_.Follow(place, kTick_s, bones);
@@ -162,7 +163,8 @@ TEST(FootPlant, HoldsNothingOfWhoWasPutElsewhere) {
   const SkinPlace here{}, there{{{50, 0, 0}, {}}};
   world::Animator animator(world::SoldierRig());
   animator.SetLocomotion(true, kReady);
-  animator.Walk({}, kTick_s);
+  const world::BodyMotion still;
+  animator.Advance(&still, kTick_s);
   const std::vector<BonePose> wanted = world::BodyBones(animator.NowPose());
   std::vector<BonePose> bones = wanted;
   feet.Follow(here, kTick_s, bones);

@@ -57,17 +57,16 @@ void World::Impl::WalkBodies(const Workers& workers) {
   const auto& animated = scene.animated();
   const auto walk = [&](NodeId id) {
     Animator* animator = scene.AnimatorOf(id);
-    animator->Advance(settings.step_s);
-    if (!animator->has_locomotion()) return;
     const Scene::Node& node = *scene.Find(id);
-    const Agent* agent = node.owner_is_agent ? agents.Find(node.owner) : nullptr;
-    if (!agent) return;
+    const bool may_walk = animator->has_locomotion() && node.owner_is_agent;
+    const Agent* agent = may_walk ? agents.Find(node.owner) : nullptr;
+    if (!agent) return animator->Advance(nullptr, settings.step_s);
     const Vec3 velocity = agent->Velocity(), forward = agent->Forward();
-    animator->Walk({.forward_mps = Dot(velocity, forward),
-                    .left_mps = Dot(velocity, agent->Left()),
-                    .heading_rad = std::atan2(forward.x, forward.z),
-                    .alive = agent->Health() > 0},
-                   settings.step_s);
+    const BodyMotion motion{.forward_mps = Dot(velocity, forward),
+                            .left_mps = Dot(velocity, agent->Left()),
+                            .heading_rad = std::atan2(forward.x, forward.z),
+                            .alive = agent->Health() > 0};
+    animator->Advance(&motion, settings.step_s);
   };
   constexpr std::size_t kWorthThread = 32;
   WorkInPieces(workers, animated.size(), kWorthThread, [&](std::size_t begin, std::size_t end) {

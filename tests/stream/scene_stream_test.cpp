@@ -323,7 +323,7 @@ TEST(SceneEncoder, SendsTheAnimationsOfModelsOnlyWhenTheyChange) {
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick == 20) animator.Play(0, true, 1, 0);
     if (tick == 200) animator.Play(1, false, 0.5f, 0.4f);
-    animator.Advance(kStep_s);
+    animator.Advance(nullptr, kStep_s);
     scene.tick = static_cast<std::uint64_t>(tick);
     scene.time_s = static_cast<double>(tick) * static_cast<double>(kStep_s);
     scene.drawables.Edit(scene.drawables.Find(5)).bones = world::BodyBones(animator.NowPose());

@@ -93,7 +93,7 @@ TEST(Animator, WrapsOrHoldsTheTimeAsLoopingSays) {
   animator.SetTime(clip, -0.1f);
   EXPECT_NEAR(animator.state(clip).time_s, 0.4f, 1e-5f);
   animator.SetLooping(clip, false);
-  animator.Step(clip, 9);
+  animator.SetTime(clip, animator.state(clip).time_s + 9);
   EXPECT_EQ(animator.state(clip).time_s, 0.5f);
   animator.SetTime(clip, -3);
   EXPECT_EQ(animator.state(clip).time_s, 0.0f);
@@ -164,15 +164,15 @@ TEST(ModelRigs, ScalesOfBonesMoveTheirChildren) {
 TEST(Animator, PlaysLoopsAndKeepsTheLastPoseWithoutThem) {
   Animator animator(ModelRig());
   animator.Play(0, true, 2, 0);
-  for (int i = 0; i < 3; ++i) animator.Advance(0.25f);
+  for (int i = 0; i < 3; ++i) animator.Advance(nullptr, 0.25f);
   EXPECT_FLOAT_EQ(animator.state(0).time_s, 0.5f);
   animator.Play(0, false, 2, 0);  // It plays already, so it continues.
   EXPECT_FLOAT_EQ(animator.state(0).time_s, 0.5f);
-  for (int i = 0; i < 3; ++i) animator.Advance(0.25f);
+  for (int i = 0; i < 3; ++i) animator.Advance(nullptr, 0.25f);
   EXPECT_FLOAT_EQ(animator.state(0).time_s, 1);
   // Nothing changes any more, so nothing is drawn or recorded again.
   const std::uint64_t changes = animator.changes();
-  animator.Advance(0.25f);
+  animator.Advance(nullptr, 0.25f);
   EXPECT_EQ(animator.changes(), changes);
   EXPECT_TRUE(animator.state(0).enabled);
   animator.Play(0, false, 1, 0);  // It has ended, so it begins again.
@@ -180,7 +180,7 @@ TEST(Animator, PlaysLoopsAndKeepsTheLastPoseWithoutThem) {
   animator.Play(1, true, -1, 0);
   EXPECT_FALSE(animator.state(0).enabled);
   EXPECT_EQ(animator.state(1).time_s, 1);
-  animator.Advance(0.25f);
+  animator.Advance(nullptr, 0.25f);
   EXPECT_FLOAT_EQ(animator.state(1).time_s, 0.75f);
 }
 
@@ -188,27 +188,27 @@ TEST(Animator, BlendsFromOneAnimationToTheNextAndToTheBindPose) {
   Animator animator(ModelRig());
   animator.Play(0, true, 1, 0.5f);
   EXPECT_EQ(animator.state(0).weight, 0);
-  animator.Advance(0.25f);
+  animator.Advance(nullptr, 0.25f);
   EXPECT_FLOAT_EQ(animator.state(0).weight, 0.5f);
-  animator.Advance(0.25f);
+  animator.Advance(nullptr, 0.25f);
   animator.Play(1, true, 1, 0.5f);
-  animator.Advance(0.125f);
+  animator.Advance(nullptr, 0.125f);
   EXPECT_FLOAT_EQ(animator.state(0).weight, 0.75f);
   EXPECT_FLOAT_EQ(animator.state(1).weight, 0.25f);
-  for (int i = 0; i < 3; ++i) animator.Advance(0.125f);
+  for (int i = 0; i < 3; ++i) animator.Advance(nullptr, 0.125f);
   EXPECT_FALSE(animator.state(0).enabled);
   EXPECT_EQ(animator.state(1).weight, 1);
-  animator.Stop(0.25f);
-  animator.Advance(0.125f);
+  animator.Play({}, true, 1, 0.25f);
+  animator.Advance(nullptr, 0.125f);
   EXPECT_FLOAT_EQ(animator.state(1).weight, 0.5f);
-  animator.Advance(0.125f);
+  animator.Advance(nullptr, 0.125f);
   EXPECT_FALSE(animator.state(1).enabled);
   EXPECT_TRUE(animator.NowPose().parts.empty());
   // Animations that scripts step themselves are not changed.
   animator.SetEnabled(0, true);
   animator.Play(1, true, 1, 0);
-  animator.Stop(0);
-  animator.Advance(1);
+  animator.Play({}, true, 1, 0);
+  animator.Advance(nullptr, 1);
   EXPECT_TRUE(animator.state(0).enabled);
   EXPECT_EQ(animator.state(0).time_s, 0);
 }

@@ -59,11 +59,13 @@ void Animator::FadeOut(AnimationState& state, float blend_s) {
   }
 }
 
-void Animator::Play(std::size_t clip, bool loops, float speed, float blend_s) {
-  AnimationState& state = states_[clip];
-  for (AnimationState& other : states_)
-    if (&other != &state) FadeOut(other, blend_s);
-  const float length = rig_->clips[clip].length_s();
+void Animator::Play(std::optional<std::size_t> clip, bool loops, float speed, float blend_s) {
+  for (std::size_t other = 0; other < states_.size(); ++other)
+    if (other != clip) FadeOut(states_[other], blend_s);
+  Changed();
+  if (!clip) return;
+  AnimationState& state = states_[*clip];
+  const float length = rig_->clips[*clip].length_s();
   const bool has_ended = !state.looping && (state.speed < 0 ? state.time_s <= 0 : state.time_s >= length);
   if (!state.enabled) state.weight = blend_s > 0 ? 0.0f : 1.0f;
   if (!state.plays || has_ended) state.time_s = speed < 0 ? length : 0;
@@ -73,15 +75,9 @@ void Animator::Play(std::size_t clip, bool loops, float speed, float blend_s) {
   state.speed = speed;
   state.fade_per_s = blend_s > 0 ? 1 / blend_s : 0;
   if (blend_s <= 0) state.weight = 1;
-  StateChanged();
 }
 
-void Animator::Stop(float blend_s) {
-  for (AnimationState& state : states_) FadeOut(state, blend_s);
-  StateChanged();
-}
-
-void Animator::Advance(float seconds) {
+void Animator::AdvancePlayed(float seconds) {
   if (!plays_) return;
   plays_ = false;
   for (std::size_t clip = 0; clip < states_.size(); ++clip) {
@@ -109,9 +105,10 @@ void Animator::SetLocomotion(bool enabled, LocomotionStyle style) {
   Changed();
 }
 
-void Animator::Walk(const BodyMotion& motion, float seconds) {
-  if (!has_locomotion_) return;
-  locomotion_.Update(*rig_, motion, seconds);
+void Animator::Advance(const BodyMotion* motion, float seconds) {
+  AdvancePlayed(seconds);
+  if (!has_locomotion_ || motion == nullptr) return;
+  locomotion_.Update(*rig_, *motion, seconds);
   Changed();
 }
 

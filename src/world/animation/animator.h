@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "world/animation/locomotion.h"
@@ -37,19 +38,14 @@ class Animator {
 
   /// With looping, the time wraps around; otherwise it is clamped to the length.
   void SetTime(std::size_t clip, float time_s);
-  void Step(std::size_t clip, float seconds) { SetTime(clip, states_[clip].time_s + seconds); }
   void SetWeight(std::size_t clip, float weight);
   void SetEnabled(std::size_t clip, bool enabled);
   void SetLooping(std::size_t clip, bool looping);
 
   /// Plays an animation from its start (from its end if the speed is negative), and fades out the others that play. If
   /// it plays already and has not ended, it continues with the new settings. An animation that does not loop keeps its
-  /// last pose.
-  void Play(std::size_t clip, bool loops, float speed, float blend_s);
-  /// Fades out all animations that play.
-  void Stop(float blend_s);
-  /// Advances the animations that play. Call it once per tick.
-  void Advance(float seconds);
+  /// last pose. Without a clip, all are faded out.
+  void Play(std::optional<std::size_t> clip, bool loops, float speed, float blend_s);
 
   void set_shows_skeleton(bool shows) {
     shows_skeleton_ = shows;
@@ -60,8 +56,9 @@ class Animator {
   /// Switches automatic walking on or off.
   void SetLocomotion(bool enabled, LocomotionStyle style);
   bool has_locomotion() const { return has_locomotion_; }
-  /// Call it once per tick.
-  void Walk(const BodyMotion& motion, float seconds);
+  /// Advances the animations that play, and the walk if it is on. Call it once per tick. `motion`: null if the body
+  /// belongs to no agent; the walk then stands still.
+  void Advance(const BodyMotion* motion, float seconds);
 
   /// The present pose. The positions of the bones are computed from it.
   Pose NowPose() const;
@@ -79,6 +76,7 @@ class Animator {
   }
   void Switch(AnimationState& state, bool enabled);
   void MoveTo(std::size_t clip, float time_s);
+  void AdvancePlayed(float seconds);
   void FadeOut(AnimationState& state, float blend_s);
 
   const Rig* rig_;
