@@ -6,7 +6,8 @@ in vec4 vertex;
 
 #if defined(BY_BONES)
 uniform sampler2D bones;  // For each bone three rows of the matrix that takes a vertex into the world, 1024 in a line.
-in vec4 blendIndices;     // Of the vertex: two bones and the share of the first, all in 255ths.
+in vec4 blendIndices;     // Of the vertex: four bones, in 255ths.
+in vec4 blendWeights;     // Their shares; bones after the last one have the share 0.
 in vec4 uv1;              // Of the body: the colour of its trim, and the place of its first row.
 
 vec4 RowOf(float bone, int row)
@@ -15,14 +16,14 @@ vec4 RowOf(float bone, int row)
     return texelFetch(bones, ivec2(at & 1023, at >> 10), 0);
 }
 
+mat3x4 RowsOf(float bone) { return mat3x4(RowOf(bone, 0), RowOf(bone, 1), RowOf(bone, 2)); }
+
 mat3x4 Rows()
 {
-    float share = blendIndices.z;
-    mat3x4 rows = mat3x4(RowOf(blendIndices.x, 0), RowOf(blendIndices.x, 1), RowOf(blendIndices.x, 2));
-    if (share < 1.0) {
-        mat3x4 other = mat3x4(RowOf(blendIndices.y, 0), RowOf(blendIndices.y, 1), RowOf(blendIndices.y, 2));
-        rows = rows * share + other * (1.0 - share);
-    }
+    mat3x4 rows = RowsOf(blendIndices.x) * blendWeights.x;
+    if (blendWeights.y > 0.0) rows += RowsOf(blendIndices.y) * blendWeights.y;
+    if (blendWeights.z > 0.0) rows += RowsOf(blendIndices.z) * blendWeights.z;
+    if (blendWeights.w > 0.0) rows += RowsOf(blendIndices.w) * blendWeights.w;
     return rows;
 }
 #elif defined(BY_THING)

@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "viewer/drawable_mesh.h"
 #include "viewer/materials.h"
 
 namespace soarbox::viewer {
-namespace {
 
-struct BodyVertex {
+struct BodyLibrary::BodyVertex {
   float position[3], normal[3], uv[2];
   std::uint8_t paint[4];
-  std::uint8_t bones[4];  ///< The first bone, the second bone, the weight of the first in 255ths.
+  std::uint8_t bones[4];
+  std::uint8_t weights[4];  ///< Of the bones, in 255ths.
 };
+
+namespace {
 
 /// Width of the texture, as in media/shaders/place.glsl; a texel contains a row.
 constexpr std::size_t kWidth = 1024, kFloatsPerRow = 4, kRowsPerBone = 3;
@@ -38,12 +41,41 @@ const SharedShape& BodyLibrary::For(world::BodyLook look, BodyDetail detail) {
   for (std::size_t i = 0; i < skin.skin.size(); ++i) {
     const MeshVertex& v = skin.mesh.vertices[i];
     const SkinVertex& by = skin.skin[i];
+    const std::uint8_t share = Byte255(by.share);
     vertices.push_back({{v.position.x, v.position.y, v.position.z},
                         {v.normal.x, v.normal.y, v.normal.z},
                         {v.u, v.v},
                         {Byte255(v.tint), Byte255(v.light), Byte255(v.gloss), 255},
-                        {by.bone, by.other, Byte255(by.share), 0}});
+                        {by.bone, by.other, 0, 0},
+                        {share, static_cast<std::uint8_t>(255 - share), 0, 0}});
   }
+  Upload(vertices, skin.mesh.indices, made);
+  return made.shape;
+}
+
+const SharedShape& BodyLibrary::For(const std::shared_ptr<const model::Model>& model) {
+  const auto [found, is_new] = uploaded_models_.try_emplace(model);
+  if (!is_new) return found->second.shape;
+  const MeshData mesh = ModelMesh(*model, true);
+  std::vector<BodyVertex> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const MeshVertex& v = mesh.vertices[i];
+    const auto& joints = model->skins[i].joints;
+    const auto weights = WeightBytes(model->skins[i].weights);
+    vertices.push_back({{v.position.x, v.position.y, v.position.z},
+                        {v.normal.x, v.normal.y, v.normal.z},
+                        {v.u, v.v},
+                        {Byte255(v.tint), Byte255(v.light), Byte255(v.gloss), 255},
+                        {joints[0], joints[1], joints[2], joints[3]},
+                        {weights[0], weights[1], weights[2], weights[3]}});
+  }
+  Upload(vertices, mesh.indices, found->second);
+  return found->second.shape;
+}
+
+void BodyLibrary::Upload(const std::vector<BodyVertex>& vertices, const std::vector<std::uint32_t>& indices,
+                         Uploaded& made) {
   auto& buffers = Ogre::HardwareBufferManager::getSingleton();
   made.vertices = std::make_unique<Ogre::VertexData>();
   made.vertices->vertexCount = vertices.size();
@@ -53,17 +85,17 @@ const SharedShape& BodyLibrary::For(world::BodyLook look, BodyDetail detail) {
   layout->addElement(0, offsetof(BodyVertex, uv), Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES);
   layout->addElement(0, offsetof(BodyVertex, paint), Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
   layout->addElement(0, offsetof(BodyVertex, bones), Ogre::VET_UBYTE4_NORM, Ogre::VES_BLEND_INDICES);
+  layout->addElement(0, offsetof(BodyVertex, weights), Ogre::VET_UBYTE4_NORM, Ogre::VES_BLEND_WEIGHTS);
   const auto vertex_buffer =
       buffers.createVertexBuffer(sizeof(BodyVertex), vertices.size(), Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
   vertex_buffer->writeData(0, vertex_buffer->getSizeInBytes(), vertices.data(), true);
   made.vertices->vertexBufferBinding->setBinding(0, vertex_buffer);
   made.corners = std::make_unique<Ogre::IndexData>();
-  made.corners->indexCount = skin.mesh.indices.size();
-  made.corners->indexBuffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, skin.mesh.indices.size(),
+  made.corners->indexCount = indices.size();
+  made.corners->indexBuffer = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, indices.size(),
                                                         Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
-  made.corners->indexBuffer->writeData(0, made.corners->indexBuffer->getSizeInBytes(), skin.mesh.indices.data(), true);
+  made.corners->indexBuffer->writeData(0, made.corners->indexBuffer->getSizeInBytes(), indices.data(), true);
   made.shape = {made.vertices.get(), made.corners.get()};
-  return made.shape;
 }
 
 BoneTexture::BoneTexture() {
@@ -79,6 +111,13 @@ float BoneTexture::Add(const PosedBody& body, world::BodyLook look) {
   const auto first = static_cast<float>(rows_.size() / kFloatsPerRow);
   rows_.resize(rows_.size() + body.bones.size() * kRowsPerBone * kFloatsPerRow);
   BoneRows(to_bind_[look], body.bones, body.place, &rows_[static_cast<std::size_t>(first) * kFloatsPerRow]);
+  return first;
+}
+
+float BoneTexture::Add(const PosedBody& body, const model::Model& model) {
+  const auto first = static_cast<float>(rows_.size() / kFloatsPerRow);
+  const std::vector<float> rows = JointRows(model, body.bones, body.place);
+  rows_.insert(rows_.end(), rows.begin(), rows.end());
   return first;
 }
 

@@ -6,17 +6,19 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.h"
 #include "viewer/body_mesh.h"
 #include "viewer/instance_batch.h"
 #include "viewer/ogre_headers.h"
 
 namespace soarbox::viewer {
 
-/// The meshes of bodies with a skeleton, one for each look and detail. Each is built and uploaded once and shared by
-/// all bodies.
+/// The meshes of bodies with a skeleton, one for each look and detail, and those of models that move. Each is built and
+/// uploaded once and shared by all bodies.
 class BodyLibrary {
  public:
   const SharedShape& For(world::BodyLook look, BodyDetail detail);
+  const SharedShape& For(const std::shared_ptr<const model::Model>& model);
   static const world::Skeleton& SkeletonOf(world::BodyLook look);
 
  private:
@@ -25,7 +27,12 @@ class BodyLibrary {
     std::unique_ptr<Ogre::IndexData> corners;
     SharedShape shape;
   };
+  struct BodyVertex;
+  static void Upload(const std::vector<BodyVertex>& vertices, const std::vector<std::uint32_t>& indices,
+                     Uploaded& made);
+
   std::map<std::pair<world::BodyLook, BodyDetail>, Uploaded> uploaded_;
+  std::map<std::shared_ptr<const model::Model>, Uploaded> uploaded_models_;
 };
 
 /// A body in the pose in which it is drawn.
@@ -43,6 +50,8 @@ class BoneTexture {
   void Begin() { rows_.clear(); }
   /// Adds a body's bones and returns the index of its first row. `body` must have as many bones as its skeleton.
   float Add(const PosedBody& body, world::BodyLook look);
+  /// The same for a model.
+  float Add(const PosedBody& body, const model::Model& model);
   /// Uploads the rows to the renderer.
   void End();
 

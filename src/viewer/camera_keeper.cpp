@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "world/body_meshes.h"
 #include "world/rotation.h"
 
 namespace soarbox::viewer {
@@ -113,7 +114,8 @@ Quat Comfortable(Quat orientation) {
 std::vector<FramedBody> CornersOf(const world::DrawableSnapshot& drawable) {
   const Vec3 at = drawable.position;
   if (drawable.belongs_to_agent || !drawable.visible || !world::IsFinite(at)) return {};
-  if (!drawable.bones.value().empty()) return {{at + Vec3{0, 0.9f, 0}, {}, 0.5f, 1.8f}};
+  if (drawable.shape == world::ShapeKind::kMesh && world::FindBodyMesh(drawable.mesh.value()) != nullptr)
+    return {{at + Vec3{0, 0.9f, 0}, {}, 0.5f, 1.8f}};
   if (drawable.shape != world::ShapeKind::kBox) return {};
   const Vec3 size{drawable.size.x * drawable.scale.x, drawable.size.y * drawable.scale.y,
                   drawable.size.z * drawable.scale.z};

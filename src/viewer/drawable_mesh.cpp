@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "viewer/drawable_mesh.h"
 
-#include "model/model.h"
+#include <algorithm>
+#include <cmath>
+
 #include "viewer/backdrop_meshes.h"
 #include "viewer/figure_meshes.h"
 #include "viewer/modular_mesh_shapes.h"
 #include "viewer/scenery_mesh_shapes.h"
 #include "viewer/shape_meshes.h"
+#include "world/asset_store.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -20,15 +23,18 @@ world::Vec3 ExtentsOf(const DrawableSnapshot& d) {
   return d.shape == ShapeKind::kCapsule ? world::Vec3{2 * d.size.x, d.size.y, 2 * d.size.x} : world::Vec3{};
 }
 
-/// The mesh of a model from a file. Colours are stored in u, v and light, as the material kModelMaterial requires.
-MeshData ModelMesh(const model::Model& model) {
+}  // namespace
+
+MeshData ModelMesh(const model::Model& model, bool in_skin_space) {
   MeshData mesh;
   mesh.material = kModelMaterial;
   mesh.vertices.reserve(model.corners.size());
-  for (const model::Corner& corner : model.corners) {
+  // Colours are stored in u, v and light, as the material requires.
+  for (std::size_t i = 0; i < model.corners.size(); ++i) {
+    const model::Corner& corner = model.corners[i];
     MeshVertex& vertex = mesh.vertices.emplace_back();
-    vertex.position = corner.position;
-    vertex.normal = corner.normal;
+    vertex.position = in_skin_space ? model.skins[i].position : corner.position;
+    vertex.normal = in_skin_space ? model.skins[i].normal : corner.normal;
     vertex.u = corner.red;
     vertex.v = corner.green;
     vertex.light = corner.blue;
@@ -37,7 +43,37 @@ MeshData ModelMesh(const model::Model& model) {
   return mesh;
 }
 
-}  // namespace
+std::shared_ptr<const model::Model> MovingModelOf(const DrawableSnapshot& drawable) {
+  if (drawable.shape != ShapeKind::kMesh || world::AssetName(drawable.mesh.value()).empty()) return nullptr;
+  auto model = model::FindModel(drawable.mesh.value());
+  return model != nullptr && model->moves() ? model : nullptr;
+}
+
+std::vector<float> JointRows(const model::Model& model, const std::vector<world::BonePose>& bones,
+                             const SkinPlace& place) {
+  const model::Frame body = model::FrameOf({place.at.position, place.at.orientation, place.scale});
+  std::vector<float> rows;
+  rows.reserve(12 * model.joints.size());
+  for (const model::Frame& joint : model::FramesOfJoints(model, bones)) {
+    const model::Frame f = body * joint;
+    rows.insert(rows.end(),
+                {f.x.x, f.y.x, f.z.x, f.place.x, f.x.y, f.y.y, f.z.y, f.place.y, f.x.z, f.y.z, f.z.z, f.place.z});
+  }
+  return rows;
+}
+
+std::array<std::uint8_t, 4> WeightBytes(const std::array<float, 4>& weights) {
+  constexpr int kWhole = 255;
+  std::array<std::uint8_t, 4> bytes{};
+  int left = kWhole;
+  for (std::size_t i = 1; i < weights.size(); ++i) {
+    const int part = std::clamp(static_cast<int>(std::lround(weights[i] * kWhole)), 0, left);
+    bytes[i] = static_cast<std::uint8_t>(part);
+    left -= part;
+  }
+  bytes[0] = static_cast<std::uint8_t>(left);
+  return bytes;
+}
 
 bool WearsItsOwn(const DrawableSnapshot& drawable, const std::string& own_material) {
   const std::string& wanted = drawable.material.value();
@@ -67,7 +103,7 @@ DrawableMesh MeshOf(const DrawableSnapshot& d, bool agent_body) {
     case ShapeKind::kMesh:
       break;
   }
-  if (const auto model = model::FindModel(d.mesh.value())) return {ModelMesh(*model)};
+  if (const auto model = model::FindModel(d.mesh.value())) return {ModelMesh(*model, false)};
   if (auto modular = ModularMesh(d.mesh.value())) return {*std::move(modular)};
   if (auto scenery = SceneryMeshFor(d.mesh.value())) return {*std::move(scenery)};
   DrawableMesh box{BoxMesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), true};

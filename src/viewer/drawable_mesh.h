@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "model/model.h"
 #include "viewer/mesh_data.h"
+#include "viewer/skin_mesh.h"
 #include "world/body_meshes.h"
 #include "world/scene_snapshot.h"
 
@@ -21,6 +27,20 @@ inline constexpr const char* kModelMaterial = "Soarbox/Model";
 bool WearsItsOwn(const world::DrawableSnapshot& drawable, const std::string& own_material);
 /// `agent_body` gives a capsule the look of an agent.
 DrawableMesh MeshOf(const world::DrawableSnapshot& drawable, bool agent_body);
+
+/// The mesh of a model from a file: at rest, or in the space of its skin, in which its joints move it.
+MeshData ModelMesh(const model::Model& model, bool in_skin_space);
+
+/// The model of a drawable that joints move; null if the drawable shows no such model.
+std::shared_ptr<const model::Model> MovingModelOf(const world::DrawableSnapshot& drawable);
+
+/// For each joint of a model, three rows of four numbers: the matrix that transforms a vertex from the space of the
+/// skin to world space.
+std::vector<float> JointRows(const model::Model& model, const std::vector<world::BonePose>& bones,
+                             const SkinPlace& place);
+
+/// Weights of a corner as bytes that add up to 255.
+std::array<std::uint8_t, 4> WeightBytes(const std::array<float, 4>& weights);
 
 /// Returns the look of a drawable with a skeleton. The material name may select another uniform for a soldier.
 world::BodyLook LookOf(const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable);

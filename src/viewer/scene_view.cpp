@@ -43,6 +43,7 @@ SceneView::~SceneView() {
   // Ogre's scene must not refer to our objects when the engine ends it.
   for (const auto& [key, batch] : batches_) batch->detachFromParent();
   for (const auto& [key, batch] : body_batches_) batch->detachFromParent();
+  for (const auto& [key, batch] : model_batches_) batch->detachFromParent();
 }
 
 void SceneView::WarnOnce(const std::string& kind, const std::string& name, const std::string& instead) {
@@ -64,6 +65,7 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
   skeleton_lines_.clear();
   shown_.clear();
   bodies_shown_.clear();
+  models_shown_.clear();
   agents_.clear();
   for (const world::LightSnapshot& light : newest.lights) {
     if (light.kind != world::LightKind::kDirectional) continue;
@@ -90,6 +92,9 @@ void SceneView::Update(const world::SceneSnapshot& newest, const world::SceneSna
     if (body != nullptr) {
       ShowBody(thing, *body, drawable, before, blend, agent);
       bodies_shown_.push_back(&thing);
+    } else if (auto model = drawable.bones.empty() ? nullptr : MovingModelOf(drawable)) {
+      ShowModel(thing, std::move(model), drawable, before, blend);
+      models_shown_.push_back(&thing);
     } else {
       Dress(thing, drawable, agent, LooksLikeABody(drawable, agent));
       Place(thing, drawable, before, blend);
@@ -161,7 +166,7 @@ InstanceBatch& SceneView::BatchOf(const Ogre::MeshPtr& mesh, const Materials::Fo
 
 void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const DrawableSnapshot& drawable,
                          const DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent) {
-  if (!thing.body) {
+  if (!thing.body || thing.model) {
     Undress(thing);
     thing.body = std::make_unique<PosedBody>();
   }
@@ -195,6 +200,34 @@ void SceneView::ShowBody(Thing& thing, const world::BodyMesh& mesh, const Drawab
   thing.visible = drawable.visible && IsFinite(body.place.at.position) && IsFinite(drawable.scale);
   if (drawable.shows_skeleton)
     AddSkeletonLines(mesh.rig().skeleton, {drawable.position, drawable.orientation}, drawable.bones);
+}
+
+void SceneView::ShowModel(Thing& thing, std::shared_ptr<const model::Model> model, const DrawableSnapshot& drawable,
+                          const DrawableSnapshot* before, float blend) {
+  if (thing.model != model) {
+    Undress(thing);
+    thing.body = std::make_unique<PosedBody>();
+    thing.radius_m = std::max(world::Length(model->min), world::Length(model->max));
+    thing.model = std::move(model);
+  }
+  PosedBody& body = *thing.body;
+  body.place = {{drawable.position, drawable.orientation}, drawable.scale};
+  body.bones = drawable.bones.value();
+  if (before != nullptr) {
+    body.place.at = {BetweenPositions(before->position, drawable.position, blend),
+                     BetweenOrientations(before->orientation, drawable.orientation, blend)};
+    const std::vector<world::BonePose>& last = before->bones.value();
+    for (std::size_t i = 0; i < body.bones.size() && last.size() == body.bones.size(); ++i) {
+      world::BonePose& bone = body.bones[i];
+      bone = {world::Between(last[i].position, bone.position, blend),
+              BetweenOrientations(last[i].orientation, bone.orientation, blend),
+              world::Between(last[i].scale, bone.scale, blend)};
+    }
+  }
+  thing.visible = drawable.visible && IsFinite(body.place.at.position) && IsFinite(drawable.scale);
+  if (drawable.shows_skeleton && body.bones.size() == thing.model->rig.skeleton.bones().size())
+    AddSkeletonLines(thing.model->rig.skeleton, {drawable.position, drawable.orientation, drawable.scale},
+                     drawable.bones);
 }
 
 void SceneView::HoldFeet(Thing& thing, const DrawableSnapshot& drawable, const DrawableSnapshot* before) {
@@ -233,9 +266,21 @@ InstanceBatch& SceneView::BodiesOf(const Thing& thing, BodyDetail detail) {
   return *batch;
 }
 
+InstanceBatch& SceneView::ModelsOf(const std::shared_ptr<const model::Model>& model) {
+  std::unique_ptr<InstanceBatch>& batch = model_batches_[model];
+  if (batch) return *batch;
+  batch = std::make_unique<InstanceBatch>(scene_, bodies_.For(model), 1);
+  batch->setMaterial(materials_.Named(kModelMaterial, Placing::kBones).material);
+  batch->setCastShadows(true);
+  batch->setRenderQueueGroup(kSolidQueue);
+  scene_.getRootSceneNode()->createChildSceneNode()->attachObject(batch.get());
+  return *batch;
+}
+
 void SceneView::BeginFrame(const Ogre::Camera& camera, int height_px, std::uint32_t inside) {
   for (auto& [key, batch] : batches_) batch->Begin();
   for (auto& [key, batch] : body_batches_) batch->Begin();
+  for (auto& [key, batch] : model_batches_) batch->Begin();
   bones_.Begin();
   const float down = std::max(0.15f, -world::Normalized(sunlight_).y);
   const Sight sight{camera, camera.getDerivedPosition(),
@@ -243,11 +288,13 @@ void SceneView::BeginFrame(const Ogre::Camera& camera, int height_px, std::uint3
                     inside};
   for (Thing* thing : shown_) AddThing(*thing, sight);
   AddBodies(sight);
+  AddModels(sight);
 }
 
 void SceneView::EndFrame() {
   for (auto& [key, batch] : batches_) batch->End();
   for (auto& [key, batch] : body_batches_) batch->End();
+  for (auto& [key, batch] : model_batches_) batch->End();
   bones_.End();
 }
 
@@ -321,6 +368,19 @@ void SceneView::AddBodies(const Sight& sight) {
   }
 }
 
+void SceneView::AddModels(const Sight& sight) {
+  // Animations may move corners away from where they are at rest.
+  constexpr float kReach = 2;
+  for (const Thing* thing : models_shown_) {
+    if (!thing->visible || (sight.inside != 0 && thing->agent == sight.inside)) continue;
+    const SkinPlace& place = thing->body->place;
+    const float largest = std::max({std::abs(place.scale.x), std::abs(place.scale.y), std::abs(place.scale.z)});
+    const Ogre::Vector4 row(1, 1, 1, bones_.Add(*thing->body, *thing->model));
+    ModelsOf(thing->model)
+        .Add(place.at.position, kReach * largest * thing->radius_m, InstanceBatch::Shown::kEverywhere, &row);
+  }
+}
+
 std::optional<SceneView::Figure> SceneView::FigureOf(std::uint32_t agent) const {
   if (agent == 0) return std::nullopt;
   for (const Thing* thing : bodies_shown_) {
@@ -370,6 +430,7 @@ void SceneView::Undress(Thing& thing) {
   thing.levels.clear();
   thing.clothes.reset();
   thing.body.reset();
+  thing.model.reset();
 }
 
 }  // namespace soarbox::viewer

@@ -87,8 +87,9 @@ class SceneView {
     std::unique_ptr<Feet> feet;
     std::size_t detail = 0;  ///< Index of the level in which it was drawn.
     world::BodyLook look = world::BodyLook::kSoldier;
-    std::string material;  ///< Of bodies; empty: the material of soldiers.
-    world::Color trim;     ///< Of that material.
+    std::shared_ptr<const model::Model> model;  ///< Of models that move; `look` is then not used.
+    std::string material;                       ///< Of bodies; empty: the material of soldiers.
+    world::Color trim;                          ///< Of that material.
     bool visible = true;
     std::uint32_t agent = 0;  ///< The agent that it belongs to; 0: none.
   };
@@ -105,12 +106,17 @@ class SceneView {
   /// Creates and poses a thing with a skeleton.
   void ShowBody(Thing& thing, const world::BodyMesh& mesh, const world::DrawableSnapshot& drawable,
                 const world::DrawableSnapshot* before, float blend, const world::AgentSnapshot* agent);
+  /// The same for a model that moves.
+  void ShowModel(Thing& thing, std::shared_ptr<const model::Model> model, const world::DrawableSnapshot& drawable,
+                 const world::DrawableSnapshot* before, float blend);
   /// Advances the feet to the newest tick.
   void HoldFeet(Thing& thing, const world::DrawableSnapshot& drawable, const world::DrawableSnapshot* before);
   InstanceBatch& BatchOf(const Ogre::MeshPtr& mesh, const Materials::Found& material, bool is_ground);
   InstanceBatch& BodiesOf(const Thing& thing, BodyDetail detail);
+  InstanceBatch& ModelsOf(const std::shared_ptr<const model::Model>& model);
   void AddThing(Thing& thing, const Sight& sight) const;
   void AddBodies(const Sight& sight);
+  void AddModels(const Sight& sight);
   /// Whether the body is in the picture, or may cast a shadow into it.
   bool MattersTo(const Sight& sight, const Thing& thing) const;
   void AddSkeletonLines(const world::Skeleton& skeleton, const world::BonePose& model,
@@ -125,10 +131,11 @@ class SceneView {
   BoneTexture bones_;
   OnWarning on_warning_;
   std::unordered_map<std::uint32_t, Thing> things_;
-  std::vector<Thing*> shown_, bodies_shown_;  ///< Things of the newest snapshot, in its order.
+  std::vector<Thing*> shown_, bodies_shown_, models_shown_;  ///< Things of the newest snapshot, in its order.
   std::map<std::pair<std::string, std::string>, std::unique_ptr<InstanceBatch>> batches_;  ///< By mesh and material.
   using BodyKey = std::tuple<world::BodyLook, BodyDetail, std::string>;
   std::map<BodyKey, std::unique_ptr<InstanceBatch>> body_batches_;
+  std::map<std::shared_ptr<const model::Model>, std::unique_ptr<InstanceBatch>> model_batches_;
   std::unordered_map<std::uint32_t, const world::AgentSnapshot*> agents_;
   std::vector<world::LineSnapshot> skeleton_lines_;
   std::set<std::string> warned_;

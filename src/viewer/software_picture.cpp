@@ -100,6 +100,7 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
   const Shape& shape = ShapeOf(drawable, agent_body);
   const MeshData& mesh = shape.mesh.mesh;
   const bool has_bones = !shape.mesh.skin.empty();
+  const auto model = drawable.bones.empty() ? nullptr : MovingModelOf(drawable);
   const std::string& material = drawable.material.value();
   const bool own_color = agent_body && !IsAgentColorMaterial(material);
   const bool from_mesh = WearsItsOwn(drawable, mesh.material);
@@ -118,6 +119,8 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
     rows.resize(12 * shape.to_bind.size());
     BoneRows(shape.to_bind, bones, {{drawable.position, drawable.orientation}, drawable.scale}, rows.data());
   }
+  if (model != nullptr)
+    rows = JointRows(*model, drawable.bones, {{drawable.position, drawable.orientation}, drawable.scale});
   const auto by_bone = [&](std::uint8_t bone, Vec3 v, float w) {
     if (12 * (static_cast<std::size_t>(bone) + 1) > rows.size()) return Vec3{};
     const float* const row = &rows[12 * static_cast<std::size_t>(bone)];
@@ -128,6 +131,23 @@ SoftwarePictures::Placed SoftwarePictures::Place(const DrawableSnapshot& drawabl
     if (has_bones) {
       const SkinVertex& skin = shape.mesh.skin[i];
       return skin.share * by_bone(skin.bone, v, w) + (1 - skin.share) * by_bone(skin.other, v, w);
+    }
+    if (model != nullptr) {
+      const model::CornerSkin& skin = model->skins[i];
+      Vec3 sum;
+      for (std::size_t k = 0; k < skin.joints.size(); ++k) {
+        if (skin.weights[k] <= 0) continue;
+        if (w > 0) {
+          sum += skin.weights[k] * by_bone(skin.joints[k], skin.position, 1);
+          continue;
+        }
+        // Under uneven scales, normals require the cofactors.
+        const Vec3 x = by_bone(skin.joints[k], {1, 0, 0}, 0), y = by_bone(skin.joints[k], {0, 1, 0}, 0),
+                   z = by_bone(skin.joints[k], {0, 0, 1}, 0);
+        const Vec3 turned = Cross(y, z) * skin.normal.x + Cross(z, x) * skin.normal.y + Cross(x, y) * skin.normal.z;
+        sum += skin.weights[k] * world::Normalized(turned);
+      }
+      return sum;
     }
     const Vec3 s = drawable.scale;
     // Normals are scaled inversely to the mesh.
