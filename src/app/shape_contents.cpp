@@ -78,11 +78,13 @@ class MeshBytes {
   std::string bytes_;
 };
 
-std::string BytesOf(const MeshData& mesh, const std::vector<viewer::SkinVertex>& skin = {}) {
-  MeshBytes out;
+/// How bones move the vertices of a mesh.
+enum class SkinKind : std::uint32_t { kNone, kTwoBones, kFourJoints };
+
+void AddTriangles(MeshBytes& out, const MeshData& mesh, SkinKind kind) {
   out.Number(static_cast<std::uint32_t>(mesh.vertices.size()));
   out.Number(static_cast<std::uint32_t>(mesh.indices.size()));
-  out.Number(skin.empty() ? 0 : 1);
+  out.Number(static_cast<std::uint32_t>(kind));
   std::uint32_t before = 0;
   for (const std::uint32_t index : mesh.indices) {
     out.Number(index - before);
@@ -100,11 +102,83 @@ std::string BytesOf(const MeshData& mesh, const std::vector<viewer::SkinVertex>&
   out.Bytes(mesh, kNormal, [](const MeshVertex& v) { return v.normal.z; });
   out.Bytes(mesh, kShare, [](const MeshVertex& v) { return v.tint; });
   out.Bytes(mesh, kShare, [](const MeshVertex& v) { return v.gloss; });
+}
+
+std::string BytesOf(const MeshData& mesh, const std::vector<viewer::SkinVertex>& skin = {}) {
+  MeshBytes out;
+  AddTriangles(out, mesh, skin.empty() ? SkinKind::kNone : SkinKind::kTwoBones);
+  constexpr float kShare = 255;
   for (const viewer::SkinVertex& by : skin) out.Byte(by.bone);
   for (const viewer::SkinVertex& by : skin) out.Byte(by.other);
   for (const viewer::SkinVertex& by : skin) out.Byte(static_cast<std::uint8_t>(std::lround(by.share * kShare)));
   return out.bytes();
 }
+
+std::string BytesOfModel(const model::Model& model) {
+  MeshBytes out;
+  AddTriangles(out, viewer::ModelMesh(model, true), SkinKind::kFourJoints);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const model::CornerSkin& skin : model.skins) out.Byte(skin.joints[k]);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const model::CornerSkin& skin : model.skins) out.Byte(viewer::WeightBytes(skin.weights)[k]);
+  return out.bytes();
+}
+
+/// The bones, joints and animations of a model as numbers of 4 bytes.
+class MotionBytes {
+ public:
+  explicit MotionBytes(const model::Model& model) {
+    const std::vector<world::Skeleton::Bone>& bones = model.rig.skeleton.bones();
+    out_.Number(static_cast<std::uint32_t>(bones.size()));
+    for (const world::Skeleton::Bone& bone : bones) {
+      out_.Number(static_cast<std::uint32_t>(bone.parent + 1));
+      Add(bone.bind.position);
+      Add(bone.bind.orientation);
+      Add(bone.bind.scale);
+    }
+    out_.Number(static_cast<std::uint32_t>(model.joints.size()));
+    for (const model::Joint& joint : model.joints) {
+      out_.Number(joint.bone == model::Joint::kStill ? 0 : joint.bone + 1u);
+      const model::Frame& f = joint.inverse_bind;
+      for (const world::Vec3& column : {f.x, f.y, f.z, f.place}) Add(column);
+    }
+    out_.Number(static_cast<std::uint32_t>(model.rig.clips.size()));
+    for (const world::Clip& clip : model.rig.clips) Add(clip);
+  }
+  const std::string& bytes() const { return out_.bytes(); }
+
+ private:
+  void Add(world::Vec3 v) {
+    for (const float part : {v.x, v.y, v.z}) out_.Float(part);
+  }
+  void Add(world::Quat q) {
+    for (const float part : {q.x, q.y, q.z, q.w}) out_.Float(part);
+  }
+  template <typename T>
+  void Add(const world::BoneTrack<T>& track) {
+    out_.Number(static_cast<std::uint32_t>(track.values.size()));
+    out_.Number(track.holds ? 1 : 0);
+    for (const float time_s : track.times_s) out_.Float(time_s);
+    for (const T& value : track.values) Add(value);
+  }
+  void Add(const world::Clip& clip) {
+    out_.Float(clip.length_s());
+    const auto moves = [](const world::BoneMovement& by) {
+      return !by.position.values.empty() || !by.orientation.values.empty() || !by.scale.values.empty();
+    };
+    const std::vector<world::BoneMovement>& movements = clip.movements();
+    out_.Number(static_cast<std::uint32_t>(std::ranges::count_if(movements, moves)));
+    for (std::size_t bone = 0; bone < movements.size(); ++bone) {
+      if (!moves(movements[bone])) continue;
+      out_.Number(static_cast<std::uint32_t>(bone));
+      Add(movements[bone].position);
+      Add(movements[bone].orientation);
+      Add(movements[bone].scale);
+    }
+  }
+
+  MeshBytes out_;
+};
 
 Json Packed(const std::string& bytes) {
   return ToBase64(stream::Deflate(bytes));
@@ -139,6 +213,12 @@ Json BodyContent(world::BodyLook look) {
         {{"parent", at.parent}, {"bind", PoseJson(at.bind)}, {"in_model", PoseJson(skeleton.BindInModel(bone))}});
   }
   return content;
+}
+
+Json ModelContent(const model::Model& model) {
+  return {{"material", viewer::kModelMaterial},
+          {"fine", Packed(BytesOfModel(model))},
+          {"motion", Packed(MotionBytes(model).bytes())}};
 }
 
 Json ThingContent(const DrawableSnapshot& drawable, bool agent_body) {
@@ -201,8 +281,10 @@ std::vector<ShapeContents::Told> ShapeContents::New(const world::SceneSnapshot& 
     }
     const auto agent = drawable.belongs_to_agent ? agents.find(drawable.owner_id) : agents.end();
     const bool agent_body = viewer::LooksLikeABody(drawable, agent == agents.end() ? nullptr : agent->second);
-    if (const std::string key = ShapeKey(drawable, agent_body); is_new(key))
-      tell(key, ThingContent(drawable, agent_body));
+    if (const std::string key = ShapeKey(drawable, agent_body); is_new(key)) {
+      const auto model = viewer::MovingModelOf(drawable);
+      tell(key, model != nullptr ? ModelContent(*model) : ThingContent(drawable, agent_body));
+    }
     if (viewer::IsPlain(drawable) && is_new("backdrop/hills")) {
       tell("backdrop/hills", PlainContent(viewer::HillsMesh()));
       tell("backdrop/trees", PlainContent(viewer::TreesMesh()));

@@ -13,8 +13,10 @@ export enum Shape { Mesh, Box, Capsule, Cylinder, Plane, Sphere }
 
 export interface Bone { turn: Quat; place: Vec3 }
 
-/** What does not change while a drawable moves. */
-export interface Description {
+/** An animation of a model from a file: its number in the model, the time in it in s, and its weight. */
+export interface Movement { clip: number; time: number; weight: number }
+
+export interface Drawable {
   owner: number;
   ofAgent: boolean;
   visible: boolean;
@@ -32,6 +34,8 @@ export interface Drawable extends Description {
   turn: Quat;
   /** Relative to their parents. */
   bones: readonly Bone[];
+  /** For models from files that have animations. */
+  movements?: readonly Movement[];
 }
 
 export interface Agent {

@@ -84,3 +84,29 @@ test("data that is not a block, or has another version, is refused", async () =>
   await assert.rejects(unpack(Uint8Array.from([1, 2, 3, 4])), BadBytes);
   await assert.rejects(unpack(Uint8Array.from([0x53, 99, 1, 0])), /load the page again/);
 });
+
+/** A block of a drawable with the given parts, as the engine writes it. */
+function blockOf(time: number, parts: number, data: readonly number[]): Uint8Array {
+  const moment = Buffer.alloc(8);
+  moment.writeDoubleLE(time);
+  const section = [0, 5, parts, ...data];
+  return Uint8Array.from([1, ...moment, 0, 3, section.length, ...section, 0]);
+}
+const float = (value: number): number[] => {
+  const bytes = Buffer.alloc(4);
+  bytes.writeFloatLE(value);
+  return [...bytes];
+};
+
+test("the animations of a model continue until a block changes them", () => {
+  const reader = new SceneReader(), description = [1, 0, 0, 0, 0, ...Array<number[]>(9).fill(float(1)).flat()];
+  const first = reader.read(blockOf(10, 1 | 16, [description.length, ...description, 1, 3, ...float(0.25), ...float(0.5), ...float(2), ...float(1)]), true)!;
+  assert.deepEqual(first.drawables.get(5)!.movements, [{ clip: 3, time: 0.25, weight: 0.5 }]);
+  const empty = Buffer.alloc(8);
+  empty.writeDoubleLE(10.25);
+  const second = reader.read(Uint8Array.from([2, ...empty, 0, 0]), false)!;
+  assert.deepEqual(second.drawables.get(5)!.movements, [{ clip: 3, time: 0.75, weight: 0.75 }]);
+  assert.deepEqual(first.drawables.get(5)!.movements, [{ clip: 3, time: 0.25, weight: 0.5 }]);
+  const third = reader.read(blockOf(11, 16, [0]), false)!;
+  assert.deepEqual(third.drawables.get(5)!.movements, []);
+});

@@ -19,6 +19,7 @@ import { LineBatch } from "./line_batch";
 import { paintImagined } from "./imagined";
 import { lookOf } from "./looks";
 import { geometryOf, Materials, PLAIN_SIDE_M } from "./materials";
+import { MovingModels } from "./moving_models";
 import { paintOverlays, Trails, type BelievedBody, type OverlayWord, type Placed } from "./overlays";
 import { whenPainted } from "./painter";
 import { Assets, type AssetContent } from "./assets";
@@ -66,6 +67,7 @@ export class SceneView {
   private readonly shapes = new ShapeLibrary(() => this.wake());
   private readonly things = new Things(this.materials, this.shapes);
   private readonly bodies = new Bodies(this.materials, this.shapes);
+  private readonly models = new MovingModels(this.materials, this.shapes);
   private readonly sky = new Sky();
   private readonly sun = new DirectionalLight();
   private readonly ambient = new HemisphereLight();
@@ -116,7 +118,7 @@ export class SceneView {
     this.sun.castShadow = true;
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.03;
-    this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.lines.fills, this.lines.lines, this.dots.points);
+    this.world.add(this.sky.mesh, this.sun, this.sun.target, this.ambient, this.fill, this.things.group, this.bodies.group, this.models.group, this.lines.fills, this.lines.lines, this.dots.points);
     whenPainted(() => this.wake());
     this.labels = new Labels(labelLayer, (id) => events.selected(id));
     this.scriptUi = new ScriptUi(scriptLayer, this.assets, (button) => events.pressed(button));
@@ -172,6 +174,7 @@ export class SceneView {
     this.trails.clear();
     this.things.clear();
     this.bodies.clear();
+    this.models.clear();
     this.removeBackdrop();
     this.shapes.clear();
     this.assets.clear();
@@ -268,6 +271,7 @@ export class SceneView {
     this.light(after);
     this.things.show(between);
     this.bodies.show(between, this.rig.camera, this.governor.quality.isSlow);
+    this.models.show(between, this.rig.camera);
     this.keepInView(between, seconds);
     this.showBackdrop(after);
   }
@@ -501,6 +505,7 @@ export class SceneView {
     this.materials.dispose();
     this.things.clear();
     this.bodies.clear();
+    this.models.clear();
     this.removeBackdrop();
   }
 }

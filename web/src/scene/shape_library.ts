@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { Shape, type Agent, type Description, type Quat, type Vec3 } from "../format/scene";
+import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
+import { readMotion, type Motion } from "./model_motion";
 
 /**
  * Triangles as sent by the run (docs/dev/stream.md): the same as in the window. Counter-clockwise if seen from
@@ -24,6 +25,8 @@ export interface ShapeMesh {
 }
 export interface Pose { place: Vec3; turn: Quat }
 export interface BoneAt { parent: number; inModel: Pose; bind: Pose }
+/** How bones move a shape, as in app/shape_contents.cpp: two bones and the share of the first, or four joints and their weights. */
+const TWO_BONES = 1, FOUR_JOINTS = 2;
 export type BodyLook = "body/soldier" | "body/dark" | "body/rifle";
 
 /** The contents "shapes:KEY". */
@@ -38,12 +41,14 @@ export interface ShapeContent {
   /** For a body: the triangles for a height of a few pixels. */
   tiny?: string;
   is_figure?: boolean;
+  /** For a model from a file that moves: its bones, joints and animations, deflated, in base 64. */
+  motion?: string;
   bones?: readonly { parent: number; bind: readonly number[]; in_model: readonly number[] }[];
 }
 
 /** The level of detail: fine, coarse or tiny. */
 export type Level = 0 | 1 | 2;
-interface Known { levels: (ShapeMesh | null)[]; body: BodyLook | null; isFigure: boolean; bones: readonly BoneAt[] }
+interface Known { levels: (ShapeMesh | null)[]; body: BodyLook | null; isFigure: boolean; bones: readonly BoneAt[]; motion: Motion | null }
 
 /** Reads numbers of one kind after another. */
 class Columns {
@@ -90,7 +95,7 @@ class Columns {
 let meshes = 0;
 
 export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
-  const input = new Columns(new DataView(bytes)), count = input.number(), indexCount = input.number(), hasSkin = input.number() !== 0;
+  const input = new Columns(new DataView(bytes)), count = input.number(), indexCount = input.number(), skinKind = input.number();
   const indices = input.indices(indexCount), positions = new Float32Array(3 * count), uvs = new Float32Array(2 * count), paint = new Float32Array(3 * count), normals = new Float32Array(3 * count);
   for (const axis of [0, 1, 2]) input.scaled(positions, axis, 3, count);
   for (const axis of [0, 1]) input.scaled(uvs, axis, 2, count);
@@ -99,13 +104,19 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   for (const part of [0, 2]) input.shares(paint, part, 3, count);
   if (indices.some((index) => index >= count)) throw new Error("a shape has no such corner");
   const seen = trianglesOf(indices, positions, (_, shortest) => shortest > 0);
-  meshes += 1;
-  if (!hasSkin) return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: null };
+  if (skinKind === 0) return { count, positions, normals, uvs, paint, indices: seen, material, skin: null };
   const bones = new Uint16Array(4 * count), shares = new Float32Array(4 * count);
-  for (const part of [0, 1]) input.bytes(bones, part, 4, count);
-  input.shares(shares, 0, 4, count);
-  for (let i = 0; i < count; ++i) shares[4 * i + 1] = 1 - shares[4 * i]!;
-  return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
+  if (skinKind === TWO_BONES) {
+    for (const part of [0, 1]) input.bytes(bones, part, 4, count);
+    input.shares(shares, 0, 4, count);
+    for (let i = 0; i < count; ++i) shares[4 * i + 1] = 1 - shares[4 * i]!;
+  } else if (skinKind === FOUR_JOINTS) {
+    for (const part of [0, 1, 2, 3]) input.bytes(bones, part, 4, count);
+    for (const part of [0, 1, 2, 3]) input.shares(shares, part, 4, count);
+  } else {
+    throw new Error("a shape has an unknown skin");
+  }
+  return { count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
 }
 
 /** The triangles that pass a test of their longest and shortest edge, in m. */
@@ -170,8 +181,10 @@ export class ShapeLibrary {
     const known: Known = {
       levels: [null, null, null], body: content.body ?? null, isFigure: content.is_figure === true,
       bones: (content.bones ?? []).map((one) => ({ parent: one.parent, bind: poseOf(one.bind), inModel: poseOf(one.in_model) })),
+      motion: null,
     };
     this.known.set(key, known);
+    if (content.motion !== undefined) known.motion = readMotion(await unpack(content.motion));
     if (content.fine !== undefined) {
       const material = content.material ?? "White", fine = await this.unpack(content.fine, material);
       const coarse = content.coarse === undefined ? fine : await this.unpack(content.coarse, material);
@@ -203,6 +216,11 @@ export class ShapeLibrary {
 
   bones(look: BodyLook): readonly BoneAt[] {
     return this.known.get(look)?.bones ?? [];
+  }
+
+  /** The movement of a drawable that shows a model from a file; null: it does not move. */
+  motionOf(d: Drawable): Motion | null {
+    return d.shape === Shape.Mesh ? (this.known.get(`mesh/${d.mesh}`)?.motion ?? null) : null;
   }
 
   /** The body of a drawable with a skeleton; null: it has no skeleton. */
