@@ -3,6 +3,8 @@
 import json
 import pathlib
 import shutil
+import subprocess
+import sys
 
 from soarbox_command import Run, ScenarioCase
 
@@ -98,6 +100,36 @@ function Sandbox_Cleanup() print(string.format("%.2f", Core.GetPosition(one).y))
         self.assertRegex(Run("run", self.folder, "--headless", "--seconds", 3).out, r"(?m)\b-?0\.0\d$")
         scene = json.loads(Run("inspect", "rover", "--at", 1, "--view", "agents", "--json").out)
         self.assertEqual(scene[0]["name"], "Rover-1")
+
+    def test_animations_of_a_model_are_the_same_in_each_run_and_in_its_recording(self):
+        recording = self.folder / "ponies.soarrec"
+        inputs = self.write("in.txt", "60 panel whistle\n")
+        run = Run("run", "ponies", "--headless", "--seconds", 12, "--input", inputs, "--record", recording)
+        self.assertEqual(run.code, 0, run.err)
+        again = Run("run", "ponies", "--headless", "--seconds", 12, "--input", inputs)
+        self.assertEqual(self.hash_of(run), self.hash_of(again))
+        self.assertEqual(Run("verify", recording).code, 0)
+        # The world also hashes the animations: without a blend, the run is another one.
+        copy = shutil.copytree(SOURCE / "scenarios/ponies", self.folder / "ponies")
+        script = copy / "Pony.lua"
+        script.write_text(script.read_text().replace("loops, 1, blend)", "loops, 1, 0)"))
+        other = Run("run", copy, "--headless", "--seconds", 12, "--input", inputs)
+        self.assertNotEqual(self.hash_of(run), self.hash_of(other))
+
+    def test_an_unknown_animation_is_named_with_those_that_the_model_has(self):
+        self.prepare("""
+function Sandbox_Initialize(sandbox)
+    Animation.Play(Core.CreateMesh(sandbox, "pony.gltf"), "gallop");
+end
+""")
+        shutil.copy(SOURCE / "scenarios/ponies/pony.gltf", self.folder)
+        self.assertIn('there is no animation "gallop" here; there are idle, graze, walk, trot, rear',
+                      Run("run", self.folder, "--headless", "--seconds", 0.1).err)
+
+    def test_the_pony_is_what_its_script_writes(self):
+        copy = shutil.copytree(SOURCE / "scenarios/ponies", self.folder / "ponies")
+        subprocess.run([sys.executable, copy / "make_pony.py"], check=True, capture_output=True)
+        self.assertEqual((copy / "pony.gltf").read_text(), (SOURCE / "scenarios/ponies/pony.gltf").read_text())
 
     def test_two_buttons_of_one_name_are_refused(self):
         self.prepare("""
