@@ -5,6 +5,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "model/model.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -63,6 +66,41 @@ TEST(SoftwarePicture, APlanShowsThingsWhereTheyAreAndAsLargeAsTheyAre) {
   box.material = std::string("Red");
   moved.drawables.push_back(box);
   EXPECT_TRUE(IsReddish(pictures.Draw(moved, camera), 130, 70));
+}
+
+/// A red square of 1 m that faces along z, moved by one bone. The model is stored under this key.
+std::string RedSquareOnABone() {
+  model::Model model;
+  const Vec3 corners[] = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
+  for (const Vec3 corner : corners) {
+    model.corners.push_back({corner, {0, 0, 1}, 1, 0, 0});
+    model.skins.push_back({corner, {0, 0, 1}, {}, {1, 0, 0, 0}});
+  }
+  model.indices = {0, 1, 2, 0, 2, 3};
+  model.min = corners[0];
+  model.max = corners[2];
+  model.joints = {{0, {}}};
+  model.rig.skeleton.AddToParent("bone", -1, {});
+  return model::KeepModel("square.glb", std::move(model));
+}
+
+TEST(SoftwarePicture, BonesMoveAndStretchAModel) {
+  SoftwarePictures pictures(200, 100);
+  SoftwareCamera camera;
+  camera.eye = {0, 1, 10};
+  camera.ahead = {0, 0, -1};
+  camera.high_m = 10;  // 10 px per m.
+  world::SceneSnapshot scene;
+  world::DrawableSnapshot square;
+  square.mesh = RedSquareOnABone();
+  square.position = {0, 1, 0};
+  square.bones = std::vector<world::BonePose>{{{4, 0, 0}, {}, {2, 1, 1}}};
+  scene.drawables.push_back(square);
+  const Image image = pictures.Draw(scene, camera);
+  EXPECT_FALSE(IsReddish(image, 100, 50));
+  EXPECT_TRUE(IsReddish(image, 140, 50));
+  EXPECT_TRUE(IsReddish(image, 148, 50));
+  EXPECT_NEAR(Reddish(image), 200, 30);
 }
 
 TEST(SoftwarePicture, WhatIsNearerHidesWhatIsFarther) {

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <optional>
 
+#include "model/model.h"
 #include "viewer/demo_scene_test_support.h"
 #include "viewer/picking.h"
 #include "viewer/viewer.h"
@@ -420,6 +421,47 @@ TEST_F(PictureTest, ThingsThatAreAlikeAreFewDrawCallsHoweverManyTheyAre) {
   Draw(*viewer, CrowdOf(200, soldier));
   EXPECT_LT(viewer->costs().draw_calls, 40u);
   EXPECT_LT(viewer->costs().triangles, 250'000u);
+  EXPECT_THAT(diagnostics_, testing::IsEmpty());
+}
+
+/// A red square of 1 m that faces along z, moved by one bone. The model is stored under this key.
+std::string RedSquareOnABone() {
+  model::Model model;
+  const Vec3 corners[] = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
+  for (const Vec3 corner : corners) {
+    model.corners.push_back({corner, {0, 0, 1}, 1, 0, 0});
+    model.skins.push_back({corner, {0, 0, 1}, {}, {1, 0, 0, 0}});
+  }
+  model.indices = {0, 1, 2, 0, 2, 3};
+  model.min = corners[0];
+  model.max = corners[2];
+  model.joints = {{0, {}}};
+  model.rig.skeleton.AddToParent("bone", -1, {});
+  return model::KeepModel("square.glb", std::move(model));
+}
+
+TEST_F(PictureTest, ModelsThatMoveAreWhereTheirBonesAre) {
+  const auto viewer = OpenHidden();
+  ASSERT_NE(viewer, nullptr);
+  const std::string key = RedSquareOnABone();
+  world::SceneSnapshot scene = CrowdOf(1, [&](world::DrawableSnapshot& drawable) {
+    drawable.mesh = key;
+    drawable.position = {0, 1.2f, 0};
+    drawable.bones = std::vector<world::BonePose>{{{1, 0, 0}, {}}};
+  });
+  scene.camera.position = {0, 1.2f, 4.5f};
+  scene.camera.orientation = {};
+  viewer->Do(ViewerCommand::kLabels);
+  const auto reddish = [](Pixel p) { return p.r > p.b + 60 && p.r > p.g + 60; };
+  constexpr int kMiddle = kSmallWidth / 2;
+  const Picture right = Draw(*viewer, scene);
+  EXPECT_GT(right.Count(kMiddle, 60, kSmallWidth, kSmallHeight, reddish), 400);
+  EXPECT_EQ(right.Count(0, 60, kMiddle, kSmallHeight, reddish), 0);
+  scene.tick += 1;
+  scene.drawables.Edit(scene.drawables.Find(scene.agents[0].id)).bones = std::vector<world::BonePose>{{{-1, 0, 0}, {}}};
+  const Picture left = Draw(*viewer, scene);
+  EXPECT_GT(left.Count(0, 60, kMiddle, kSmallHeight, reddish), 400);
+  EXPECT_EQ(left.Count(kMiddle, 60, kSmallWidth, kSmallHeight, reddish), 0);
   EXPECT_THAT(diagnostics_, testing::IsEmpty());
 }
 
