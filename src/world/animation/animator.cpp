@@ -62,7 +62,7 @@ void Animator::FadeOut(AnimationState& state, float blend_s) {
 void Animator::Play(std::optional<std::size_t> clip, bool loops, float speed, float blend_s) {
   for (std::size_t other = 0; other < states_.size(); ++other)
     if (other != clip) FadeOut(states_[other], blend_s);
-  Changed();
+  StateChanged();
   if (!clip) return;
   AnimationState& state = states_[*clip];
   const float length = rig_->clips[*clip].length_s();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, type ByteReader } from "./byte_reader";
-import type { Bone, Description, Drawable, Quat, Vec3 } from "./scene";
+import type { Bone, Description, Drawable, Movement, Quat, Vec3 } from "./scene";
 
 /** A pose in Drawables.poses: x, y, z, then x, y, z, w of the turn. */
 export const POSE_NUMBERS = 7;
@@ -8,6 +8,7 @@ const PER_METRE = 1000, PER_RADIAN = 2048, BONE_PER_RADIAN = 256, BONE_PER_METRE
 /** A pose as it is sent: x, y, z in mm, and axis times angle in 1/2048 rad. */
 const STEPS = 6;
 const NO_BONES: readonly Bone[] = [];
+const NO_MOVEMENTS: ReadonlyMap<number, readonly Movement[]> = new Map();
 
 /** Number of the last block that was read by any reader, so that the versions of two readers always differ. */
 let blocks = 0;
@@ -37,11 +38,11 @@ export class Drawables {
 
   /**
    * `versions`: per slot, the number of the block in which its pose changed last. `table`: only moments of the same
-   * table have the same slots.
+   * table have the same slots. `movements`: per slot, of models that have animations.
    */
   constructor(
     private readonly table: object, readonly structure: Structure, readonly poses: Float32Array, readonly versions: Uint32Array,
-    private readonly bones: ReadonlyMap<number, readonly Bone[]>,
+    private readonly bones: ReadonlyMap<number, readonly Bone[]>, private readonly movements: ReadonlyMap<number, readonly Movement[]> = NO_MOVEMENTS,
   ) {}
 
   get size(): number {
@@ -60,7 +61,12 @@ export class Drawables {
 
   /** The drawable of a slot that is in use. Creates one object per slot and moment. */
   at(slot: number): Drawable {
-    return (this.made[slot] ??= { ...this.structure.descriptions[slot]!, place: this.placeAt(slot), turn: this.turnAt(slot), bones: this.bones.get(slot) ?? NO_BONES });
+    return (this.made[slot] ??= this.make(slot));
+  }
+
+  private make(slot: number): Drawable {
+    const made = { ...this.structure.descriptions[slot]!, place: this.placeAt(slot), turn: this.turnAt(slot), bones: this.bones.get(slot) ?? NO_BONES }, movements = this.movements.get(slot);
+    return movements === undefined ? made : { ...made, movements };
   }
 
   placeAt(slot: number): Vec3 {
@@ -81,6 +87,9 @@ export class Drawables {
 export const NO_DRAWABLES = new Drawables({}, new Structure([], [], 0), new Float32Array(0), new Uint32Array(0), new Map());
 
 interface RawBone { turn: Vec3; place: Vec3 }
+/** A movement as it is sent: how its time and its weight change per second. */
+interface RawMovement extends Movement { speed: number; weightPerS: number }
+interface RawMovements { atS: number; list: readonly RawMovement[] }
 
 const bonePlace = (steps: Vec3): Vec3 => [steps[0] / BONE_PER_METRE, steps[1] / BONE_PER_METRE, steps[2] / BONE_PER_METRE];
 function boneTurn(steps: Vec3): Quat {
@@ -111,6 +120,12 @@ function readDescription(input: ByteReader, word: () => string, old: Description
   return isSame ? old : { owner, ofAgent, visible, skeletonShown, shape, mesh, material, size: [a, b, c], repeats: [d, e, f], scale: [g, h, i] };
 }
 
+function readMovements(input: ByteReader): RawMovement[] {
+  const list: RawMovement[] = [];
+  for (let left = input.count(); left > 0; --left) list.push({ clip: input.number(), time: input.float(), weight: input.float(), speed: input.float(), weightPerS: input.float() });
+  return list;
+}
+
 /**
  * Reads the sections of drawables. A pose that a full block repeats keeps its version, and a repeated description
  * stays the same object.
@@ -127,20 +142,26 @@ export class DrawableTable {
   private seen = new Uint32Array(0);
   private readonly rawBones = new Map<number, RawBone[]>();
   private bones: Map<number, readonly Bone[]> = new Map();
+  private readonly rawMovements = new Map<number, RawMovements>();
   private isOther = { structure: false, poses: false, bones: false };
   private last = NO_DRAWABLES;
 
-  /** `word` reads a text of the block's table. */
-  read(input: ByteReader, isFull: boolean, word: () => string): Drawables {
+  /** `word` reads a text of the block's table. `timeS`: the time of the moment that is read. */
+  read(input: ByteReader, isFull: boolean, word: () => string, timeS = 0): Drawables {
     blocks += 1;
     let id = 0;
     for (let left = input.count(); left > 0; --left) this.remove((id += input.number()));
-    for (id = 0; !input.atEnd();) this.readOne((id += input.number()), input, isFull, word);
+    for (id = 0; !input.atEnd();) this.readOne((id += input.number()), input, isFull, timeS, word);
     if (isFull) for (const [other, slot] of [...this.slots]) if (this.seen[slot] !== blocks) this.remove(other);
-    return this.moment();
+    return this.moment(timeS);
   }
 
-  private readOne(id: number, input: ByteReader, isFull: boolean, word: () => string): void {
+  /** The moment of a block that changes no drawable: animations go on. */
+  continued(timeS: number): Drawables {
+    return this.rawMovements.size === 0 ? this.last : this.moment(timeS);
+  }
+
+  private readOne(id: number, input: ByteReader, isFull: boolean, timeS: number, word: () => string): void {
     const parts = input.byte(), known = this.slots.get(id);
     const before = known === undefined ? null : this.descriptions[known]!, isTold = (parts & 1) !== 0;
     if (!isTold && (before === null || isFull)) throw new BadBytes("a drawable has no description");
@@ -166,6 +187,8 @@ export class DrawableTable {
     if (isMoved) this.pose(slot);
     if ((parts & 8) !== 0) this.readBones(slot, input, isFull);
     else if (isFull) this.removeBones(slot);
+    if ((parts & 16) !== 0) this.rawMovements.set(slot, { atS: timeS, list: readMovements(input) });
+    else if (isFull) this.rawMovements.delete(slot);
   }
 
   private pose(slot: number): void {
@@ -217,6 +240,7 @@ export class DrawableTable {
     this.free.push(slot);
     this.descriptions[slot] = null;
     this.removeBones(slot);
+    this.rawMovements.delete(slot);
     this.isOther.structure = true;
   }
 
@@ -232,12 +256,17 @@ export class DrawableTable {
     this.seen = bigger(new Uint32Array(room), this.seen);
   }
 
-  private moment(): Drawables {
+  private movementsAt(timeS: number): ReadonlyMap<number, readonly Movement[]> {
+    if (this.rawMovements.size === 0) return NO_MOVEMENTS;
+    return new Map([...this.rawMovements].map(([slot, { atS, list }]) => [slot, list.map(({ clip, time, weight, speed, weightPerS }): Movement => ({ clip, time: time + speed * (timeS - atS), weight: weight + weightPerS * (timeS - atS) }))]));
+  }
+
+  private moment(timeS: number): Drawables {
     const { isOther, last } = this, count = this.ids.length;
     this.isOther = { structure: false, poses: false, bones: false };
     const structure = isOther.structure ? new Structure(this.ids.slice(), this.descriptions.slice(), this.slots.size) : last.structure;
     const isOtherPose = isOther.poses || count !== last.versions.length;
-    this.last = new Drawables(this, structure, isOtherPose ? this.poses.slice(0, count * POSE_NUMBERS) : last.poses, isOtherPose ? this.versions.slice(0, count) : last.versions, this.bones);
+    this.last = new Drawables(this, structure, isOtherPose ? this.poses.slice(0, count * POSE_NUMBERS) : last.poses, isOtherPose ? this.versions.slice(0, count) : last.versions, this.bones, this.movementsAt(timeS));
     return this.last;
   }
 }

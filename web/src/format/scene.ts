@@ -16,7 +16,8 @@ export interface Bone { turn: Quat; place: Vec3 }
 /** An animation of a model from a file: its number in the model, the time in it in s, and its weight. */
 export interface Movement { clip: number; time: number; weight: number }
 
-export interface Drawable {
+/** What does not change while a drawable moves. */
+export interface Description {
   owner: number;
   ofAgent: boolean;
   visible: boolean;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BadBytes, ByteReader } from "./byte_reader";
-import type { Agent, Bone, Camera, Circle, Color, Component, Contact, Drawable, Light, Line, Lines, Mind, Movement, NamedPlace, Particle, Push, Quat, Scene, Shot, Sound, Speech, Surroundings, Triangle, Vec3 } from "./scene";
+import { DrawableTable, NO_DRAWABLES } from "./drawables";
+import type { Agent, Camera, Circle, Color, Component, Contact, Light, Line, Lines, Mind, NamedPlace, Particle, Push, Quat, Scene, Shot, Sound, Speech, Surroundings, Triangle, Vec3 } from "./scene";
 
 const MARK = 0x53, VERSION = 1, FULL = 1, DEFLATED = 2;
 const HEAD_BYTES = 3;
@@ -9,11 +10,6 @@ const NO_LINES: Lines = { lines: [], circles: [], triangles: [] };
 const KINDS = ["waypoint", "region", "item", "thing"] as const;
 
 type Steps = [number, number, number];
-interface RawBone { turn: Steps; place: Steps }
-/** A movement as sent: how its time and its weight change per second. */
-interface RawMovement extends Movement { speed: number; weightPerS: number }
-interface RawMovements { atS: number; list: readonly RawMovement[] }
-interface RawThing { made: Drawable; place: Steps; turn: Steps; bones: RawBone[]; movements: RawMovements | null }
 interface RawAgent { made: Agent; place: Steps; forward: Steps }
 
 /** Whether a reader may begin with this block. */
@@ -120,30 +116,18 @@ export class SceneReader {
       sounds: before?.sounds ?? [],
     };
     this.texts.push(...list(input, 1, () => input.text()));
-    for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene);
-    this.continueMovements(scene);
+    for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene, full);
+    // A full block without drawables.
+    if (scene.drawables === NO_DRAWABLES) this.things = new DrawableTable();
+    else scene.drawables = this.things.continued(scene.time);
     return scene;
   }
 
-  /** Advances the movements that a block does not change. */
-  private continueMovements(scene: Scene): void {
-    let copied: Map<number, Drawable> | null = null;
-    for (const [id, raw] of this.things) {
-      if (raw.movements === null || raw.movements.list.length === 0) continue;
-      const since = scene.time - raw.movements.atS;
-      const movements = raw.movements.list.map(({ clip, time, weight, speed, weightPerS }) => ({ clip, time: time + speed * since, weight: weight + weightPerS * since }));
-      raw.made = { ...raw.made, movements };
-      copied ??= new Map(scene.drawables);
-      copied.set(id, raw.made);
-    }
-    if (copied !== null) scene.drawables = copied;
-  }
-
-  private readSection(tag: number, input: ByteReader, scene: Scene): void {
+  private readSection(tag: number, input: ByteReader, scene: Scene, full: boolean): void {
     switch (tag) {
       case 1: scene.surroundings = this.surroundings(input); break;
       case 2: scene.camera = this.camera(input); break;
-      case 3: scene.drawables = this.drawables(input, scene.time); break;
+      case 3: scene.drawables = this.things.read(input, full, () => this.word(input), scene.time); break;
       case 4: scene.agents = this.agents(input); break;
       case 5: scene.components = this.components(input); break;
       case 6: scene.lines = this.lines(input); break;
@@ -184,44 +168,6 @@ export class SceneReader {
     let id = 0;
     for (let left = input.count(); left > 0; --left) gone((id += input.number()));
     for (id = 0; !input.atEnd();) changed((id += input.number()));
-  }
-
-  private drawables(input: ByteReader, time: number): Map<number, Drawable> {
-    this.entries(input, (id) => this.things.delete(id), (id) => {
-      const parts = input.byte();
-      const raw = this.things.get(id);
-      let made = raw?.made;
-      if ((parts & 1) !== 0) {
-        const told = new ByteReader(input.piece());
-        const owner = told.number(), flags = told.byte();
-        made = {
-          owner, ofAgent: (flags & 1) !== 0, visible: (flags & 2) !== 0, skeletonShown: (flags & 4) !== 0, shape: told.byte(),
-          mesh: this.word(told), material: this.word(told), size: floats(told), repeats: floats(told), scale: floats(told),
-          place: made?.place ?? [0, 0, 0], turn: made?.turn ?? [0, 0, 0, 1], bones: made?.bones ?? [], ...(made?.movements === undefined ? {} : { movements: made.movements }),
-        };
-      }
-      if (made === undefined) throw new BadBytes("a drawable has no description");
-      const place = (parts & 2) !== 0 ? add(input, raw?.place ?? [0, 0, 0]) : (raw?.place ?? [0, 0, 0]);
-      const turn = (parts & 4) !== 0 ? add(input, raw?.turn ?? [0, 0, 0]) : (raw?.turn ?? [0, 0, 0]);
-      const bones = (parts & 8) !== 0 ? this.bones(input, raw?.bones ?? []) : (raw?.bones ?? []);
-      made = { ...made, place: vector(place, PER_METRE), turn: quaternion(turn, PER_RADIAN) };
-      if ((parts & 8) !== 0)
-        made.bones = bones.map((b): Bone => ({ turn: quaternion(b.turn, BONE_PER_RADIAN), place: vector(b.place, BONE_PER_METRE) }));
-      const movements = (parts & 16) !== 0 ? { atS: time, list: list(input, 17, (): RawMovement => ({ clip: input.number(), time: input.float(), weight: input.float(), speed: input.float(), weightPerS: input.float() })) } : (raw?.movements ?? null);
-      if ((parts & 16) !== 0) made.movements = [];
-      this.things.set(id, { made, place, turn, bones, movements });
-    });
-    return new Map([...this.things].map(([id, raw]) => [id, raw.made]));
-  }
-
-  private bones(input: ByteReader, before: RawBone[]): RawBone[] {
-    const made: RawBone[] = [];
-    for (let left = input.count(); left > 0; --left) {
-      const how = input.byte(), old = before[made.length] ?? { turn: [0, 0, 0], place: [0, 0, 0] };
-      const turn = (how & 1) !== 0 ? add(input, old.turn) : old.turn;
-      made.push({ turn, place: (how & 2) !== 0 ? add(input, old.place) : old.place });
-    }
-    return made;
   }
 
   private agents(input: ByteReader): Map<number, Agent> {

@@ -37,7 +37,7 @@ function arm(): ArrayBuffer {
 }
 /** Corners at the shoulder, between the two, beyond the elbow, and one that never moves. */
 const ARM: ShapeMesh = {
-  count: 4, positions: Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0, 0]), normals: Float32Array.from([0, 0, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0]), uvs: new Float32Array(8), paint: new Float32Array(12),
+  number: 0, count: 4, positions: Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0, 0]), normals: Float32Array.from([0, 0, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0]), uvs: new Float32Array(8), paint: new Float32Array(12),
   indices: Uint32Array.from([0, 1, 2]), material: "",
   skin: { bones: Uint16Array.from([0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0]), shares: Float32Array.from([1, 0, 0, 0, 0.5, 0.5, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]) },
 };

@@ -27,12 +27,13 @@ export class MovingModels {
     camera.updateMatrixWorld();
     this.frustum.setFromProjectionMatrix(this.matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     for (const one of this.made.values()) one.mesh.visible = false;
-    for (const [id, drawable] of after.drawables) {
-      const motion = drawable.visible ? this.shapes.motionOf(drawable) : null;
-      if (motion !== null) this.place(id, drawable, before.drawables.get(id), share, motion);
-    }
+    const { ids, descriptions } = after.drawables.structure;
+    descriptions.forEach((description, slot) => {
+      const motion = description?.visible === true ? this.shapes.motionOf(description) : null;
+      if (motion !== null) this.place(ids[slot]!, after.drawables.at(slot), before.drawables.get(ids[slot]!), share, motion);
+    });
     for (const [id, one] of this.made) {
-      if (after.drawables.has(id)) continue;
+      if (after.drawables.structure.slotOf(id) !== undefined) continue;
       this.remove(one);
       this.made.delete(id);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { Shape, type Agent, type Drawable, type Quat, type Vec3 } from "../format/scene";
+import { Shape, type Agent, type Description, type Quat, type Vec3 } from "../format/scene";
 import { readMotion, type Motion } from "./model_motion";
 
 /**
@@ -104,7 +104,8 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   for (const part of [0, 2]) input.shares(paint, part, 3, count);
   if (indices.some((index) => index >= count)) throw new Error("a shape has no such corner");
   const seen = trianglesOf(indices, positions, (_, shortest) => shortest > 0);
-  if (skinKind === 0) return { count, positions, normals, uvs, paint, indices: seen, material, skin: null };
+  meshes += 1;
+  if (skinKind === 0) return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: null };
   const bones = new Uint16Array(4 * count), shares = new Float32Array(4 * count);
   if (skinKind === TWO_BONES) {
     for (const part of [0, 1]) input.bytes(bones, part, 4, count);
@@ -116,7 +117,7 @@ export function readShape(bytes: ArrayBuffer, material: string): ShapeMesh {
   } else {
     throw new Error("a shape has an unknown skin");
   }
-  return { count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
+  return { number: meshes, count, positions, normals, uvs, paint, indices: seen, material, skin: { bones, shares } };
 }
 
 /** The triangles that pass a test of their longest and shortest edge, in m. */
@@ -219,7 +220,7 @@ export class ShapeLibrary {
   }
 
   /** The movement of a drawable that shows a model from a file; null: it does not move. */
-  motionOf(d: Drawable): Motion | null {
+  motionOf(d: Description): Motion | null {
     return d.shape === Shape.Mesh ? (this.known.get(`mesh/${d.mesh}`)?.motion ?? null) : null;
   }
 

@@ -52,28 +52,25 @@ export class Things {
   constructor(private readonly materials: Materials, private readonly shapes: ShapeLibrary) {}
 
   show({ before, after, share }: Between): void {
-    for (const batch of this.batches.values()) batch.count = 0;
-    for (const [id, drawable] of after.drawables) {
-      if (!drawable.visible || this.shapes.bodyOf(drawable) !== null || this.shapes.motionOf(drawable) !== null) continue;
-      const agent = drawable.ofAgent ? after.agents.get(drawable.owner) : undefined;
-      const old = before.drawables.get(id);
-      this.place.set(...drawable.place);
-      this.turn.set(...drawable.turn);
-      if (old !== undefined && share < 1 && old !== drawable) {
-        const gap = Math.hypot(drawable.place[0] - old.place[0], drawable.place[1] - old.place[1], drawable.place[2] - old.place[2]);
-        if (gap < 3) {
-          this.place.set(...old.place).lerp(new Vector3(...drawable.place), share);
-          this.other.copy(this.turn);
-          this.turn.set(...old.turn).slerp(this.other, share);
-        }
-      }
-      this.scale.set(...drawable.scale);
-      this.add(drawable, agent, this.matrix.compose(this.place, this.turn, this.scale));
-    }
-    for (const batch of this.batches.values()) {
-      batch.mesh.count = batch.count;
-      batch.mesh.visible = batch.count > 0;
-      batch.mesh.instanceMatrix.needsUpdate = true;
+    const now = after.drawables;
+    if (now.structure !== this.structure || this.shapes.changes !== this.shapesSeen) this.arrange(now.structure, after.agents);
+    else if (after.agents !== this.agents) this.dress(after.agents);
+    this.move(share < 1 ? before.drawables : NO_DRAWABLES, now, share);
+    for (const batch of this.batches.values()) batch.finish();
+  }
+
+  private move(before: Drawables, now: Drawables, share: number): void {
+    const { versions, poses } = now, old = before.versions, { written, batchOf } = this, count = versions.length;
+    for (let slot = 0; slot < count; ++slot) {
+      const version = versions[slot]!;
+      // It rests between the two moments, and its pose is written.
+      if (written[slot] === version && (old[slot] === version || before === NO_DRAWABLES)) continue;
+      const batch = batchOf[slot];
+      if (batch === null || batch === undefined) continue;
+      const isMoving = slot < old.length && old[slot] !== version && now.hasSame(slot, before) && !jumps(before.poses, poses, slot);
+      if (!isMoving && written[slot] === version) continue;
+      batch.place(this.instanceOf[slot]!, slot, before.poses, poses, isMoving ? share : 1, this.shown[slot]!.scale);
+      written[slot] = isMoving ? 0 : version;
     }
   }
 
@@ -113,7 +110,7 @@ export class Things {
   /** Moves a drawable to the batch that draws it. In none: it is not visible, or its shape has not arrived yet. */
   private put(slot: number, d: Description | null, agent: Agent | undefined): void {
     this.leave(slot);
-    if (d === null || !d.visible || this.shapes.bodyOf(d) !== null) return;
+    if (d === null || !d.visible || this.shapes.bodyOf(d) !== null || this.shapes.motionOf(d) !== null) return;
     const key = shapeKey(d, looksLikeABody(d, agent)), mesh = this.shapes.mesh(key, this.materials.isSlow ? 1 : 0);
     if (mesh === null) return;
     const { look, named } = this.wornBy(d, agent, mesh, this.shapes.isFigure(key)), castsShadow = d.shape !== Shape.Plane && look.opacity >= 1;
