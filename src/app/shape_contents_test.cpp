@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "model/model.h"
 #include "world/animation/rig.h"
 
 namespace soarbox::app {
@@ -74,6 +75,26 @@ TEST(ShapeContents, ABodyComesWithItsBonesAndInTheUniformThatItWears) {
   const auto size = [&](const char* level) { return told[1].content[level].get<std::string>().size(); };
   EXPECT_GT(size("fine"), size("coarse"));
   EXPECT_GT(size("coarse"), size("tiny"));
+}
+
+TEST(ShapeContents, AModelThatMovesComesWithItsMotion) {
+  model::Model model;
+  for (const float x : {0.0f, 1.0f, 2.0f}) {
+    model.corners.push_back({{x, 0, 0}, {0, 0, 1}});
+    model.skins.push_back({{x, 0, 0}, {0, 0, 1}, {}, {1, 0, 0, 0}});
+  }
+  model.indices = {0, 1, 2};
+  model::Model still = model;
+  still.skins.clear();
+  model.joints = {{0, {}}};
+  model.rig.skeleton.AddToParent("bone", -1, {});
+  const std::string moving = model::KeepModel("moves.glb", model), not_moving = model::KeepModel("still.glb", still);
+  ShapeContents contents;
+  const auto told = contents.New(SceneOf({Mesh(moving.c_str()), Mesh(not_moving.c_str())}));
+  ASSERT_THAT(NamesIn(told), ElementsAre("shapes:mesh/" + moving, "shapes:mesh/" + not_moving));
+  EXPECT_TRUE(told[0].content.contains("motion"));
+  EXPECT_EQ(told[0].content["material"], "Soarbox/Model");
+  EXPECT_FALSE(told[1].content.contains("motion"));
 }
 
 TEST(ShapeContents, ThePlainComesWithWhatStandsAroundIt) {
