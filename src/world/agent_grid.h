@@ -68,9 +68,12 @@ class AgentGrid {
 
 template <class Visitor>
 void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float range_m, Visitor visit) const {
-  // Slightly larger than exact, so that rounding never excludes an agent.
+  // Slightly larger than exact, so that rounding never excludes an agent: neither by its distance nor by its cell.
   const auto squared = [](float range) { return range * range * 1.0001f + 0.001f; };
   float range = range_m, range_squared = squared(range);
+  // More than the errors of rounding coordinates.
+  const float rounding_m = 0.001f + std::max(std::abs(center.x), std::abs(center.z)) * 2e-7f;
+  const auto reach = [&] { return range * 1.0001f + rounding_m; };
   // Processes batches, so that the memory of all agents of a batch is prefetched before the first is visited.
   std::array<std::uint32_t, 32> batch;
   const auto scan = [&](std::size_t begin, std::size_t end) {
@@ -90,12 +93,12 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
   for (const std::uint32_t stray : strays_) range = visit(stray);
   range_squared = squared(range);
 
-  const float cells_across = 2 * range / kCell_m + 2;
+  const float cells_across = 2 * reach() / kCell_m + 2;
   if (!(cells_across * cells_across < static_cast<float>(entries_.size()))) return scan(0, entries_.size());
   if (!in_rows_) {
-    const std::int32_t x_last = CellOf(center.x + range), z_last = CellOf(center.z + range);
-    for (std::int32_t z = CellOf(center.z - range); z <= z_last; ++z) {
-      for (std::int32_t x = CellOf(center.x - range); x <= x_last; ++x) {
+    const std::int32_t x_last = CellOf(center.x + reach()), z_last = CellOf(center.z + reach());
+    for (std::int32_t z = CellOf(center.z - reach()); z <= z_last; ++z) {
+      for (std::int32_t x = CellOf(center.x - reach()); x <= x_last; ++x) {
         // Several cells may share a bucket; the positions of the agents distinguish them.
         const std::uint32_t bucket = Bucket(x, z);
         for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
@@ -116,8 +119,8 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
   // First the cell of the position and its neighbours, then the remaining cells of the rows from there outwards.
   const std::int32_t own_x = CellOf(center.x), own_z = CellOf(center.z);
   for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) scan_row(z, own_x - 1, own_x + 1);
-  const auto first_x = [&] { return CellOf(center.x - range); };
-  const auto last_x = [&] { return CellOf(center.x + range); };
+  const auto first_x = [&] { return CellOf(center.x - reach()); };
+  const auto last_x = [&] { return CellOf(center.x + reach()); };
   for (std::int32_t z = own_z - 1; z <= own_z + 1; ++z) {
     scan_row(z, first_x(), own_x - 2);
     scan_row(z, own_x + 2, last_x());
@@ -125,9 +128,9 @@ void AgentGrid::Visit(std::span<const AgentMotion> agents, Vec3 center, float ra
   // Distances to the next rows on both sides.
   float below_m = center.z - static_cast<float>(own_z - 1) * kCell_m;
   float above_m = static_cast<float>(own_z + 2) * kCell_m - center.z;
-  for (std::int32_t step = 2; below_m <= range || above_m <= range; ++step) {
-    if (below_m <= range) scan_row(own_z - step, first_x(), last_x());
-    if (above_m <= range) scan_row(own_z + step, first_x(), last_x());
+  for (std::int32_t step = 2; below_m <= reach() || above_m <= reach(); ++step) {
+    if (below_m <= reach()) scan_row(own_z - step, first_x(), last_x());
+    if (above_m <= reach()) scan_row(own_z + step, first_x(), last_x());
     below_m += kCell_m;
     above_m += kCell_m;
   }

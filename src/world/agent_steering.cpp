@@ -75,8 +75,9 @@ Vec3 Agent::GroupForce(GroupSteering steer, float max_distance_m, float max_angl
                        std::span<const EntityId> agents) const {
   const Neighbourhood neighbourhood{std::max(0.0f, max_distance_m), max_angle_deg};
   const bool everybody = agents.data() == store_.ids().data() && agents.size() == store_.ids().size();
-  const auto others =
-      everybody ? store_.NearInOrder(Position(), NeighbourhoodRange(motion(), neighbourhood)) : store_.Indices(agents);
+  const auto others = everybody
+                          ? store_.NearInOrder(Position(), NeighbourhoodRange(Radius(), neighbourhood.max_distance_m))
+                          : store_.Indices(agents);
   return steer(index_, store_.motions(), others, neighbourhood);
 }
 

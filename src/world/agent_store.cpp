@@ -36,6 +36,7 @@ Agent& AgentStore::Create(EntityId id, NodeId node, const AgentDef& def) {
   const std::size_t index = agents_.size();
   motions_.emplace_back();
   ids_.push_back(id);
+  near_is_valid_ = false;
   if (index_by_id_.size() <= Number(id)) index_by_id_.resize(Number(id) + 1, kNoIndex);
   index_by_id_[Number(id)] = static_cast<std::uint32_t>(index);
   agents_.push_back(std::unique_ptr<Agent>(new Agent(*this, id, node, index, def, seed_)));
@@ -57,6 +58,7 @@ void AgentStore::Remove(Agent& agent) {
   for (const auto& other : agents_)
     if (other->Leader() == agent.id_) other->SetLeader(kNoEntity);
   grid_.Invalidate();
+  near_is_valid_ = false;
 }
 
 Agent* AgentStore::Find(EntityId id) const {
@@ -81,10 +83,12 @@ void AgentStore::ReadBodies() {
     SpeedOrRadiusChanged(i);
   }
   grid_.Invalidate();
+  near_is_valid_ = false;
 }
 
 void AgentStore::Moved(std::size_t index) {
   grid_.Moved(static_cast<std::uint32_t>(index));
+  near_is_valid_ = false;
 }
 
 void AgentStore::SpeedOrRadiusChanged(std::size_t index) {
@@ -99,11 +103,13 @@ void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>
 }
 
 std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {
-  scratch_.clear();
+  if (near_is_valid_ && center == near_center_ && range_m == near_range_m_) return near_;
   grid_.Update(motions_);
-  grid_.Query(motions_, center, range_m, scratch_);
-  Sort(scratch_);
-  return scratch_;
+  CopyNear(center, range_m, near_);
+  near_center_ = center;
+  near_range_m_ = range_m;
+  near_is_valid_ = true;
+  return near_;
 }
 
 std::span<const std::uint32_t> AgentStore::Indices(std::span<const EntityId> ids) {

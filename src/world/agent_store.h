@@ -64,14 +64,15 @@ class AgentStore {
     grid_.Update(motions_);
     grid_.Visit(motions_, center, range_m, visit);
   }
-  /// Indices of a superset of the agents within range_m, in ascending order. Valid until the next call of this function
-  /// or of Indices.
+  /// Indices of a superset of the agents within range_m, in ascending order. Valid until the next call of this
+  /// function. Repeats the last answer if it is asked the same and no agent has moved: the forces of a flock often have
+  /// one range.
   std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
   /// Afterwards several threads may call CopyNear, until an agent moves or is created.
   void PrepareCopyNear() { grid_.Update(motions_); }
   /// Replaces `found` by the result of NearInOrder.
   void CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>& found) const;
-  /// Indices of the agents with these ids, in the same order; skips ids of other things.
+  /// Indices of the agents with these ids, in the same order; skips ids of other things. Valid until the next call.
   std::span<const std::uint32_t> Indices(std::span<const EntityId> ids);
 
  private:
@@ -83,7 +84,11 @@ class AgentStore {
   std::vector<AgentMotion> motions_;
   std::vector<std::uint32_t> index_by_id_;  ///< kNoIndex for ids of other things.
   AgentGrid grid_;
-  std::vector<std::uint32_t> scratch_;
+  std::vector<std::uint32_t> scratch_;  ///< The result of Indices.
+  std::vector<std::uint32_t> near_;     ///< The result of NearInOrder.
+  Vec3 near_center_;
+  float near_range_m_ = 0;
+  bool near_is_valid_ = false;
   float max_speed_ = 0;
   float max_radius_ = 0;
 };

@@ -36,8 +36,8 @@ int ForEachNeighbour(std::size_t self_index, std::span<const AgentMotion> all, s
 
 }  // namespace
 
-float NeighbourhoodRange(const AgentMotion& self, const Neighbourhood& neighbourhood) {
-  return std::max(kAlwaysNearRadii * self.radius, neighbourhood.max_distance_m);
+float NeighbourhoodRange(float radius_m, float max_distance_m) {
+  return std::max(kAlwaysNearRadii * radius_m, max_distance_m);
 }
 
 Vec3 SteerSeparate(std::size_t self_index, std::span<const AgentMotion> all, std::span<const std::uint32_t> others,

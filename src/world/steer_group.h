@@ -15,8 +15,8 @@ struct Neighbourhood {
   float max_angle_deg = 180;
 };
 
-/// The maximum distance of a neighbour.
-float NeighbourhoodRange(const AgentMotion& self, const Neighbourhood& neighbourhood);
+/// The maximum distance of a neighbour of an agent with this radius.
+float NeighbourhoodRange(float radius_m, float max_distance_m);
 
 // The three flocking forces (Reynolds, "Flocks, Herds, and Schools", 1987). `others` are indices into `all`, summed up
 // in this order; self_index is skipped. The result has unit length, or is zero without neighbours.

@@ -159,6 +159,40 @@ TEST_F(Steering, TheSpatialIndexAnswersAsALinearSearchWould) {
   }
 }
 
+TEST_F(Steering, ANeighbourAtExactlyTheDistanceIsFoundWhateverItsCell) {
+  // Borders of cells are multiples of 4 m. -0.0000002 is in another cell than 0, but 8 m from 8 when rounded.
+  for (int i = 0; i < 400; ++i)
+    Add({static_cast<float>(i % 20) * 2 + static_cast<float>(i % 3 - 1) * 2e-7f, 0.8f,
+         static_cast<float>(i / 20) * 2 + static_cast<float>(i % 5 - 2) * 1e-7f});
+  const auto expect_same = [&] {
+    const std::vector<EntityId> copy(world_.AgentIds().begin(), world_.AgentIds().end());
+    for (const EntityId id : copy) {
+      const Agent& agent = *world_.FindAgent(id);
+      ASSERT_EQ(agent.ForceToCombine(8, 180, world_.AgentIds()), agent.ForceToCombine(8, 180, copy)) << Number(id);
+    }
+  };
+  expect_same();
+  // So far apart that the grid hashes its cells.
+  Add({9e5f, 0.8f, 9e5f});
+  expect_same();
+}
+
+TEST_F(Steering, ARepeatedQueryNoticesWhoComesMovesAndGoes) {
+  const Agent& self = Add({0, 0, 0});
+  const auto combine = [&] { return self.ForceToCombine(5, 180, world_.AgentIds()); };
+  ExpectNear(combine(), {0, 0, 0});
+  Agent& other = Add({1, 0, 0});
+  ExpectNear(combine(), {1, 0, 0});
+  other.SetPosition({-1, 0, 0});
+  ExpectNear(combine(), {-1, 0, 0});
+  // Another agent in between has another place, and perhaps the same range.
+  ExpectNear(other.ForceToCombine(5, 180, world_.AgentIds()), {1, 0, 0});
+  ExpectNear(combine(), {-1, 0, 0});
+  world_.RemoveAgent(other.id());
+  world_.BeginTick();
+  ExpectNear(combine(), {0, 0, 0});
+}
+
 TEST_F(Steering, AgentsAtTheSamePlaceGiveNoNonsense) {
   const Agent& a = Add({0, 0, 0});
   Add({0, 0, 0});
