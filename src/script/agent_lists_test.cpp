@@ -99,5 +99,32 @@ TEST_F(HostTest, AForceOfAFlockIsTheSameWithTheListOfAllAgentsAndFollowsItsChang
   EXPECT_EQ(Run("print(#all, #Sandbox.GetAgents(sandbox), force(all) == force())"), "60\t59\ttrue");
 }
 
+TEST_F(HostTest, AForceOfAFlockTakesTheNameOfATeam) {
+  Write("A.lua",
+        "function Agent_Initialize(a) local i = a:GetId() a:SetPosition(Vector.new(i % 7, 1, math.floor(i / 7)))\n"
+        "  a:SetTeam(i % 3 == 0 and 'wolves' or 'sheep') end");
+  StartWith(
+      "function Sandbox_Initialize(s) for i = 1, 60 do Sandbox.CreateAgent(s, 'A.lua') end\n"
+      "  all = Sandbox.GetAgents(s) me = all[20] end\n"
+      "function members(team) local t = {} for _, a in ipairs(all) do\n"
+      "  if a:GetTeam() == team then t[#t + 1] = a end end return t end\n"
+      "function same(team, d, a) local t, ok = members(team), true\n"
+      "  for _, f in ipairs({'ForceToSeparate', 'ForceToCombine', 'ForceToAlign'}) do\n"
+      "    local one, other = me[f](me, d, a, team), me[f](me, d, a, t)\n"
+      "    ok = ok and one.x == other.x and one.y == other.y and one.z == other.z end return ok end");
+  EXPECT_EQ(Run("print(same('sheep', 4, 180), same('wolves', 4, 90), same('sheep', 0, 180), same('wolves', 1e9, 180))"),
+            "true\ttrue\ttrue\ttrue");
+  EXPECT_EQ(Run("print(me:ForceToCombine(4, 180, 'sheep') == me:ForceToCombine(4, 180))"), "false");
+  EXPECT_EQ(Run("print(Vector.Length(me:ForceToCombine(4, 180, 'cats')))"), "0");
+  // An agent that changes its team or its place counts at once.
+  EXPECT_EQ(Run("for _, a in ipairs(all) do a:SetTeam('cats') end print(same('cats', 4, 180), same('sheep', 4, 180))"),
+            "true\ttrue");
+  EXPECT_EQ(Run("local before = me:ForceToCombine(4, 180, 'cats') me:SetPosition(Vector.new(0, 1, 0))\n"
+                "print(same('cats', 4, 180), before == me:ForceToCombine(4, 180, 'cats'))"),
+            "true\tfalse");
+  EXPECT_EQ(Run("print(pcall(me.ForceToCombine, me, 4, 180, 5))"),
+            "false\tbad argument #4 to 'Agent.ForceToCombine' (table or name of a team expected, got number)");
+}
+
 }  // namespace
 }  // namespace soarbox::script

@@ -39,7 +39,8 @@ In the examples, `sandbox` is the sandbox, `agent` and `other` are agents that d
 world. `mesh` is a soldier and `animation` one of its animations. What a line prints follows `-->`.
 
 Types: a `Thing` is an agent, an object, a scene node or the sandbox; a `Scene` is any of these except an agent; `Placed` is an
-object or a scene node; a `Node` is a scene node; a `value` is anything. You can leave out arguments with a default at the end.
+object or a scene node; a `Node` is a scene node; `Agents` are a table of agents or the name of a team; a `value` is anything. You
+can leave out arguments with a default at the end.
 
 A number outside its range, or a vector with a component outside it, counts as the nearest value in the range. You get a warning,
 once for each place in a script. Numbers that are not finite (0 / 0) change nothing and give a warning.

@@ -17,7 +17,7 @@ constexpr std::pair<std::string_view, ApiType> kTypes[] = {
     {"Thing", ApiType::kThing},         {"UI", ApiType::kUi},           {"Vector", ApiType::kVector},
     {"number", ApiType::kNumber},       {"string", ApiType::kString},   {"table", ApiType::kTable},
     {"function", ApiType::kFunction},   {"boolean", ApiType::kBoolean}, {"value", ApiType::kValue},
-    {"Animation", ApiType::kAnimation},
+    {"Animation", ApiType::kAnimation}, {"Agents", ApiType::kAgents},
 };
 
 std::vector<ApiFunction> Joined(std::span<const ApiFunction> first, std::span<const ApiFunction> second) {

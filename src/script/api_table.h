@@ -38,6 +38,7 @@ enum class ApiType : std::uint8_t {
   kNumber,
   kString,
   kTable,
+  kAgents,  ///< A table of agents, or a string: the name of a team.
   kFunction,
   kBoolean,  ///< Any value, as a truth value in Lua.
   kValue,    ///< Any value: the function checks it.

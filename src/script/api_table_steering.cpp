@@ -13,12 +13,15 @@ constexpr ApiFunction kSteeringFunctions[] = {
 agent:ClampSpeed()
 print(agent:GetSpeed() < 7.1)  --> true)",
      true},
-    {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody",
+    {"Agent.ForceToAlign", "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody",
      "Vector",
-     "A force towards the average direction that the neighbours face. Neighbours are the agents of the list within the "
-     "distance and within the angle on either side of the front (180 is all around). The force has length 1; without "
-     "neighbours it is zero. Leave the list out to include all agents: in a large flock that is much faster.",
-     R"(local force = agent:ForceToAlign(10, 180, Sandbox.GetAgents(sandbox)))"},
+     "A force towards the average direction that the neighbours face. Neighbours are the agents within the distance "
+     "and "
+     "within the angle on either side of the front (180 is all around). The force has length 1; without neighbours it "
+     "is zero. `agents` selects who can be a neighbour: everybody if you leave it out, a team if it is the team's "
+     "name, "
+     "or the agents of a table. Without a table, only agents nearby are read, so a large flock is much faster.",
+     R"(local force = agent:ForceToAlign(10, 180, agent:GetTeam()))"},
     {"Agent.ForceToAvoidAgents", "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
      "A force sideways to avoid a collision with another living agent within this time. It considers the first agent "
      "that would be hit.",
@@ -28,7 +31,7 @@ print(agent:GetSpeed() < 7.1)  --> true)",
      "the navigation mesh.",
      R"(local force = agent:ForceToAvoidObjects(1.5) * 3)"},
     {"Agent.ForceToCombine",
-     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody", "Vector",
      "A force towards the centre of the neighbours. Neighbours are defined as for ForceToAlign.",
      R"(local force = agent:ForceToCombine(100, 180, {other})
 print(Vector.Length(force) > 0.99)  --> true)"},
@@ -48,10 +51,10 @@ local force = agent:ForceToFollowPath(0.5) + agent:ForceToTargetSpeed(3))"},
      "A force towards the predicted position of the other agent. The prediction looks ahead by at most this time.",
      R"(local force = agent:ForceToPursue(other))", true},
     {"Agent.ForceToSeparate",
-     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: table = everybody", "Vector",
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody", "Vector",
      "A force away from the neighbours; the nearer they are, the stronger it is. Neighbours are defined as for "
      "ForceToAlign.",
-     R"(local force = agent:ForceToSeparate(2, 180, Sandbox.GetAgents(sandbox)))"},
+     R"(print(agent:ForceToSeparate(10, 180) == agent:ForceToSeparate(10, 180, "team1"))  --> true)"},
     {"Agent.ForceToStayOnPath", "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",
      "A force back to the path if the agent would leave it within this time.",
      R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})

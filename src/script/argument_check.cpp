@@ -62,6 +62,8 @@ const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
       return lua_isstring(state, index) ? nullptr : "string";
     case ApiType::kTable:
       return lua_istable(state, index) ? nullptr : "table";
+    case ApiType::kAgents:
+      return lua_istable(state, index) || lua_type(state, index) == LUA_TSTRING ? nullptr : "table or name of a team";
     case ApiType::kFunction:
       return lua_isfunction(state, index) ? nullptr : "function";
     default:

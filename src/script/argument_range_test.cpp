@@ -65,6 +65,7 @@ std::string RightValue(const ApiFunction& function, const ApiArgument& argument)
     case ApiType::kString:
       return "'default'";
     case ApiType::kTable:
+    case ApiType::kAgents:
       return "{}";
     case ApiType::kNode:
     case ApiType::kPlaced:

@@ -11,6 +11,7 @@
 #include "script/lua_order.h"
 #include "script/plain_call.h"
 #include "world/agent_store.h"
+#include "world/steer_group.h"
 
 // Agent: steering forces (lua_api.md 7).
 
@@ -63,10 +64,27 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
   return true;
 }
 
-/// Returns the agents in the table at `index`, in its order. Returns the world's own list if it is equal, because the
-/// world then finds near neighbours faster.
-std::span<const EntityId> AgentsArgument(lua_State* state, int index, std::vector<EntityId>& buffer) {
+/// Reads the agents of the team with the name at `index` that can be neighbours at this distance, in creation order.
+void ReadNearTeam(lua_State* state, int index, const Agent& agent, float distance_m, std::vector<EntityId>& buffer) {
+  const std::string_view team = TextArgument(state, index);
+  world::AgentStore& store = world::AgentStore::Of(agent);
+  const float range_m = world::NeighbourhoodRange(agent.Radius(), std::max(distance_m, 0.0f));
+  for (const std::uint32_t near : store.NearInOrder(agent.Position(), range_m))
+    if (store.agent(near).Team() == team) buffer.push_back(store.agent(near).id());
+}
+
+/// Returns the agents that the argument at `index` selects for a force with this distance: in the order of a table, and
+/// otherwise in creation order. Returns the world's own list if it is equal, because the world then finds near
+/// neighbours faster.
+std::span<const EntityId> AgentsArgument(lua_State* state, int index, const Agent& agent, float distance_m,
+                                         std::vector<EntityId>& buffer) {
   if (lua_isnoneornil(state, index)) return ContextOf(state).world.AgentIds();
+  if (lua_type(state, index) == LUA_TSTRING) {
+    buffer.clear();
+    ReadNearTeam(state, index, agent, distance_m, buffer);
+    LuaMachine::Of(state).Charge(buffer.size());
+    return buffer;
+  }
   luaL_checktype(state, index, LUA_TTABLE);
   const auto everybody = ContextOf(state).world.AgentIds();
   LuaMachine& machine = LuaMachine::Of(state);
@@ -113,13 +131,13 @@ int GetNeighbours(lua_State* state) {
 
 using GroupForce = Vec3 (Agent::*)(float, float, std::span<const EntityId>) const;
 
-/// (agent, max distance, max angle in degrees [, agents])
+/// (agent, max distance, max angle in degrees [, agents or team])
 template <GroupForce Force>
 int PushGroupForce(lua_State* state) {
   static thread_local std::vector<EntityId> buffer;
   const Agent& agent = AgentArgument(state, 1);
   const float distance = CheckFloat(state, 2), angle = CheckFloat(state, 3);
-  PushVector(state, (agent.*Force)(distance, angle, AgentsArgument(state, 4, buffer)));
+  PushVector(state, (agent.*Force)(distance, angle, AgentsArgument(state, 4, agent, distance, buffer)));
   return 1;
 }
 

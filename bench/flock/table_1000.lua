@@ -1,0 +1,6 @@
+-- SPDX-License-Identifier: BSD-2-Clause
+require "Flock";
+
+function Sandbox_Initialize(sandbox)
+    Flock_Create(sandbox, 1000, "BirdWithTable.lua");
+end
