@@ -163,6 +163,23 @@ TEST_F(ReloadTest, WhatABodyOfAScriptDoesNotHeedGivesAWarningWithItsPlace) {
   EXPECT_EQ(recorder_.warnings[0].message, "body has no effect here: Body.lua moves and shows the agent");
 }
 
+TEST_F(ReloadTest, LooksBesideAScriptGiveOneWarningThatSaysWhatToWriteAndTheMindIsMade) {
+  Write("Body.lua", "function Agent_Update() end");
+  StartWith(
+      "function Sandbox_Initialize(s)\n Sandbox.CreateSoarAgent(s, 'Body.lua', 'x.soar', { looks = 'duck.glb', team = "
+      "'red' })\n Sandbox.CreateSoarAgent(s, 'Body.lua', 'x.soar', { looks = 'wolf' })\nend");
+  ASSERT_EQ(recorder_.warnings.size(), 2u);
+  EXPECT_EQ(recorder_.warnings[0].line, 2);
+  EXPECT_EQ(recorder_.warnings[0].message, "looks has no effect here: Body.lua moves and shows the agent");
+  EXPECT_EQ(recorder_.warnings[0].hint,
+            "leave it out, and write in Agent_Initialize of Body.lua: Core.CreateMesh(agent, \"duck.glb\")");
+  EXPECT_NE(recorder_.warnings[1].hint.find("Core.CreateCapsule(agent, "), std::string::npos);
+  EXPECT_EQ(Errors(), "");
+  ASSERT_EQ(minds_.made.size(), 2u);
+  EXPECT_FALSE(minds_.made[0].second.options.contains("looks"));
+  EXPECT_TRUE(minds_.made[0].second.options.contains("team"));
+}
+
 TEST_F(ReloadTest, UnknownNamesOfMediaAreToldWithTheirPlaceAndTheList) {
   StartWith("function Sandbox_Initialize(s)\n  Core.SetMaterial(Core.CreateBox(s, 1, 1, 1), 'Wood')\nend");
   ASSERT_EQ(recorder_.warnings.size(), 1u);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <lua.hpp>
 
+#include "model/model.h"
 #include "script/bind_api.h"
 #include "script/check_names.h"
 #include "script/keep_state.h"
@@ -81,6 +82,17 @@ void PushInput(lua_State* state, const InputEvent& event, const world::World& wo
   set_number("dx", event.dx);
   set_number("dy", event.dy);
   set_number("wheel", event.wheel);
+}
+
+/// What to write instead of the option looks beside a script.
+std::string HintForLooks(const std::string& script, const std::variant<bool, double, std::string>& value) {
+  const std::string* name = std::get_if<std::string>(&value);
+  const bool is_model = name != nullptr && model::IsModelName(*name);
+  const std::string place = ", and write in Agent_Initialize of " + script + ": ";
+  if (is_model) return "leave it out" + place + "Core.CreateMesh(agent, \"" + *name + "\")";
+  return "leave it out" + place +
+         "local body = Core.CreateCapsule(agent, 1.6, 0.3), and Core.SetMaterial(body, \"Soarbox/Sheep\") or another "
+         "material of docs/lua/names.md";
 }
 
 }  // namespace
@@ -585,7 +597,9 @@ void ScriptHost::InitializeAgent(AgentScript& script) {
   NoteResult(script.id, "Agent_Initialize", error);
   if (!script.request.HasMind()) return;
   WarnOfBodyOptions(script.request);
-  if (const Result<void> made = minds_->MakeMind(script.id, script.request); !made.ok())
+  AgentCreationRequest request = script.request;
+  request.options.erase("looks");  // The warning says what to write instead. A model from a file would be an error.
+  if (const Result<void> made = minds_->MakeMind(script.id, request); !made.ok())
     StopAgent(script, ScriptError{PlacedAt(script.request, made.error()), {}});
 }
 
@@ -608,6 +622,7 @@ void ScriptHost::WarnOfBodyOptions(const AgentCreationRequest& request) {
     warning.hint =
         "leave it out and let the script do it, or leave the script out: then the body knows the commands of "
         "docs/commands.md";
+    if (option == "looks") warning.hint = HintForLooks(request.script, value);
     reporter_.Warn(PlacedAt(request, warning));
   }
 }
