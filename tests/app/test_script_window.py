@@ -73,6 +73,29 @@ class ScriptsInTheWindow(WindowUser):
             """)
         self.assertNotIn("Traceback", done.stderr)
 
+    def test_the_tick_of_a_decision_stops_too(self):
+        both = SANDBOX.replace("\nend", '\n  Sandbox.CreateSoarAgent(sandbox, { rules = "walker.soar", body = "runner" })\nend')
+        (self.folder / "Sandbox.lua").write_text(both, encoding="utf-8")
+        self.play("""
+            click "Pause"
+            expect "Paused"
+            key Alt+F
+            expect "Stop scripts at"
+            click "line"
+            type "5"
+            click "Add"
+            expect "Amble.lua:5"
+            expect-not "Step over"
+            key Shift+N
+            expect "Step over"
+            click "Step over"
+            expect "answer = 42"
+            click "Continue"
+            expect-not "Step over"
+            expect "one decision"
+            key Ctrl+Q
+            """)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -82,6 +82,25 @@ class Scripts(ServeCase):
         page.ask(request="flow", what="step-tick")
         page.until(lambda message: message["message"] == "flow" and message["paused"] and not message.get("stopped"))
 
+    def test_the_tick_of_a_decision_stops_at_lines_too(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), WORLD, "edit", "script", "problems")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        page.ask(request="flow", what="pause")
+        page.until(lambda message: message["message"] == "flow" and message["paused"])
+        page.ask(request="edit", file=SCRIPT)
+        page.ask(request="line-stop", file=SCRIPT, line=UPDATE)
+        page.until_contents("edit", lambda edit: edit["edit"]["stops"] == [UPDATE])
+        self.assertIsNone(page.contents["edit"]["stopped"], "the world is paused")
+        for number in (1, 2):
+            page.ask(request="flow", what="step-decision")
+            self.assertEqual(self.stop(page, number)["stopped"]["line"], UPDATE)
+            tick = page.until(lambda message: message["message"] == "flow" and message.get("stopped"))["tick"]
+            page.ask(request="script-go", how="on")
+            page.until(lambda message: message["message"] == "told" and ("decided" in message["text"] or "one decision" in message["text"]))
+            page.until(lambda message: message["message"] == "flow" and message["paused"] and not message.get("stopped")
+                       and message["tick"] == tick + 1)
+
     def test_a_long_stop_is_no_hang(self):
         server = self.serve("--hang", "2")
         page = self.stopped_page(server, server.new_place())

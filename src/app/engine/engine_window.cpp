@@ -206,10 +206,12 @@ class LiveEngine {
       } else if (IsStep(flow)) {
         desk_->change().AwaitNothing();
       }
+      if (flow == Flow::kStepDecision) desk_->Prepare();  // Its tick stops at lines, too.
       if (flow == Flow::kStepDecision || flow == Flow::kStepPhase)
         page_.Tell(
             StepMind(session_, panels_.agent(), flow == Flow::kStepDecision ? MindStep::kDecision : MindStep::kPhase)
                 .told);
+      was_stopped_ = false;
       if (flow == Flow::kReset || flow == Flow::kNextSeed) {
         if (const Result<void> begun = BeginAgain(flow == Flow::kNextSeed, asked.seed); !begun) return begun;
       }

@@ -192,7 +192,9 @@ Result<void> LiveWindow::Obey() {
     } else if (advances) {
       desk_->change().AwaitNothing();
     }
+    if (command == ViewerCommand::kStepDecision) desk_->Prepare();  // Its tick stops at lines and breakpoints, too.
     const Result<bool> obeyed = control.Obey(command, session_, viewer_, newest_);
+    was_stopped_ = false;
     if (!obeyed) return obeyed.error();
   }
   if (control.has_ticked) previous_ = newest_ = session_.simulation().Snapshot();
