@@ -240,7 +240,9 @@ void Session::TellPresence() {
   if (engine_ == nullptr) return;
   std::set<std::string> watched;
   for (const auto& [viewer, panels] : watched_) watched.insert(panels.begin(), panels.end());
-  engine_->Send(JsonText(Json{{"request", "presence"}, {"pages", viewers_.size()}, {"watched", watched}}));
+  const auto controlling = std::ranges::count_if(viewers_, [](const Viewer* viewer) { return viewer->MayAsk(); });
+  engine_->Send(JsonText(
+      Json{{"request", "presence"}, {"pages", viewers_.size()}, {"controlling", controlling}, {"watched", watched}}));
 }
 
 void Session::AskForScene() {

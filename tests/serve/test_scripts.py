@@ -5,7 +5,7 @@ import pathlib
 import time
 import unittest
 
-from web_client import ServeCase
+from web_client import ServeCase, WebSocket
 
 WORLD = "scenario:thesis"
 SCRIPT = "SeekingLuaAgent.lua"
@@ -100,6 +100,24 @@ class Scripts(ServeCase):
             page.until(lambda message: message["message"] == "told" and ("decided" in message["text"] or "one decision" in message["text"]))
             page.until(lambda message: message["message"] == "flow" and message["paused"] and not message.get("stopped")
                        and message["tick"] == tick + 1)
+
+    def test_a_script_goes_on_when_only_people_who_watch_are_left(self):
+        server = self.serve()
+        place = server.new_place()
+        page = self.stopped_page(server, place)
+        link = server.json("POST", f"/api/p/{place}/watch", b"")[1]["link"]
+        watching = WebSocket(server, f"/api/w/{link.split('/')[2]}/watch")
+        self.addCleanup(watching.close)
+        tick = watching.until(lambda message: message["message"] == "flow" and message.get("stopped"))["tick"]
+        left = time.monotonic()
+        page.close()
+        # Not in each tick again: the world runs as without stops.
+        watching.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 60)
+        self.assertGreater(time.monotonic() - left, PATIENCE_ALONE_S - 1, "a page that is loaded again has some time")
+        self.assertLess(time.monotonic() - left, 3 * PATIENCE_ALONE_S)
+        back = self.page(server, place)
+        back.ask(request="look", panels=["edit", "script"])
+        self.stop(back, 2)
 
     def test_a_long_stop_is_no_hang(self):
         server = self.serve("--hang", "2")

@@ -100,13 +100,15 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
     return {};
   }
   if (request == "presence") {
-    // From the server: the number of pages, and the panels of users who may only watch. Pages draw documents.
+    // From the server: the number of pages, how many of them may control the run (if it does not say: all), and the
+    // panels of users who may only watch. Pages draw documents.
     shows_documents_ = true;
-    pages_ = std::max(0, static_cast<int>(FieldNumber(json, "pages")));
-    watched_ = {};
+    const auto count = [&](const char* field) { return std::max(0, static_cast<int>(FieldNumber(json, field))); };
+    presence_ = {.pages = count("pages")};
+    presence_.controlling = json.contains("controlling") ? count("controlling") : presence_.pages;
     for (const Json& word : json.value("watched", Json::array()))
       if (const auto panel = word.is_string() ? workbench::FindPanel(word.get<std::string>()) : std::nullopt)
-        watched_.Add(*panel);
+        presence_.watched.Add(*panel);
     return {};
   }
   if (request == "scene") {

@@ -49,10 +49,14 @@ class EnginePage {
   /// Waits at most `most_ms` for requests, and adds them. Malformed ones are refused here.
   void Receive(int most_ms, Asked& asked);
   bool is_open() const { return channel_.is_open(); }
-  /// Whether no page is open. The world then does not advance.
-  bool is_alone() const { return pages_ == 0; }
-  /// The panels that users who may only watch have open.
-  const workbench::PanelSet& watched() const { return watched_; }
+  /// No page is open: the world may pause.
+  bool is_alone() const { return presence_.pages == 0; }
+  struct Presence {
+    int pages = 1;
+    int controlling = 1;          ///< Pages that may control the run. Users of other pages may only watch.
+    workbench::PanelSet watched;  ///< The panels that users who may only watch have open.
+  };
+  const Presence& presence() const { return presence_; }
 
   /// Reports that a run begins. Contents, shapes and the scene are then sent completely.
   void Hello(Json about);
@@ -78,9 +82,8 @@ class EnginePage {
 
   EngineChannel& channel_;
   std::unique_ptr<EngineLanguage> language_;  ///< Null: this build has none.
-  int pages_ = 1;
+  Presence presence_;
   bool shows_documents_ = false;  ///< Panels are sent as documents, because pages are served.
-  workbench::PanelSet watched_;
   stream::SceneEncoder encoder_;
   ShapeContents shapes_;
   bool wants_full_ = true;

@@ -48,16 +48,16 @@ class PanelsOfPage {
   /// Lets the desk execute the requests, and sends the changed contents.
   /// `at_once`: also if contents were sent a moment ago.
   void Serve(workbench::Desk& desk, std::vector<workbench::Request> requests, bool at_once = false) {
-    bool is_told = shown_ == (panels_ | page_.watched());
+    bool is_told = shown_ == (panels_ | page_.presence().watched);
     for (workbench::Request& request : requests) {
       auto* const look = std::get_if<workbench::LookRequest>(&request);
       if (look == nullptr) continue;
       panels_ = look->panels;
-      look->panels = shown_ = panels_ | page_.watched();
+      look->panels = shown_ = panels_ | page_.presence().watched;
       is_told = true;
     }
     if (!is_told) {
-      shown_ = panels_ | page_.watched();
+      shown_ = panels_ | page_.presence().watched;
       requests.emplace_back(workbench::LookRequest{shown_});
     }
     if (!at_once && requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
@@ -206,7 +206,7 @@ class LiveEngine {
       } else if (IsStep(flow)) {
         desk_->change().AwaitNothing();
       }
-      if (flow == Flow::kStepDecision) desk_->Prepare();  // Its tick stops at lines, too.
+      if (flow == Flow::kStepDecision) Prepare();  // Its tick stops at lines, too.
       if (flow == Flow::kStepDecision || flow == Flow::kStepPhase)
         page_.Tell(
             StepMind(session_, panels_.agent(), flow == Flow::kStepDecision ? MindStep::kDecision : MindStep::kPhase)
@@ -232,11 +232,17 @@ class LiveEngine {
     return {};
   }
 
+  /// Prepares the desk for a tick. Scripts stop only if somebody can let them continue.
+  void Prepare() {
+    desk_->Prepare();
+    if (page_.presence().controlling == 0) desk_->scripts().Rest();
+  }
+
   void Tick() {
     const int due = pace_.TicksDue(Step_s(), session_.simulation().tick(), turn_ticks_);
     bool is_cut = false;
     for (int i = 0; i < due && !is_cut && !session_.IsOver(); ++i) {
-      desk_->Prepare();
+      Prepare();
       session_.Tick();
       if (const std::string change = desk_->change().Take(); !change.empty()) {
         pace_.Pause();
@@ -271,7 +277,7 @@ class LiveEngine {
       page_.ShowLife();
       EnginePage::Asked asked;
       page_.Receive(is_new ? 0 : kIdle_ms, asked);
-      if (!page_.is_alone()) seen = Clock::now();
+      if (page_.presence().controlling > 0) seen = Clock::now();
       if (Clock::now() - seen > kPatience) break;
       const bool was_asked = !asked.empty();
       ObeyInTick(asked);
