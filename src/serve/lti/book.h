@@ -37,8 +37,8 @@ class Book {
     ScoreState state = ScoreState::kNone;
     std::int64_t graded_ms = 0;  ///< When the last score was reached. Greater for each new score.
     std::string comment = {}, trouble = {};
-    int failures = 0;           ///< Number of successive attempts to send it that failed. Not stored in the file.
-    std::int64_t next_s = 0;    ///< It is not sent before this time. Not stored in the file.
+    int failures = 0;         ///< Number of successive attempts to send it that failed. Not stored in the file.
+    std::int64_t next_s = 0;  ///< It is not sent before this time. Not stored in the file.
   };
 
   /// Reads the output of ToText from a file. Fails if the file is damaged. Empty if there is no file.
