@@ -53,13 +53,6 @@ export function namesOf(bars: readonly BarName[]): BarName[] {
 
 const hue = (text: string): number => [...text].reduce((sum, c) => (sum * 31 + (c.codePointAt(0) ?? 0)) % 360, 7);
 
-/** The beginning of a text that fits into a width, with an ellipsis. */
-function cutTo(out: CanvasRenderingContext2D, text: string, widthPx: number): string {
-  let count = text.length;
-  while (count > 1 && out.measureText(`${text.slice(0, count)}…`).width > widthPx) count -= 1;
-  return `${text.slice(0, count)}…`;
-}
-
 export const timelinePanel: MakePanel = (context) => {
   let canvas: HTMLCanvasElement | null = null, latest: Contents = {}, hint = "";
 
@@ -100,13 +93,16 @@ export const timelinePanel: MakePanel = (context) => {
         bars.push({ text: span.text, kind: span.kind, level: span.level, left, right });
       }
       for (const name of namesOf(bars)) {
-        const y = top + lineOf(name) * LINE_PX, isCut = out.measureText(name.text).width > name.right - name.left - 8;
+        const y = top + lineOf(name) * LINE_PX, room = name.right - name.left - 8, wide = out.measureText(name.text).width;
+        const next = Math.min(width, ...bars.filter((bar) => lineOf(bar) === lineOf(name) && bar.left >= name.right).map((bar) => bar.left));
+        // A name that is too long for its bar is written after it, if there is room.
+        const isAfter = wide > room && next - name.right > wide + 8;
         out.save();
         out.beginPath();
-        out.rect(name.left, y, name.right - name.left - 2, LINE_PX);
+        out.rect(isAfter ? name.right : name.left, y, isAfter ? wide + 8 : name.right - name.left - 2, LINE_PX);
         out.clip();
-        out.fillStyle = "#fff";
-        out.fillText(isCut ? cutTo(out, name.text, name.right - name.left - 8) : name.text, name.left + 4, y + LINE_PX / 2 + 0.5);
+        out.fillStyle = isAfter ? inkColor : "#fff";
+        out.fillText(name.text, (isAfter ? name.right : name.left) + 4, y + LINE_PX / 2 + 0.5);
         out.restore();
       }
       for (const mark of track.marks) {
