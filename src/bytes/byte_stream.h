@@ -57,6 +57,27 @@ class ByteWriter {
   std::string& out_;
 };
 
+/// The same for a few values. They are collected here, because appending them one by one to a string costs much more.
+/// The caller makes sure that they fit.
+template <std::size_t kMost>
+class ShortWriterOf {
+ public:
+  void Byte(std::uint8_t value) { bytes_[size_++] = static_cast<char>(value); }
+  void Number(std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) Byte(static_cast<std::uint8_t>(value | 0x80));
+    Byte(static_cast<std::uint8_t>(value));
+  }
+  void Fixed32(std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8) Byte(static_cast<std::uint8_t>(value >> shift));
+  }
+  std::string_view bytes() const { return {bytes_, size_}; }
+
+ private:
+  char bytes_[kMost];
+  std::size_t size_ = 0;
+};
+using ShortWriter = ShortWriterOf<48>;
+
 /// Reads the output of ByteWriter. Accepts any input. After the first error, failed() stays true, and all further
 /// values are zero or empty.
 class ByteReader {

@@ -10,9 +10,12 @@ namespace soarbox::record {
 
 bool BlockBuilder::Add(TickRecord& tick) {
   static const TickRecord kNothing;
-  if (frame_.ticks == 0) frame_.first_tick = tick.tick;
+  if (frame_.ticks == 0) {
+    frame_.first_tick = tick.tick;
+    minds_.Clear();
+  }
   ByteWriter out(payload_);
-  WriteTick(out, frame_.ticks == 0 ? kNothing : before_, tick);
+  WriteTick(out, frame_.ticks == 0 ? kNothing : before_, tick, minds_);
   for (const MindRecord& mind : tick.minds) made_of_ += mind.events.bytes().size();
   std::swap(before_, tick);
   // Ends a block early if it becomes large, for example because of many debug lines.
@@ -42,6 +45,7 @@ void BlockCursor::Rewind() {
   budget_ = kTimes * payload_.size() + kAnyway;
   next_tick_ = frame_.first_tick;
   record_ = {};
+  minds_.Clear();
 }
 
 const TickRecord* BlockCursor::At(std::uint64_t tick) {
@@ -50,7 +54,7 @@ const TickRecord* BlockCursor::At(std::uint64_t tick) {
   while (next_tick_ <= tick) {
     ByteReader in(std::string_view(payload_).substr(read_));
     in.SetBudget(budget_);
-    ReadTick(in, record_);
+    ReadTick(in, record_, minds_);
     budget_ = in.budget();
     if (in.failed() || record_.tick != next_tick_) {
       Unload();

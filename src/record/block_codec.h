@@ -6,6 +6,7 @@
 #include <string>
 
 #include "record/file_format.h"
+#include "record/minds_codec.h"
 #include "record/tick_record.h"
 
 namespace soarbox::record {
@@ -36,6 +37,7 @@ class BlockBuilder {
   std::string payload_;
   std::uint64_t made_of_ = 0;  ///< Size in bytes of the minds' events that a reader decodes from payload_.
   TickRecord before_;          ///< The last tick in payload_.
+  MindsEncoder minds_;
 };
 
 /// Reads the ticks of one block. Reading forwards is cheap; going back starts again at the first tick of the block.
@@ -57,6 +59,7 @@ class BlockCursor {
   std::uint64_t budget_ = 0;  ///< How much more memory decoding may allocate for the remaining bytes.
   std::uint64_t next_tick_ = 0;
   TickRecord record_;
+  MindsDecoder minds_;
 };
 
 }  // namespace soarbox::record

@@ -114,10 +114,12 @@ void PutSame(ByteWriter& out, const Pose& before, const Pose& now) {
     if (Bits(was) != Bits(is)) mask |= bit;
     bit <<= 1;
   });
-  out.Number(mask);
+  ShortWriterOf<10 + 4 * (1 + 2 * kMostParts)> numbers;
+  numbers.Number(mask);
   EachNumber(before, now, [&](float was, float is) {
-    if (Bits(was) != Bits(is)) out.Float(is);
+    if (Bits(was) != Bits(is)) numbers.Fixed32(Bits(is));
   });
+  out.Append(numbers.bytes());
 }
 
 void PutMovements(ByteWriter& out, std::uint8_t rig, const Pose& pose) {

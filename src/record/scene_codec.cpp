@@ -271,8 +271,9 @@ std::uint64_t Differences(const E& expected, const T& now, bool same_texts = fal
 }
 
 template <HasFields T, typename E>
-void PutMembers(ByteWriter& out, std::uint64_t mask, const E& expected, const T& now) {
-  out.Number(mask);
+void PutMembers(ByteWriter& out, std::uint64_t mask, const E& expected, const T& now, ShortWriter head = {}) {
+  head.Number(mask);
+  out.Append(head.bytes());
   const auto put = [&](auto member) {
     if ((mask & 1) != 0) {
       using Member = std::remove_cvref_t<decltype(now.*member)>;
@@ -323,25 +324,27 @@ class StepWriter {
   void New(const T& value) {
     static const T kNothing{};
     const Expected<T> expected = Expect(kNothing, value);
-    Put(Step::kNew);
-    out_.Number(value.id);
-    PutMembers(out_, Differences(expected, value), expected, value);
+    ShortWriter head = Head(Step::kNew);
+    head.Number(value.id);
+    PutMembers(out_, Differences(expected, value), expected, value, head);
   }
   /// An entry that exists in both lists, whether it changed or not.
   template <typename E>
   void Next(const E& expected, const T& value, bool same_texts = false) {
     const std::uint64_t mask = Differences(expected, value, same_texts);
     if (mask == 0) return Same(1);
-    Put(Step::kChanged);
-    PutMembers(out_, mask, expected, value);
+    PutMembers(out_, mask, expected, value, Head(Step::kChanged));
   }
   void End() { Put(Step::kEnd); }
 
  private:
-  void Put(Step kind) {
-    out_.Number(std::exchange(unchanged_, 0));
-    out_.Byte(static_cast<std::uint8_t>(kind));
+  ShortWriter Head(Step kind) {
+    ShortWriter head;
+    head.Number(std::exchange(unchanged_, 0));
+    head.Byte(static_cast<std::uint8_t>(kind));
+    return head;
   }
+  void Put(Step kind) { out_.Append(Head(kind).bytes()); }
 
   ByteWriter& out_;
   std::size_t unchanged_ = 0;

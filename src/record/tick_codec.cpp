@@ -2,9 +2,7 @@
 #include "record/tick_codec.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "record/event_delta.h"
 #include "record/scene_codec.h"
 
 namespace soarbox::record {
@@ -87,46 +85,6 @@ void ReadEvent(ByteReader& in, sim::RunEvent& event) {
   for (float* value : {&event.perceived, &event.position.x, &event.position.y, &event.position.z}) *value = in.Float();
 }
 
-/// Writes minds as their differences from the tick before, in which they usually have the same order. For each mind: 1
-/// plus the number of earlier minds to skip, or 0 and the agent's name for one that is not in the tick before. Then its
-/// events.
-void WriteMinds(ByteWriter& out, const std::vector<MindRecord>& before, const std::vector<MindRecord>& now) {
-  constexpr std::size_t kMostPassed = 200;
-  out.Number(now.size());
-  std::size_t next = 0;
-  for (const MindRecord& mind : now) {
-    const std::size_t end = std::min(before.size(), next + kMostPassed);
-    std::size_t at = next;
-    while (at < end && before[at].agent != mind.agent) ++at;
-    const bool was_there = at < end;
-    out.Number(was_there ? at - next + 1 : 0);
-    if (!was_there) out.Text(mind.agent);
-    WriteEventDelta(out, was_there ? before[at].events.bytes() : std::string_view(), mind.events.bytes());
-    if (was_there) next = at + 1;
-  }
-}
-
-void ReadMinds(ByteReader& in, std::vector<MindRecord>& minds) {
-  const std::vector<MindRecord> before = std::exchange(minds, {});
-  minds.resize(in.CountOf(sizeof(MindRecord), 2));
-  std::size_t next = 0;
-  for (MindRecord& mind : minds) {
-    std::string_view events_before;
-    if (const std::uint64_t passed = in.Number(); passed == 0) {
-      mind.agent = in.Text();
-    } else {
-      if (passed > before.size() - next) return in.Fail();
-      next += static_cast<std::size_t>(passed);
-      mind.agent = before[next - 1].agent;
-      in.Charge(mind.agent.size());
-      events_before = before[next - 1].events.bytes();
-    }
-    mind.events = mind::EventLog(ReadEventDelta(in, events_before));
-    if (in.failed()) return;
-    if (!mind.events.IsSound()) return in.Fail();
-  }
-}
-
 }  // namespace
 
 const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
@@ -135,26 +93,26 @@ const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
   return at == record.minds.end() ? nullptr : &*at;
 }
 
-void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now) {
+void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now, MindsEncoder& minds) {
   out.Number(now.tick);
   out.Fixed64(now.state_hash);
   WriteTexts(out, now.inputs);
   WriteScene(out, before.scene, now.scene);
   out.Number(now.events.size());
   for (const sim::RunEvent& event : now.events) WriteEvent(out, event);
-  WriteMinds(out, before.minds, now.minds);
+  minds.Write(out, now.minds);
 }
 
-void ReadTick(ByteReader& in, TickRecord& record) {
+void ReadTick(ByteReader& in, TickRecord& record, MindsDecoder& minds) {
   record.tick = in.Number();
   record.state_hash = in.Fixed64();
   ReadTexts(in, record.inputs);
   ReadScene(in, record.scene);
   record.scene.tick = record.tick;
-  // An event uses at least 15 bytes, a mind 3.
+  // An event uses at least 15 bytes.
   record.events.assign(in.CountOf(sizeof(sim::RunEvent), 15), {});
   for (sim::RunEvent& event : record.events) ReadEvent(in, event);
-  ReadMinds(in, record.minds);
+  minds.Read(in, record.minds);
 }
 
 void WriteInputs(ByteWriter& out, std::uint64_t tick, const std::vector<std::string>& inputs) {

@@ -120,7 +120,8 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
   ByteWriter out(bytes);
-  WriteTick(out, {}, tick);
+  MindsEncoder minds;
+  WriteTick(out, {}, tick, minds);
   return bytes;
 }
 }  // namespace soarbox::record

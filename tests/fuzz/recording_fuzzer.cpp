@@ -22,22 +22,25 @@ using namespace soarbox::record;
 std::string Alone(const TickRecord& record) {
   std::string bytes;
   ByteWriter out(bytes);
-  WriteTick(out, {}, record);
+  MindsEncoder minds;
+  WriteTick(out, {}, record, minds);
   return bytes;
 }
 
 void ReadTicks(std::string_view bytes) {
   ByteReader in(bytes);
   TickRecord record;
+  MindsDecoder minds;
   PerceptValues percepts;
   while (!in.AtEnd()) {
-    ReadTick(in, record);
+    ReadTick(in, record, minds);
     if (in.failed()) return;
     for (const MindRecord& mind : record.minds) ApplyPercepts(mind.events, percepts);
     const std::string bytes_alone = Alone(record);
     ByteReader again(bytes_alone);
     TickRecord copy;
-    ReadTick(again, copy);
+    MindsDecoder minds_of_copy;
+    ReadTick(again, copy, minds_of_copy);
     if (again.failed() || Alone(copy) != bytes_alone) std::abort();
   }
 }
