@@ -13,7 +13,7 @@
 namespace soarbox::record {
 namespace {
 
-constexpr int kCompressionLevel = 3;
+constexpr int kCompressionLevel = 2;
 
 std::uint64_t CheckOf(const BlockFrame& frame) {
   world::StateHash hash;
