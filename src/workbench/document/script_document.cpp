@@ -149,7 +149,7 @@ void AddStops(const Contents& contents, Nodes& nodes) {
     form.clears = true;
     nodes.push_back(std::move(form));
   }
-  Button errors{"Errors", Action{ErrorStopRequest{!script.at_errors}},
+  Button errors{"Stop at errors", Action{ErrorStopRequest{!script.at_errors}},
                 "Stop where a script fails and does not catch it"};
   errors.is_on = script.at_errors;
   nodes.push_back(Line{{std::move(errors)}});
