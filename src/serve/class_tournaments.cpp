@@ -95,12 +95,6 @@ files::path Arena::EntryFolder(const std::string& game, const std::string& place
   return folder_ / "entries" / game / place;
 }
 
-files::path Arena::RecordingOf(std::string_view match) const {
-  std::error_code error;
-  const files::path file = folder_ / "matches" / match / "state" / "match.soarrec";
-  return IsId(match) && files::is_regular_file(file, error) ? file : files::path();
-}
-
 Result<void> Arena::Read() {
   const std::optional<std::string> text = ReadText(folder_ / "arena.json");
   if (!text) return {};

@@ -43,8 +43,6 @@ class Arena {
   Result<void> Play(const std::string& game, int seeds);
   /// All games with submissions, ladder and matches. Marks the submission of `place`; empty: marks none.
   Json ToJson(const std::string& place) const;
-  /// The recording of a match; empty if there is no match with this id.
-  std::filesystem::path RecordingOf(std::string_view match) const;
 
  private:
   struct Entry {
