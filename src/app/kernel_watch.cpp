@@ -147,12 +147,11 @@ class LogWatch final : public KernelWatch {
   /// Reads the existing log; then a thread continues to read. Returns false if the kernel keeps no log.
   bool Begin() {
     while (true) {
-      std::string problem;
-      const std::optional<std::string> text = ReadClientLog(*kernel_, read_, problem);
-      if (!text && read_ == 0) return false;
-      if (!text || text->empty()) break;
-      read_ += text->size();
-      unread_ += *text;
+      const std::optional<ClientLogPart> part = ReadClientLog(*kernel_, read_);
+      if (read_ == 0 && (!part || part->has_ended)) return false;
+      if (!part || part->text.empty()) break;
+      read_ += part->text.size();
+      unread_ += part->text;
     }
     reader_ = std::thread([this] { Read(); });
     return true;
@@ -192,18 +191,17 @@ class LogWatch final : public KernelWatch {
   /// Reads the log until the kernel ends. Runs on a separate thread, because a busy kernel answers late.
   void Read() {
     while (!is_ending_) {
-      std::string problem;
-      const std::optional<std::string> text = ReadClientLog(*kernel_, read_, problem);
-      if (!text && kernel_->IsConnectionClosed()) return End("the kernel has ended");
-      if (!text && problem.find("ended") != std::string::npos) return End(problem);
-      if (!text || text->empty()) {
+      const std::optional<ClientLogPart> part = ReadClientLog(*kernel_, read_);
+      if (!part && kernel_->IsConnectionClosed()) return End("the kernel has ended");
+      if (part && part->has_ended) return End("the log of this kernel has ended");
+      if (!part || part->text.empty()) {
         SetIdle();
         std::this_thread::sleep_for(kNextLook);
         continue;
       }
-      read_ += text->size();
+      read_ += part->text.size();
       const std::lock_guard lock(mutex_);
-      unread_ += *text;
+      unread_ += part->text;
       is_idle_ = false;
     }
   }

@@ -6,6 +6,7 @@
 #include "sml/client/kernel_data.h"
 #include "sml/client/local_agent_link.h"
 #include "sml/server/client_log.h"
+#include "sml/wire/message.h"
 #include "soarbox_ClientLog.h"
 
 namespace soarbox {
@@ -18,21 +19,16 @@ std::string EscapedForClientAct(std::string_view part) {
   return server::EscapedForLog(part);
 }
 
-std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem) {
+std::optional<ClientLogPart> ReadClientLog(sml::Kernel& kernel, std::uint64_t from) {
   sml::KernelData& data = sml::KernelData::Of(kernel);
-  if (!data.link) {
-    problem = "the kernel no longer exists";
-    return std::nullopt;
-  }
+  if (!data.link) return std::nullopt;
   const std::lock_guard lock(data.link->mutex());
   auto* const link = dynamic_cast<sml::LogLink*>(data.link.get());
-  if (link == nullptr) {
-    problem = "the kernel is in this process";
-    return std::nullopt;
-  }
-  std::optional<std::string> text = link->ReadLog(from, problem);
-  if (text) text = server::PartsOfLogLine(*text).front();
-  return text;
+  if (link == nullptr) return std::nullopt;
+  const std::optional<std::string> text = link->ReadLog(from);
+  if (!text) return std::nullopt;
+  if (*text == wire::kLogEnded) return ClientLogPart{{}, true};
+  return ClientLogPart{server::PartsOfLogLine(*text).front()};
 }
 
 std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts) {

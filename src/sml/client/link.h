@@ -153,9 +153,9 @@ class AgentLink {
 class LogLink {
  public:
   virtual ~LogLink() = default;
-  /// Returns the log from this byte on; an empty text if there is nothing new. Returns none, and sets `problem`, if the
-  /// kernel keeps no log.
-  virtual std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) = 0;
+  /// Returns the reply for the log from this byte on (sml/wire/message.h). Returns none if the kernel keeps no log or
+  /// does not answer.
+  virtual std::optional<std::string> ReadLog(std::uint64_t from) = 0;
 };
 
 /// The connection to a kernel.

@@ -212,14 +212,13 @@ class RemoteLink final : public KernelLink, public LogLink, public RemoteCaller 
     Done(call);
   }
   void AnnounceAgent(const std::string&) override {}
-  std::optional<std::string> ReadLog(std::uint64_t from, std::string& problem) override {
+  std::optional<std::string> ReadLog(std::uint64_t from) override {
     Message call = MakeCall(soarbox::wire::kLogCall);
     Command(call).AddArg(soarbox::wire::kLogFrom, std::to_string(from));
     const std::optional<Message> response = Ask(call);
     const Element* const result = response ? response->ResultTag() : nullptr;
-    if (result != nullptr && response->ErrorTag() == nullptr) return result->text;
-    problem = response && response->ErrorTag() ? response->ErrorTag()->text : "the kernel did not answer";
-    return std::nullopt;
+    if (result == nullptr || response->ErrorTag() != nullptr) return std::nullopt;
+    return result->text;
   }
   std::unique_ptr<AgentLink> FindAgent(Agent&, const std::string& name) override {
     return std::make_unique<RemoteAgentLink>(*this, name);

@@ -22,10 +22,15 @@ namespace soarbox {
 /// has the same effect for each kernel.
 std::string EXPORT RecordClients(sml::Kernel& kernel, const std::string& file);
 
+/// A part of a kernel's log.
+struct ClientLogPart {
+  std::string text;        ///< Empty if there is nothing new.
+  bool has_ended = false;  ///< The kernel has given up its log: nothing more will come.
+};
 /// Returns what clients did to the agents of a kernel in another process, from this byte of its log on
-/// (sml/server/client_log.h); an empty text if there is nothing new. Returns none, and sets `problem`, if the kernel
-/// keeps no log or does not answer. `soarbox kernel` keeps a log, and so does every kernel that is being recorded.
-std::optional<std::string> ReadClientLog(sml::Kernel& kernel, std::uint64_t from, std::string& problem);
+/// (sml/server/client_log.h). Returns none if the kernel keeps no log or does not answer. `soarbox kernel` keeps a log,
+/// and so does every kernel that is being recorded.
+std::optional<ClientLogPart> ReadClientLog(sml::Kernel& kernel, std::uint64_t from);
 
 /// The parts of a line of a client's log (sml/server/client_log.h).
 std::vector<std::string> PartsOfClientAct(std::string_view line);

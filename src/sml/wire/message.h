@@ -21,9 +21,11 @@ inline constexpr const char* kFenced = "fenced";
 
 /// A call that Soar 9.6.3 does not have: it requests what clients did to the agents (sml/server/client_log.h), from a
 /// byte on. The response contains a part of the log; it is empty if there is nothing new. The response is an error if
-/// no log is kept or if the log has ended.
+/// no log is kept.
 inline constexpr const char* kLogCall = "soarbox_log";
 inline constexpr const char* kLogFrom = "from";
+/// The response if the log has ended. Escaped text of a log never contains these characters.
+inline constexpr const char* kLogEnded = "\\ended";
 
 enum class DocType : std::uint8_t { kCall, kResponse, kNotify };
 
