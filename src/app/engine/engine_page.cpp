@@ -104,7 +104,8 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
     // panels of users who may only watch. Pages draw documents.
     shows_documents_ = true;
     const auto count = [&](const char* field) { return std::max(0, static_cast<int>(FieldNumber(json, field))); };
-    presence_ = {.pages = count("pages")};
+    presence_ = {};
+    presence_.pages = count("pages");
     presence_.controlling = json.contains("controlling") ? count("controlling") : presence_.pages;
     for (const Json& word : json.value("watched", Json::array()))
       if (const auto panel = word.is_string() ? workbench::FindPanel(word.get<std::string>()) : std::nullopt)
