@@ -13,7 +13,7 @@ constexpr int kDeepestField = 12;  ///< Maximum depth of unfolded fields.
 
 }  // namespace
 
-Result<int> LineStops::Set(const std::string& file, std::string_view text, int line) {
+Result<int> LineStops::Set(const std::string& file, std::string_view text, int line, const std::string& condition) {
   const std::vector<int> lines = script::LinesOfScript(text, script::ScriptLines::kInFunctions);
   if (lines.empty())
     return ProblemIn(file, "scripts cannot stop in this file",
@@ -27,7 +27,8 @@ Result<int> LineStops::Set(const std::string& file, std::string_view text, int l
   }
   if (stops_.size() >= kMostStops && !stops_.contains({file, *found}))
     return ProblemIn(file, "there are " + std::to_string(kMostStops) + " stops already", "remove some of them");
-  stops_.insert({file, *found});
+  stops_.erase({file, *found});
+  stops_.insert({file, *found, condition});
   Apply(file);
   return *found;
 }
@@ -45,7 +46,7 @@ void LineStops::Bring(const std::set<LineStop>& stops) {
 void LineStops::Apply(const std::string& file) {
   std::vector<script::ScriptBreakpoint> marks;
   for (const LineStop& stop : stops_)
-    if (stop.file == file) marks.push_back({stop.line, {}});
+    if (stop.file == file) marks.push_back({stop.line, stop.condition, script::MayCall::kReading});
   debugger_.SetBreakpoints(file, std::move(marks));
 }
 

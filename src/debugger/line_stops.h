@@ -15,11 +15,15 @@
 
 namespace soarbox::debugger {
 
-/// A line of a script at which scripts stop.
+/// A line of a script at which scripts stop. Two stops at one line are equal, whatever their conditions are.
 struct LineStop {
   std::string file;
   int line = 0;
-  friend auto operator<=>(const LineStop&, const LineStop&) = default;
+  std::string condition = {};  ///< An expression of Lua that must be true; empty: always.
+  friend bool operator==(const LineStop& a, const LineStop& b) { return a.line == b.line && a.file == b.file; }
+  friend bool operator<(const LineStop& a, const LineStop& b) {
+    return a.file != b.file ? a.file < b.file : a.line < b.line;
+  }
 };
 
 /// A variable of a stopped script, with the fields that are unfolded.
@@ -41,7 +45,7 @@ struct ScriptWatch {
 struct StoppedScript {
   std::string script;                      ///< The name of the agent that it belongs to; "sandbox".
   std::string reason;                      ///< "breakpoint", "step" or "error".
-  std::string error;                       ///< The message of the error; empty for other reasons.
+  std::string error;                       ///< The message of the error, or why the condition of the stop has no value.
   std::vector<script::ScriptFrame> calls;  ///< Innermost first.
   std::size_t call = 0;                    ///< The call that the variables belong to.
   std::vector<ScriptRow> locals, upvalues, globals;
@@ -63,9 +67,10 @@ class LineStops {
   void SetEnabled(bool enabled) { debugger_.SetEnabled(enabled); }
 
   /// Sets a stop at this line of a file with this text, or at the next line that a function executes. Returns the line.
-  /// Fails if there is no such line, or if there are 200 stops. Lines outside of functions do not count: they are
-  /// executed only when the script is loaded.
-  Result<int> Set(const std::string& file, std::string_view text, int line);
+  /// Fails if there is none. Lines outside of functions are executed only when a script is loaded. The condition
+  /// replaces that of a stop at the same line. It may only call functions that change nothing. If it has no value, the
+  /// script stops, and the stop says why.
+  Result<int> Set(const std::string& file, std::string_view text, int line, const std::string& condition = {});
   void Clear(const std::string& file, int line);
   /// Sets stops that Set has accepted before.
   void Bring(const std::set<LineStop>& stops);

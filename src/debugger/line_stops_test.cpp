@@ -99,6 +99,39 @@ TEST_F(LineStopsTest, AScriptStopsInEachTickAtTheNextLineThatIsExecuted) {
   EXPECT_EQ(places_.size(), 2u);
 }
 
+TEST_F(LineStopsTest, AStopWithAConditionStopsOnlyIfItIsTrue) {
+  Begin();
+  stops_.Set(Walker(), kWalker, 9).value();
+  stops_.Set(Walker(), kWalker, 9, "steps == 3 and agent:GetPosition().x > 1").value();
+  ASSERT_EQ(stops_.list().size(), 1u) << "it replaces the stop at this line";
+  EXPECT_EQ(stops_.list().begin()->condition, "steps == 3 and agent:GetPosition().x > 1");
+  look_ = [&] {
+    const StoppedScript shown = stops_.Look(0, {}, {"steps"});
+    EXPECT_EQ(shown.watches[0].value.value, "3");
+    EXPECT_EQ(shown.error, "");
+  };
+  for (int i = 0; i < 5; ++i) simulation_->Tick();
+  EXPECT_THAT(places_, ElementsAre(9));
+  stops_.Bring({{Walker(), 9, "steps == 7"}});
+  look_ = [] {};
+  for (int i = 0; i < 5; ++i) simulation_->Tick();
+  EXPECT_THAT(places_, ElementsAre(9, 9));
+}
+
+TEST_F(LineStopsTest, AConditionWithoutAValueStopsAndSaysWhy) {
+  Begin();
+  std::vector<std::string> errors;
+  look_ = [&] { errors.push_back(stops_.Look(0, {}, {}).error); };
+  for (const char* condition : {"steps.x.y == 1", "steps ==", "agent:SetHealth(0)", "Twice(1)"}) {
+    stops_.Set(Walker(), kWalker, 9, condition).value();
+    simulation_->Tick();
+    ASSERT_FALSE(errors.empty()) << condition;
+    EXPECT_THAT(errors.back(), HasSubstr("the condition '" + std::string(condition) + "' has no value: "));
+  }
+  EXPECT_THAT(errors[2], HasSubstr("might change the world"));
+  EXPECT_EQ(errors.size(), 4u);
+}
+
 TEST_F(LineStopsTest, LinesWithoutCodeAreRefusedWithAReason) {
   const Result<int> behind = stops_.Set(Walker(), kWalker, 400);
   ASSERT_FALSE(behind);

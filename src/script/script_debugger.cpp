@@ -130,15 +130,19 @@ void ScriptDebugger::OnLine(LuaMachine& machine, lua_State* state, lua_Debug& fr
   if (!enabled_ || view_.is_paused()) return;
   const int line = frame.currentline;
   const bool is_hit = IsHit({&machine, state, frame.i_ci, line});
-  std::string reason;
+  std::string reason, fault;
   if (const ScriptBreakpoint* mark = is_hit ? nullptr : BreakpointAt(machine, state, frame)) {
-    if (mark->condition.empty() || ScriptView::Holds(machine, state, mark->condition)) reason = "breakpoint";
+    const Result<bool> holds = mark->condition.empty()
+                                   ? Result<bool>(true)
+                                   : ScriptView::Holds(machine, state, mark->condition, mark->may_call);
+    if (!holds) fault = "the condition '" + mark->condition + "' has no value: " + holds.error().message;
+    if (!holds || *holds) reason = "breakpoint";
   }
   if (reason.empty() && (IsStepOver(machine, state, frame) || stop_in_ == machine.owner())) reason = "step";
   if (reason.empty()) return;
   std::erase_if(hits_, [&](const Place& hit) { return hit.state == state && hit.call == frame.i_ci; });
   hits_.push_back({&machine, state, frame.i_ci, line});
-  PauseHere(machine, state, 0, std::move(reason), {});
+  PauseHere(machine, state, 0, std::move(reason), std::move(fault));
   if (next_step_ == ScriptStep::kGo) return EndStep();
   BeginStep(machine, state, frame);
 }

@@ -19,7 +19,10 @@ namespace soarbox::script {
 /// A breakpoint in a line of a script file.
 struct ScriptBreakpoint {
   int line = 0;
-  std::string condition;  ///< An expression of Lua that must be true; empty: always.
+  /// An expression of Lua that must be true; empty: always. If it cannot be evaluated, the script pauses, and the
+  /// view's error says why.
+  std::string condition = {};
+  MayCall may_call = MayCall::kBuiltIn;  ///< The calls that the condition may contain.
 };
 
 /// How a script continues after a pause.

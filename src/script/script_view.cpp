@@ -431,15 +431,17 @@ Result<ScriptVariable> ScriptView::EvaluateGlobal(std::uint32_t owner, std::stri
   return value;
 }
 
-bool ScriptView::Holds(LuaMachine& machine, lua_State* state, const std::string& condition) {
+Result<bool> ScriptView::Holds(LuaMachine& machine, lua_State* state, const std::string& condition, MayCall may_call) {
   bool holds = false;
   const LuaMachine::OwnBudget budget(machine, kEvaluationBudget);
   const auto failed = Guarded(state, [&](lua_State* inner) {
-    EvaluateExpression(inner, condition,
-                       [&](lua_State* at, const std::string& name) { return PushVariableOf(at, 1, name); });
+    EvaluateExpression(
+        inner, condition, [&](lua_State* at, const std::string& name) { return PushVariableOf(at, 1, name); },
+        may_call);
     holds = lua_toboolean(inner, -1) != 0;
   });
-  return failed.has_value() || holds;
+  if (failed) return NewProblem(*failed);
+  return holds;
 }
 
 void ScriptView::BeginPause(LuaMachine& machine, lua_State* state, int first_level, std::string reason,

@@ -84,8 +84,8 @@ class ScriptView {
   void EndPause();
   /// Call it before the machine is destroyed. References to its values become invalid.
   void Forget(LuaMachine& machine);
-  /// Evaluates a condition in the innermost call; also true if it cannot be evaluated, so that the user notices.
-  static bool Holds(LuaMachine& machine, lua_State* state, const std::string& condition);
+  /// Evaluates a condition in the innermost call.
+  static Result<bool> Holds(LuaMachine& machine, lua_State* state, const std::string& condition, MayCall may_call);
   /// The level of a call inside our own protected call, where Lua finds its local variables.
   int LevelOf(std::size_t frame) const { return first_level_ + 1 + static_cast<int>(frame); }
   LuaMachine* MachineOf(std::uint32_t owner) const;

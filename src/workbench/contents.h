@@ -107,7 +107,9 @@ struct EditContents {
   std::uint64_t go_to_count = 0;  ///< Incremented by each request to scroll.
   bool can_stop = false;          ///< It is a script that can stop at lines.
   std::vector<int> stops;         ///< The lines at which it stops.
-  int stopped_line = 0;           ///< The line at which it is stopped; 0: it is not.
+  /// The condition of each of these stops; empty: always.
+  std::vector<std::string> stop_conditions;
+  int stopped_line = 0;  ///< The line at which it is stopped; 0: it is not.
 };
 
 /// A file that was opened in the editor, whether it is visible or not.

@@ -124,6 +124,7 @@ Json EditJson(const EditContents& edit) {
           {"go_to_count", edit.go_to_count},
           {"can_stop", edit.can_stop},
           {"stops", edit.stops},
+          {"stop_conditions", edit.stop_conditions},
           {"stopped_line", edit.stopped_line}};
 }
 
@@ -371,7 +372,8 @@ constexpr ContentField kFields[] = {
      "the file that is shown: `file` (empty: none), `text`, `version` (grows when the text comes from elsewhere), "
      "`problems`, `notice`, `is_changed`, `is_unsaved`, `go_to_line`, `go_to_count`, `can_stop`: it is a script that "
      "can "
-     "stop at lines, `stops`: these lines, `stopped_line`: the line where it is stopped, or 0",
+     "stop at lines, `stops`: these lines, `stop_conditions`: their conditions, `stopped_line`: the line where it is "
+     "stopped, or 0",
      [](const Contents& c) { return EditJson(c.edit); }},
     {"edit", "stopped", "",
      "the script that is stopped: `script`, `reason`, `file`, `line`, `count` of stops so far; or null",
@@ -386,10 +388,10 @@ constexpr ContentField kFields[] = {
        });
      }},
 
-    {"script", "stops", "", "the lines at which scripts stop: `file`, `line`",
+    {"script", "stops", "", "the lines at which scripts stop: `file`, `line`, `condition` (empty: always)",
      [](const Contents& c) {
        return ListOf(c.script.stops, [](const debugger::LineStop& stop) -> Json {
-         return {{"file", stop.file}, {"line", stop.line}};
+         return {{"file", stop.file}, {"line", stop.line}, {"condition", stop.condition}};
        });
      }},
     {"script", "at_errors", "", "whether they stop at errors, too",

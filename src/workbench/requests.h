@@ -174,11 +174,13 @@ struct ChangeBreakRequest {
   enum class What : std::uint8_t { kClear, kEnable, kDisable } what = What::kClear;
 };
 
-/// Let scripts stop at a line of a file, or at the next line after it that a function executes; or no longer.
+/// Let scripts stop at a line of a file, or at the next line after it that a function executes; or no longer. With a
+/// condition, an expression of Lua, they stop only if it is true.
 struct LineStopRequest {
   std::string file;
   int line = 0;
   bool is_on = true;
+  std::string condition = {};
 };
 /// Let scripts stop at errors that they do not catch, or no longer.
 struct ErrorStopRequest {

@@ -165,6 +165,10 @@ void Fields(auto& visit, LineStopRequest& r) {
   visit("file", r.file, "a script of the run, or its name alone", kNeeded);
   visit("line", r.line, "the line; if no function executes it, the next one that a function executes", kNeeded);
   visit("is_on", r.is_on, "false: no longer", kOptional);
+  visit("condition", r.condition,
+        "an expression of Lua that changes nothing, such as `agent:GetHealth() < 50`: scripts stop only if it is true, "
+        "or if it has no value",
+        kOptional);
 }
 void Fields(auto& visit, ErrorStopRequest& r) {
   visit("is_on", r.is_on, "false: no longer", kOptional);

@@ -155,7 +155,7 @@ void ScriptDesk::Obey(const LineStopRequest& request) {
   const std::optional<std::string> text = files_.TextOf(file);
   if (!text && !files.contains(file))
     return common_.note_problem(ProblemIn(file, "the run does not use this script", "name one of its scripts"), {});
-  const Result<int> set = stops_.Set(file, text ? *text : ReadText(file).value_or(""), request.line);
+  const Result<int> set = stops_.Set(file, text ? *text : ReadText(file).value_or(""), request.line, request.condition);
   if (!set) {
     common_.surroundings.Tell("No stop at line " + std::to_string(request.line) + ": " + set.error().hint);
     return common_.note_problem(set.error(), {});
@@ -191,11 +191,15 @@ void ScriptDesk::Fill(Contents& contents, bool is_visible) {
   EditContents& edit = contents.edit;
   edit.can_stop = shown.can_stop && IsScript(edit.file);
   edit.stops.clear();
+  edit.stop_conditions.clear();
   edit.stopped_line = 0;
   if (!shown.can_stop) return;
   shown.stops.assign(stops_.list().begin(), stops_.list().end());
-  for (const debugger::LineStop& stop : shown.stops)
-    if (stop.file == edit.file) edit.stops.push_back(stop.line);
+  for (const debugger::LineStop& stop : shown.stops) {
+    if (stop.file != edit.file) continue;
+    edit.stops.push_back(stop.line);
+    edit.stop_conditions.push_back(stop.condition);
+  }
   shown.at_errors = stops_.at_errors();
   shown.watches = watches_;
   shown.count = count_;

@@ -119,6 +119,22 @@ class Scripts(ServeCase):
         back.ask(request="look", panels=["edit", "script"])
         self.stop(back, 2)
 
+    def test_a_stop_with_a_condition_stops_when_it_is_true_or_has_no_value(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), WORLD, "edit", "script", "problems")
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
+        page.ask(request="line-stop", file=SCRIPT, line=UPDATE, condition="agent:GetHealth() < 50")
+        page.until_contents("script", lambda script: script["stops"] and script["stops"][0]["condition"] == "agent:GetHealth() < 50")
+        self.panel(page, "if agent:GetHealth() < 50")
+        tick = page.until(lambda message: message["message"] == "flow")["tick"]
+        page.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 20 and not message.get("stopped"))
+        page.ask(request="line-stop", file=SCRIPT, line=UPDATE, condition="agent:GetHealth() > 50")
+        self.assertEqual(self.stop(page, 1)["stopped"]["line"], UPDATE)
+        page.ask(request="line-stop", file=SCRIPT, line=UPDATE, condition="nothing.x")
+        page.ask(request="script-go", how="on")
+        self.stop(page, 2)
+        self.panel(page, "the condition 'nothing.x' has no value")
+
     def test_a_long_stop_is_no_hang(self):
         server = self.serve("--hang", "2")
         page = self.stopped_page(server, server.new_place())

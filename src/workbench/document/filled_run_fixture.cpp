@@ -196,7 +196,7 @@ void FilledRun::FillScript() {
   ScriptContents& script = contents.script;
   script.can_stop = true;
   script.files = {file, (folder_ / "Sandbox.lua").string()};
-  script.stops = {{file, 4}, {file, 12}};
+  script.stops = {{file, 4}, {file, 12, "speed > 2"}};
   script.watches = {"speed * 2", "nothing.x"};
   script.count = 1;
   debugger::StoppedScript& stopped = script.stopped.emplace();

@@ -145,6 +145,10 @@ void AddStops(const Contents& contents, Nodes& nodes) {
     form.fields.push_back(std::move(file));
     form.fields.push_back({Field::Kind::kLine, "line", "The number of a line", "line"});
     form.fields.back().is_needed = true;
+    form.fields.push_back({Field::Kind::kLine, "condition",
+                           "Stop only if this expression of Lua is true. It changes nothing: variables, fields, "
+                           "operators, functions that read",
+                           "only if: agent:GetHealth() < 50"});
     form.button = "Add";
     form.clears = true;
     nodes.push_back(std::move(form));
@@ -166,6 +170,7 @@ void AddStops(const Contents& contents, Nodes& nodes) {
     row.key = PlaceOf(stop.file, stop.line);
     row.cells = {{{FileLink(contents, stop.file, stop.line, row.key)}},
                  {{Span{kRemove, Role::kTag, Action{LineStopRequest{stop.file, stop.line, false}}, "Remove"}}}};
+    if (!stop.condition.empty()) row.cells.front().spans.push_back({" if " + stop.condition, Role::kCode});
     table.rows.push_back(std::move(row));
   }
   nodes.push_back(std::move(table));

@@ -275,9 +275,14 @@ export class EditPanel implements Panel {
   private moveStops(): void {
     const { editor } = this, edit = this.context.run.contents.edit?.edit;
     if (editor === null || edit === undefined || edit.file !== this.file || edit.can_stop !== true) return;
-    const before = edit.stops ?? [], now = editor.stopLines;
+    const before = edit.stops ?? [], conditions = edit.stop_conditions ?? [], now = editor.stopLines;
     for (const line of before) if (!now.includes(line)) this.context.run.ask("line-stop", { file: this.file, line, is_on: false });
-    for (const line of now) if (!before.includes(line)) this.context.run.ask("line-stop", { file: this.file, line });
+    // Stops keep their order, and so their conditions, unless two of them have met in one line.
+    const isSame = before.length === now.length;
+    now.forEach((line, i) => {
+      const known = before.indexOf(line), condition = (isSame ? conditions[i] : conditions[known]) ?? "";
+      if (known < 0 || condition !== (conditions[known] ?? "")) this.context.run.ask("line-stop", { file: this.file, line, condition });
+    });
   }
 
   /** Shows stops again only if they or the text have changed, because typing moves them. */

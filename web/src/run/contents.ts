@@ -47,6 +47,7 @@ export interface EditText {
   /** It is a script that can stop at lines: at these lines, and it is stopped at this one (0: it is not). */
   can_stop?: boolean;
   stops?: readonly number[];
+  stop_conditions?: readonly string[];
   stopped_line?: number;
 }
 /** The script that is stopped in the middle of a tick. */
