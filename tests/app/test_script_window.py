@@ -84,7 +84,6 @@ class ScriptsInTheWindow(WindowUser):
             click "line"
             type "5"
             click "Add"
-            expect "Amble.lua:5"
             expect-not "Step over"
             key Shift+N
             expect "Step over"

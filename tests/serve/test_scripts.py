@@ -124,7 +124,8 @@ class Scripts(ServeCase):
         page = self.opened(server, server.new_place(), WORLD, "edit", "script", "problems")
         page.until(lambda message: message["message"] == "flow" and message["tick"] > 3)
         page.ask(request="line-stop", file=SCRIPT, line=UPDATE, condition="agent:GetHealth() < 50")
-        page.until_contents("script", lambda script: script["stops"] and script["stops"][0]["condition"] == "agent:GetHealth() < 50")
+        page.ask(request="edit", file=SCRIPT)
+        page.until_contents("edit", lambda edit: edit["edit"].get("stop_conditions") == ["agent:GetHealth() < 50"])
         self.panel(page, "if agent:GetHealth() < 50")
         tick = page.until(lambda message: message["message"] == "flow")["tick"]
         page.until(lambda message: message["message"] == "flow" and message["tick"] > tick + 20 and not message.get("stopped"))
