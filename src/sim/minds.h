@@ -134,13 +134,13 @@ class Minds final : public script::MindFactory {
     std::vector<UnderWay> under_way = {};
     std::vector<Outcome> answers = {};  ///< Outcomes from its script that were not reported yet.
     float distance_squared_m2 = 0;
-    bool decided = false;          ///< In this tick.
-    bool lost = false;             ///< Its program has run out of memory or work, or could not be created again.
-    bool gone = false;             ///< Its agent was destroyed; there is no program to query.
-    std::string gone_because;      ///< Why its agent was destroyed, as a sentence.
-    std::size_t memory_bytes = 0;  ///< As last measured.
-    bool told_memory = false;      ///< High memory use was reported.
-    bool told_learned = false;     ///< A large number of learned rules was reported.
+    bool decided = false;           ///< In this tick.
+    bool lost = false;              ///< Its program has run out of memory or work, or could not be created again.
+    bool gone = false;              ///< Its agent was destroyed; there is no program to query.
+    std::string gone_because = {};  ///< Why its agent was destroyed, as a sentence.
+    std::size_t memory_bytes = 0;   ///< As last measured.
+    bool told_memory = false;       ///< High memory use was reported.
+    bool told_learned = false;      ///< A large number of learned rules was reported.
     bool in_gap = false;
     bool told_halt = false;
     int gaps = 0;                  ///< Number of times that it was idle.
