@@ -41,3 +41,15 @@ test("a world with models, an image, a bar and buttons is played with mouse and 
   assert.deepEqual(troubles, []);
   await close();
 });
+
+test("a world with a model with a skin shows its animations, and a button starts another one", async () => {
+  const { page, troubles, close } = await openPage("/");
+  await openWorld(page, "ponies");
+  await page.locator(".labels .name", { hasText: "Pony-1" }).first().waitFor();
+  await page.locator(".script-ui button[data-button=whistle]").click();
+  await until(async () => /trot/.test(await page.locator(".labels").innerText()), "the ponies trot");
+  await until(async () => /rear/.test(await page.locator(".labels").innerText()), "a pony rears");
+  await picture(page, "ponies_1280");
+  assert.deepEqual(troubles, []);
+  await close();
+});
