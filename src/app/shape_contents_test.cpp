@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "model/model.h"
+#include "viewer/drawable_mesh.h"
 #include "world/animation/rig.h"
 
 namespace soarbox::app {
