@@ -57,9 +57,8 @@ void World::Impl::WalkBodies(const Workers& workers) {
   const auto& animated = scene.animated();
   const auto walk = [&](NodeId id) {
     Animator* animator = scene.AnimatorOf(id);
-    const Scene::Node& node = *scene.Find(id);
-    const bool may_walk = animator->has_locomotion() && node.owner_is_agent;
-    const Agent* agent = may_walk ? agents.Find(node.owner) : nullptr;
+    const Scene::Node* node = animator->has_locomotion() ? scene.Find(id) : nullptr;
+    const Agent* agent = node && node->owner_is_agent ? agents.Find(node->owner) : nullptr;
     if (!agent) return animator->Advance(nullptr, settings.step_s);
     const Vec3 velocity = agent->Velocity(), forward = agent->Forward();
     const BodyMotion motion{.forward_mps = Dot(velocity, forward),
