@@ -46,10 +46,6 @@ class Agent {
   /// Its scene node, the parent of its drawables. It is moved to the body by World::SyncAgent.
   NodeId node() const { return node_; }
   const std::string& name() const { return name_; }
-  void set_name(std::string name) {
-    name_ = std::move(name);
-    ++texts_;
-  }
   const std::string& kind() const { return kind_; }
   const std::string& script() const { return script_; }
   /// The agent's own random stream, seeded from the world's seed and the agent's id.
@@ -213,7 +209,7 @@ class Agent {
   EntityId leader_ = kNoEntity;
   std::string last_command_;
   ShownState shown_;
-  std::uint32_t texts_ = 1;  ///< Changes with name, team, last command and shown state.
+  std::uint32_t texts_ = 1;  ///< Changes with team, last command and shown state.
   bool failed_ = false;
   bool removal_requested_ = false;
   bool has_path_ = false;

@@ -56,8 +56,7 @@ class InfluenceMap {
   void FillOverlay(OverlaySnapshot& overlays) const;
 
   int used_cells() const { return static_cast<int>(corners_.size()); }
-  std::array<int, 3> grid_size() const { return size_; }
-  /// Hash of the values, the falloff and the inertia of all layers.
+  /// Hash of all values and settings.
   std::uint64_t Hash() const;
 
  private:

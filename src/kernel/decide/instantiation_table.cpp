@@ -10,7 +10,6 @@ InstantiationId InstantiationTable::Make() {
   Instantiation& record = *id.record;
   record.live = true;
   record.serial = next_serial_++;
-  ++live_;
   return id;
 }
 
@@ -23,7 +22,6 @@ void InstantiationTable::Free(InstantiationId id) {
   record.live = false;
   record.trace_count = 0;
   records_.Give(id);
-  --live_;
 }
 
 std::span<ConditionTrace> InstantiationTable::MakeTrace(InstantiationId id, std::size_t count) {
@@ -58,7 +56,6 @@ void InstantiationTable::Clear() {
   records_.Clear();
   traces_.clear();
   free_traces_.clear();
-  live_ = 0;
   next_serial_ = 1;
 }
 

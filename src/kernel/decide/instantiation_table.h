@@ -37,7 +37,6 @@ class InstantiationTable {
       if (id.record->live) visit(*id.record);
     });
   }
-  std::uint32_t live_count() const { return live_; }
   void Clear();
   std::size_t MemoryBytes() const;
 
@@ -45,7 +44,6 @@ class InstantiationTable {
   RecordArena<Instantiation, &Instantiation::next_free> records_;
   std::vector<ConditionTrace> traces_;
   std::vector<std::vector<std::uint32_t>> free_traces_;  ///< By length of the trace.
-  std::uint32_t live_ = 0;
   std::uint32_t next_serial_ = 1;
 };
 

@@ -36,7 +36,6 @@ class RunControl {
   /// Callable from any thread.
   void RequestStop(std::string_view reason);
   void ClearStop();
-  bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
   /// (halt): the run ends after the current elaboration.
   void Halt() { halt_requested_ = true; }

@@ -88,7 +88,6 @@ class Chunker final : public Module {
   LearnSettings& mutable_settings() { return settings_; }
   void ModeChanged();
   const LearnStatistics& statistics() const { return statistics_; }
-  LearnStatistics& mutable_statistics() { return statistics_; }
   Singletons& singletons() { return singletons_; }
   const Singletons& singletons() const { return singletons_; }
 

@@ -91,7 +91,6 @@ class EpisodeStore {
 
   EpisodeNumber last() const { return static_cast<EpisodeNumber>(begins_.size() - 1); }
   std::size_t fact_count() const { return facts_.size(); }
-  std::size_t change_count() const { return changes_.size(); }
   EpisodeNode node_count() const { return node_count_; }
   EpisodeTriple triple(EpisodeFact fact) const {
     const Fact& f = facts_[fact];

@@ -121,9 +121,6 @@ class HostedAgent {
   /// The object for this agent in the program that contains the kernel.
   void* embedded_peer = nullptr;
 
-  /// The decision count that Soar reports: starts at 1, and increases at the end of each output phase.
-  std::uint64_t decision_count() const { return agent_.counters().decision_cycles + 1; }
-
  private:
   struct Listener {
     Connection* connection;
