@@ -55,7 +55,7 @@ ALLOWED = {
     # HTTP and WebSockets: it starts engines, and does not depend on panels or worlds.
     "serve": {"bytes", "diagnostics"},
     "viewer": {"diagnostics", "picture", "world", "model", "sim", "record", "debugger", "workbench"},
-    "app": {"bytes", "diagnostics", "picture", "kernel", "mind", "wording", "vocabulary", "cli", "sml", "explain", "world", "model", "stream", "script", "sim", "dis", "record", "mission", "sweep",
+    "app": {"bytes", "diagnostics", "picture", "kernel", "mind", "wording", "vocabulary", "cli", "sml", "explain", "world", "stream", "script", "sim", "dis", "record", "mission", "sweep",
             "report", "debugger", "language", "editors", "workbench", "serve", "viewer"},
 }
 # The folders of the kernel in their order: each may include those before it.
