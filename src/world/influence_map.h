@@ -56,7 +56,7 @@ class InfluenceMap {
   void FillOverlay(OverlaySnapshot& overlays) const;
 
   int used_cells() const { return static_cast<int>(corners_.size()); }
-  /// Hash of all values and settings.
+  /// Hash of the values, the falloff and the inertia of all layers.
   std::uint64_t Hash() const;
 
  private:
