@@ -13,7 +13,7 @@ Nodes WhyDocument(const Contents& contents) {
   Form form;
   form.key = "not";
   form.action.request = WhyRequest{WhyRequest::About::kNot, {}};
-  form.fields.push_back({Field::Kind::kLine, "what", "What to ask about", "a rule, operator or command"});
+  form.fields.push_back({Field::Kind::kLine, "what", "What to ask about", "Why not ... a rule, operator or command"});
   form.fields.back().is_needed = true;
   form.button = "Why not?";
   form.hint = "Why is it not chosen, or why does it not happen?";
