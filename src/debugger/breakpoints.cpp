@@ -229,10 +229,16 @@ std::optional<Breakpoints::Cause> Breakpoints::CauseInMind(const Breakpoint& poi
     return "rule " + point.what + " matches";
   }
   if (point.kind == BreakKind::kNumber) return NumberCause(point, report);
+  // Names of rules contain *: a rule whose name equals the pattern is reported before others that match it.
   mind::Event event;
-  for (std::size_t at = 0; report.events.Next(at, event);)
-    if (std::optional<Cause> cause = CauseIn(point, event)) return cause;
-  return std::nullopt;
+  std::optional<Cause> first;
+  for (std::size_t at = 0; report.events.Next(at, event);) {
+    std::optional<Cause> cause = CauseIn(point, event);
+    if (!cause) continue;
+    if (point.kind != BreakKind::kFire || cause->rule == point.what) return cause;
+    if (!first) first = std::move(cause);
+  }
+  return first;
 }
 
 std::vector<BreakHit> Breakpoints::Check(const sim::Simulation& simulation, const sim::EventList& events) {

@@ -27,7 +27,11 @@ Result<int> LineStops::Set(const std::string& file, std::string_view text, int l
   }
   if (stops_.size() >= kMostStops && !stops_.contains({file, *found}))
     return ProblemIn(file, "there are " + std::to_string(kMostStops) + " stops already", "remove some of them");
-  stops_.erase({file, *found});
+  // A click above a line is about that line, and keeps its condition.
+  if (const auto known = stops_.find({file, *found}); known != stops_.end()) {
+    if (condition.empty() && *found != line) return *found;
+    stops_.erase(known);
+  }
   stops_.insert({file, *found, condition});
   Apply(file);
   return *found;

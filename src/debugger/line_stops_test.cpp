@@ -118,18 +118,30 @@ TEST_F(LineStopsTest, AStopWithAConditionStopsOnlyIfItIsTrue) {
   EXPECT_THAT(places_, ElementsAre(9, 9));
 }
 
+TEST_F(LineStopsTest, AClickAboveALineKeepsItsCondition) {
+  Begin();
+  const int line = stops_.Set(Walker(), kWalker, 7, "steps == 3").value();
+  EXPECT_EQ(stops_.Set(Walker(), kWalker, 6).value(), line) << "line 6 is empty";
+  ASSERT_EQ(stops_.list().size(), 1u);
+  EXPECT_EQ(stops_.list().begin()->condition, "steps == 3");
+  stops_.Set(Walker(), kWalker, line).value();
+  EXPECT_EQ(stops_.list().begin()->condition, "") << "a request for the line itself removes the condition";
+}
+
 TEST_F(LineStopsTest, AConditionWithoutAValueStopsAndSaysWhy) {
   Begin();
   std::vector<std::string> errors;
   look_ = [&] { errors.push_back(stops_.Look(0, {}, {}).error); };
-  for (const char* condition : {"steps.x.y == 1", "steps ==", "agent:SetHealth(0)", "Twice(1)"}) {
+  for (const char* condition :
+       {"steps.x.y == 1", "steps ==", "agent:SetHealth(0)", "Twice(1)", "(agent.SetHealth or GetX)(agent, 0)"}) {
     stops_.Set(Walker(), kWalker, 9, condition).value();
     simulation_->Tick();
     ASSERT_FALSE(errors.empty()) << condition;
     EXPECT_THAT(errors.back(), HasSubstr("the condition '" + std::string(condition) + "' has no value: "));
   }
   EXPECT_THAT(errors[2], HasSubstr("might change the world"));
-  EXPECT_EQ(errors.size(), 4u);
+  EXPECT_THAT(errors[4], HasSubstr("might change the world"));
+  EXPECT_EQ(errors.size(), 5u);
 }
 
 TEST_F(LineStopsTest, LinesWithoutCodeAreRefusedWithAReason) {

@@ -166,6 +166,8 @@ class WorldDebuggee final : public Debuggee, public ScriptDebuggee {
                     : view.reason() == "step" ? Kind::kScriptStep
                                               : Kind::kScriptLine;
       reason.text = reason.kind == Kind::kScriptError ? "error: " + view.error() : view.reason();
+      // A condition without a value stops, too.
+      if (reason.kind == Kind::kScriptLine && !view.error().empty()) reason.text += ": " + view.error();
     });
     if (!calls.empty())
       reason.text = calls.front().file + ":" + std::to_string(calls.front().line) + ": " + reason.text;

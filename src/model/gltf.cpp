@@ -272,7 +272,8 @@ class ModelReader {
       made.shown.green = ToShown(light.green);
       made.shown.blue = ToShown(light.blue);
       const auto is_near = [](Vec3 at) {
-        return std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) < kFarthest_m;
+        // Also false if a coordinate is not a number.
+        return std::abs(at.x) < kFarthest_m && std::abs(at.y) < kFarthest_m && std::abs(at.z) < kFarthest_m;
       };
       if (!is_near(made.shown.position) || !is_near(made.skin.position)) file_.Fail("it is larger than 100 km");
       return made;

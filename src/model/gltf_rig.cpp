@@ -32,7 +32,7 @@ std::string NameOf(const Json& object) {
 
 std::optional<Quat> QuatOf(const float* numbers) {
   const float length = std::hypot(std::hypot(numbers[0], numbers[1]), std::hypot(numbers[2], numbers[3]));
-  if (!(length > 0)) return std::nullopt;
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
   return Quat{numbers[3] / length, numbers[0] / length, numbers[1] / length, numbers[2] / length};
 }
 

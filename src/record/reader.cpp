@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -116,12 +117,12 @@ Result<void> Reader::ReadFrames() {
         blocks_.push_back(block);
         break;
       case BlockKind::kWaits: {
+        // No tick depends on it. So a recording is read even if this block is damaged.
         const Result<std::string> payload = ReadPayload(block);
-        if (!payload) return payload.error();
+        if (!payload) break;
         ByteReader in(*payload);
-        waits_.ticks = in.Number();
-        waits_.seconds = in.Double();
-        if (in.failed()) return Damaged(block.payload_at, "this block is damaged");
+        const Waits waits{in.Number(), in.Double()};
+        if (!in.failed() && std::isfinite(waits.seconds)) waits_ = waits;
         break;
       }
       default:

@@ -69,8 +69,11 @@ void ReadNearTeam(lua_State* state, int index, const Agent& agent, float distanc
   const std::string_view team = TextArgument(state, index);
   world::AgentStore& store = world::AgentStore::Of(agent);
   const float range_m = world::NeighbourhoodRange(agent.Radius(), std::max(distance_m, 0.0f));
-  for (const std::uint32_t near : store.NearInOrder(agent.Position(), range_m))
+  const auto all_near = store.NearInOrder(agent.Position(), range_m);
+  for (const std::uint32_t near : all_near)
     if (store.agent(near).Team() == team) buffer.push_back(store.agent(near).id());
+  // Agents of other teams cost a comparison each.
+  LuaMachine::Of(state).Charge(all_near.size() / 4);
 }
 
 /// Returns the agents that the argument at `index` selects for a force with this distance: in the order of a table, and

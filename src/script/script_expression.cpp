@@ -192,6 +192,7 @@ class Reader {
       ++at_;
       Read(0);
       Expect(")");
+      last_name_ = "what the brackets contain";
     } else if (sign == '"' || sign == '\'') {
       ReadText(sign);
     } else if (std::isdigit(static_cast<unsigned char>(sign)) != 0 || sign == '.') {

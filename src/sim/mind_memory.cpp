@@ -155,7 +155,9 @@ void Minds::End(Mind& mind) {
 
 void Minds::EndRemoved(world::EntityId agent) {
   Mind* mind = Find(agent);
-  if (mind != nullptr && !mind->gone && !mind->by_client) End(*mind);
+  if (mind == nullptr || mind->gone || mind->by_client) return;
+  End(*mind);
+  mind->gone_because = "is no longer there: a script removed it";
 }
 
 }  // namespace soarbox::sim

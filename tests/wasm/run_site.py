@@ -46,6 +46,8 @@ def what_is_missing(site, is_old_good, browser):
         return f"the site in {site} is older than {newest.relative_to(REPOSITORY)}: ./dev site writes it again"
     if not all((REPOSITORY / "web" / "node_modules" / name).is_dir() for name in ("playwright-core", "puppeteer-core")):
         return "the page's packages are not there: npm ci in web/"
+    if "FIREFOX" in browser[0] and not os.environ.get("DISPLAY") and not shutil.which("xvfb-run"):
+        return "there is no display for Firefox: install xvfb and xauth"
     variable, program = browser
     if not shutil.which(os.environ.get(variable, program)):
         return f"there is no {program}: install it, or name a browser in {variable}"

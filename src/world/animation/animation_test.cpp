@@ -184,6 +184,20 @@ TEST(Animator, PlaysLoopsAndKeepsTheLastPoseWithoutThem) {
   EXPECT_FLOAT_EQ(animator.state(1).time_s, 0.75f);
 }
 
+TEST(Animator, FadesOutWhateverTheWeightAndLeavesNoHalfFade) {
+  Animator animator(ModelRig());
+  animator.Play(0, true, 1, 0);
+  animator.SetWeight(0, 2);
+  animator.Play({}, true, 1, 0.25f);
+  for (int i = 0; i < 5; ++i) animator.Advance(nullptr, 0.125f);
+  EXPECT_FALSE(animator.state(0).enabled);
+  EXPECT_EQ(animator.state(0).weight, 1);
+  animator.Play(1, true, 1, 0.5f);
+  animator.Advance(nullptr, 0.125f);
+  animator.SetEnabled(1, false);
+  EXPECT_EQ(animator.state(1).weight, 1);
+}
+
 TEST(Animator, BlendsFromOneAnimationToTheNextAndToTheBindPose) {
   Animator animator(ModelRig());
   animator.Play(0, true, 1, 0.5f);

@@ -41,7 +41,10 @@ void Animator::SetEnabled(std::size_t clip, bool enabled) {
 void Animator::Switch(AnimationState& state, bool enabled) {
   enabled_ = enabled_ + (enabled ? 1 : 0) - (state.enabled ? 1 : 0);
   state.enabled = enabled;
-  if (!enabled) state.plays = false;
+  if (enabled) return;
+  state.plays = false;
+  // A fade that was interrupted leaves no weight behind.
+  if (std::exchange(state.fade_per_s, 0.0f) != 0) state.weight = 1;
 }
 
 void Animator::SetLooping(std::size_t clip, bool looping) {
@@ -87,9 +90,9 @@ void Animator::AdvancePlayed(float seconds) {
     const float time_s = state.time_s, weight = state.weight;
     MoveTo(clip, time_s + state.speed * seconds);
     if (state.fade_per_s != 0) {
-      state.weight = std::min(weight + state.fade_per_s * seconds, 1.0f);
+      state.weight += state.fade_per_s * seconds;
       if (state.weight <= 0) Switch(state, false);
-      if (!state.plays || state.weight == 1) {
+      if (state.fade_per_s > 0 && state.weight >= 1) {
         state.weight = 1;
         state.fade_per_s = 0;
       }

@@ -187,7 +187,7 @@ export class DrawableTable {
     if (isMoved) this.pose(slot);
     if ((parts & 8) !== 0) this.readBones(slot, input, isFull);
     else if (isFull) this.removeBones(slot);
-    if ((parts & 16) !== 0) this.rawMovements.set(slot, { atS: timeS, list: readMovements(input) });
+    if ((parts & 16) !== 0) this.setMovements(slot, { atS: timeS, list: readMovements(input) });
     else if (isFull) this.rawMovements.delete(slot);
   }
 
@@ -209,6 +209,11 @@ export class DrawableTable {
     }
     this.rawBones.set(slot, raw);
     this.changeBones().set(slot, raw.map((one): Bone => ({ turn: boneTurn(one.turn), place: bonePlace(one.place) })));
+  }
+
+  private setMovements(slot: number, movements: RawMovements): void {
+    if (movements.list.length > 0) this.rawMovements.set(slot, movements);
+    else this.rawMovements.delete(slot);
   }
 
   private removeBones(slot: number): void {

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Frustum, Group, Matrix4, Mesh, Sphere, type PerspectiveCamera } from "three";
+import type { Structure } from "../format/drawables";
 import type { Drawable } from "../format/scene";
 import type { Between } from "../run/playout";
 import { lookOf } from "./looks";
 import { geometryOf, type Materials } from "./materials";
 import { JOINT_NUMBERS, moveCorners, poseJoints, type Motion } from "./model_motion";
 import { shapeKey, type ShapeLibrary, type ShapeMesh } from "./shape_library";
+import { JUMP_M } from "./things";
 
 /** Animations may move corners away from where they are at rest. */
 const REACH = 2;
 
 interface Made { mesh: Mesh<BufferGeometry>; key: string; shape: ShapeMesh; motion: Motion; positions: Float32Array<ArrayBuffer>; normals: Int8Array<ArrayBuffer>; radius: number }
+
+/** Whether a drawable shows the same model as at the earlier moment, and was not teleported. */
+function continues(old: Drawable | undefined, now: Drawable): boolean {
+  return old !== undefined && old.mesh === now.mesh && Math.hypot(now.place[0] - old.place[0], now.place[1] - old.place[1], now.place[2] - old.place[2]) < JUMP_M;
+}
 
 /** Models from files with skins or animations, one mesh for each drawable. The processor moves their vertices. */
 export class MovingModels {
@@ -20,6 +27,9 @@ export class MovingModels {
   private readonly sphere = new Sphere();
   private readonly matrix = new Matrix4();
   private joints = new Float32Array(0);
+  private found: { slot: number; motion: Motion }[] = [];
+  private structure: Structure | null = null;
+  private shapesSeen = 0;
 
   constructor(private readonly materials: Materials, private readonly shapes: ShapeLibrary) {}
 
@@ -27,16 +37,29 @@ export class MovingModels {
     camera.updateMatrixWorld();
     this.frustum.setFromProjectionMatrix(this.matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
     for (const one of this.made.values()) one.mesh.visible = false;
-    const { ids, descriptions } = after.drawables.structure;
-    descriptions.forEach((description, slot) => {
-      const motion = description?.visible === true ? this.shapes.motionOf(description) : null;
-      if (motion !== null) this.place(ids[slot]!, after.drawables.at(slot), before.drawables.get(ids[slot]!), share, motion);
-    });
+    const { structure } = after.drawables;
+    this.find(structure);
+    for (const { slot, motion } of this.found) {
+      const now = after.drawables.at(slot), old = before.drawables.get(structure.ids[slot]!);
+      this.place(structure.ids[slot]!, now, continues(old, now) ? old : undefined, share, motion);
+    }
     for (const [id, one] of this.made) {
-      if (after.drawables.structure.slotOf(id) !== undefined) continue;
+      if (structure.slotOf(id) !== undefined) continue;
       this.remove(one);
       this.made.delete(id);
     }
+  }
+
+  /** Searches the models again if drawables or shapes have changed since the last picture. */
+  private find(structure: Structure): void {
+    if (structure === this.structure && this.shapes.changes === this.shapesSeen) return;
+    this.structure = structure;
+    this.shapesSeen = this.shapes.changes;
+    this.found = [];
+    structure.descriptions.forEach((description, slot) => {
+      const motion = description?.visible === true ? this.shapes.motionOf(description) : null;
+      if (motion !== null) this.found.push({ slot, motion });
+    });
   }
 
   private place(id: number, now: Drawable, old: Drawable | undefined, share: number, motion: Motion): void {
@@ -80,6 +103,8 @@ export class MovingModels {
   }
 
   clear(): void {
+    this.found = [];
+    this.structure = null;
     for (const one of this.made.values()) this.remove(one);
     this.made.clear();
   }

@@ -124,6 +124,15 @@ test("a body is drawn as soon as its shape has arrived", async () => {
   assert.equal(meshes(things)[0]!.count, 1);
 });
 
+test("an agent that falls in the moment in which something appears becomes grey, too", async () => {
+  const part = box("White", { ofAgent: true, owner: 5 }), other = box("White"), { things } = await thingsFor(part);
+  const agent = { kind: "seeker", alive: true, failed: false, height: 2 } as Agent;
+  things.show(still(moment(structureOf([part]), [[0, 0, 0]], [1], new Map([[5, agent]]))));
+  things.show(still(moment(structureOf([part, other]), [[0, 0, 0], [1, 0, 0]], [1, 1], new Map([[5, { ...agent, alive: false }]]))));
+  const inks = meshes(things)[0]!.geometry.getAttribute("baseInk"), greys = [0, 1].filter((i) => inks.getX(i) === inks.getZ(i) && inks.getX(i) < 0.9);
+  assert.ok(greys.length > 0);
+});
+
 test("an agent that fell becomes grey", async () => {
   const part = box("White", { ofAgent: true, owner: 5 }), { things } = await thingsFor(part), structure = structureOf([part]);
   const agent = { kind: "seeker", alive: true, failed: false, height: 2 } as Agent, places: Vec3[] = [[0, 0, 0]];

@@ -9,7 +9,7 @@ import { inkedGeometry, inksOf, ThingBatch, type Inks } from "./thing_batch";
 import type { Between } from "../run/playout";
 
 /** A body that moves further than this between two moments was teleported. */
-const JUMP_M = 3;
+export const JUMP_M = 3;
 /** The number of a drawable's batch if it is in none. */
 const NONE = -1;
 
@@ -53,8 +53,8 @@ export class Things {
 
   show({ before, after, share }: Between): void {
     const now = after.drawables;
+    if (after.agents !== this.agents) this.dress(after.agents);
     if (now.structure !== this.structure || this.shapes.changes !== this.shapesSeen) this.arrange(now.structure, after.agents);
-    else if (after.agents !== this.agents) this.dress(after.agents);
     this.move(share < 1 ? before.drawables : NO_DRAWABLES, now, share);
     for (const batch of this.batches.values()) batch.finish();
   }
