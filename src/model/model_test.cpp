@@ -251,8 +251,11 @@ std::string ArmFile(const Arm& arm = {}) {
 
 /// Positions of the corners in an animation of the model; rounded to mm.
 std::vector<world::Vec3> CornersAt(const Model& model, const char* animation, float time_s) {
+  // As in a world, where the rig has the name of its model.
+  world::Rig rig = model.rig;
+  rig.model = "model.gltf";
   world::Pose pose;
-  pose.rig = &model.rig;
+  pose.rig = &rig;
   pose.parts = {{static_cast<std::uint32_t>(model.rig.FindClip(animation)), time_s, 1}};
   pose.played = 1;
   std::vector<world::BonePose> bones;
