@@ -108,10 +108,13 @@ class BehindNginx(ServeCase):
         # Both servers use the same folder.
         servers = [self.serve("--host", "soar.school") for _ in range(2)]
         proxy = self.proxy(servers)
-        places = [proxy.new_place() for _ in range(8)]
-        pages = [self.opened(proxy, place, "scenario:soar_hallway", "agents") for place in places]
-        counts = [len(server.engines()) for server in servers]
-        self.assertEqual(sum(counts), 8)
+        places, pages, counts = [], [], [0, 0]
+        # Ids of places and ports are random: eight places are now and then on one server.
+        while len(places) < 8 or (len(places) < 40 and 0 in counts):
+            places.append(proxy.new_place())
+            pages.append(self.opened(proxy, places[-1], "scenario:soar_hallway", "agents"))
+            counts = [len(server.engines()) for server in servers]
+        self.assertEqual(sum(counts), len(places))
         self.assertGreater(min(counts), 0, "both have some")
         # A client that returns comes to the same server and to the same run.
         again = self.page(proxy, places[0])
