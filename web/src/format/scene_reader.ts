@@ -119,7 +119,7 @@ export class SceneReader {
     for (let tag = input.byte(); tag !== 0; tag = input.byte()) this.readSection(tag, new ByteReader(input.piece()), scene, full);
     // A full block without drawables.
     if (scene.drawables === NO_DRAWABLES) this.things = new DrawableTable();
-    else scene.drawables = this.things.continued(scene.time);
+    else if (scene.drawables === before?.drawables) scene.drawables = this.things.continued(scene.time);
     return scene;
   }
 
