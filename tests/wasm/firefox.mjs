@@ -21,7 +21,7 @@ const textOf = (path) => readFileSync(new URL(path, REPOSITORY), "utf8");
 const hasDisplay = (process.env.DISPLAY ?? "") !== "";
 const browser = await puppeteer.launch({
   browser: "firefox", executablePath: process.env.SOARBOX_FIREFOX ?? "/usr/bin/firefox-esr", headless: !hasDisplay,
-  // Machines without a graphics card draw with the processor, which Firefox refuses unless it is told so.
+  // On a machine without a graphics card, Firefox draws WebGL only with these two settings.
   env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1" }, extraPrefsFirefox: { "webgl.force-enabled": true },
 });
 after(() => browser.close());

@@ -37,7 +37,7 @@ def newest_source():
     return max((file for file in files if file.is_file()), key=lambda file: file.stat().st_mtime)
 
 
-def what_is_missing(site, is_old_good, browser):
+def what_is_missing(site, is_old_good, is_firefox):
     """The reason why nothing can be tested; empty: there is none."""
     proof = site if site.suffix == ".html" else site / "index.html"
     if not proof.is_file():
@@ -46,9 +46,9 @@ def what_is_missing(site, is_old_good, browser):
         return f"the site in {site} is older than {newest.relative_to(REPOSITORY)}: ./dev site writes it again"
     if not all((REPOSITORY / "web" / "node_modules" / name).is_dir() for name in ("playwright-core", "puppeteer-core")):
         return "the page's packages are not there: npm ci in web/"
-    if "FIREFOX" in browser[0] and not os.environ.get("DISPLAY") and not shutil.which("xvfb-run"):
+    if is_firefox and not os.environ.get("DISPLAY") and not shutil.which("xvfb-run"):
         return "there is no display for Firefox: install xvfb and xauth"
-    variable, program = browser
+    variable, program = ("SOARBOX_FIREFOX", "/usr/bin/firefox-esr") if is_firefox else ("SOARBOX_BROWSER", "/usr/bin/chromium")
     if not shutil.which(os.environ.get(variable, program)):
         return f"there is no {program}: install it, or name a browser in {variable}"
     return ""
@@ -70,8 +70,7 @@ def main():
     arguments = parser.parse_args()
     site = arguments.site.resolve()
     tests = arguments.tests or [REPOSITORY / "tests" / "wasm" / ("firefox.mjs" if arguments.firefox else "site.mjs")]
-    browser = ("SOARBOX_FIREFOX", "/usr/bin/firefox-esr") if arguments.firefox else ("SOARBOX_BROWSER", "/usr/bin/chromium")
-    if missing := what_is_missing(site, not arguments.or_skip, browser):
+    if missing := what_is_missing(site, not arguments.or_skip, arguments.firefox):
         print(f"{'skipped: ' if arguments.or_skip else 'error: '}{missing}", file=sys.stderr)
         return SKIPPED if arguments.or_skip else 1
     if site.suffix == ".html":
