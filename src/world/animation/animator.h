@@ -57,7 +57,7 @@ class Animator {
   void SetLocomotion(bool enabled, LocomotionStyle style);
   bool has_locomotion() const { return has_locomotion_; }
   /// Advances the animations that play, and the walk if it is on. Call it once per tick. `motion`: null if the body
-  /// belongs to no agent; the walk then stands still.
+  /// belongs to no agent; then the walk does not advance.
   void Advance(const BodyMotion* motion, float seconds);
 
   /// The present pose. The positions of the bones are computed from it.
