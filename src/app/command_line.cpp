@@ -93,7 +93,7 @@ int WithServer(const PageServer* server, char** argv, const CommandOptions& opti
   return server->Serve(options.serve);
 }
 
-int Main(int argc, char** argv, const PageServer* server) {
+int Main(int argc, char** argv, const Contents& contents) {
   CLI::App program("Soarbox: a 3D sandbox in which people learn and develop Soar agents", "soarbox");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);
@@ -144,7 +144,7 @@ int Main(int argc, char** argv, const PageServer* server) {
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("watch") && options.run.follow.empty()) options.run.follow = kUsualKernel;
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
-    return WithServer(server, argv, options, is_replay);
+    return WithServer(contents.server, argv, options, is_replay);
   // The other program repeats everything from the beginning, so it is started before anything is done.
   const bool is_run = program.got_subcommand("run") || program.got_subcommand("watch");
   if ((is_run && !options.run.headless) || (program.got_subcommand("learn") && !options.learn.headless) ||
@@ -152,32 +152,18 @@ int Main(int argc, char** argv, const PageServer* server) {
     GoOnInWindow(argv);
   }
   if (is_run) return FollowedByOthers(Run(options.run), options.run);
-  if (program.got_subcommand("inspect")) return Inspect(options.inspect);
-  if (program.got_subcommand("soar")) return RunSoarShell(options.soar);
-  if (is_replay) {
+  if (program.got_subcommand("learn")) return FollowedByOthers(Learn(options.learn), options.learn.window);
+  if (is_replay && !NeedsNoWindow(options.recording) && CanOpenWindow()) {
     static_cast<WindowWishes&>(options.run) = options.recording;
     return FollowedByOthers(Replay(options.recording), options.run);
   }
-  if (program.got_subcommand("verify")) return Verify(options.recording);
-  if (program.got_subcommand("export")) return Export(options.recording);
-  if (program.got_subcommand("resume")) return Resume(options.recording);
-  if (program.got_subcommand("compare")) return Compare(options.recording);
-  if (program.got_subcommand("kernel")) return ServeKernel(options.kernel);
-  if (program.got_subcommand("sweep")) return Sweep(options.sweep);
-  if (program.got_subcommand("report")) return Report(options.report);
-  if (program.got_subcommand("learn")) return FollowedByOthers(Learn(options.learn), options.learn.window);
-  if (program.got_subcommand("test")) return Test(options.test);
-  if (program.got_subcommand("check")) return Check(options.check);
-  if (program.got_subcommand("why")) return Why(options.why);
-  if (program.got_subcommand("format")) return FormatFiles(options.format);
-  if (program.got_subcommand("datamap")) return WriteDatamap(options.datamap);
-  if (program.got_subcommand("lsp")) return ServeLanguage();
-  if (program.got_subcommand("dap")) return ServeDebugger();
-  if (program.got_subcommand("mcp")) return ServeAssistant(options.assistant_folder);
-  if (program.got_subcommand("engine")) return Engine(options.engine);
   if (program.got_subcommand("help")) return Help(program, options.help, SOARBOX_VERSION);
-  if (program.got_subcommand("new")) return NewScenario(options.made);
-  return List();
+  if (program.got_subcommand("list")) return List();
+  if (contents.windowless == nullptr) {
+    GoOnAs("soarbox", argv);
+    return Refuse("this program only opens windows", "./dev build release builds soarbox, which has all commands");
+  }
+  return contents.windowless(program.get_subcommands().front()->get_name(), options);
 }
 
 /// Prints that the memory is exhausted. Can be called on any thread, and allocates nothing.
@@ -204,14 +190,14 @@ void TellNoMemory() {
 
 }  // namespace
 
-int CommandLine(int argc, char** argv, const Window* window, const PageServer* server) {
-  SetProgramWindow(window);
-  if (window != nullptr) BeThatBuild();
+int CommandLine(int argc, char** argv, const Contents& contents) {
+  SetProgramWindow(contents.window);
+  if (contents.window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
   // At the limit of a file's size, the write then fails with an error instead of a signal that ends the program.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const int code = Main(argc, argv, server);
+    const int code = Main(argc, argv, contents);
     std::cout.flush();
     if (std::cout) return code;
     if (WasInterrupted()) return 128 + SIGPIPE;

@@ -3,12 +3,23 @@
 
 #include "app/argument_kinds.h"
 #include "app/usage_errors.h"
+#include "debugger/views.h"
 
 namespace soarbox::app {
 namespace {
 
 /// Maximum duration of a run in simulated seconds. Above it, the number of ticks would no longer be exact.
 constexpr double kLongest_s = 1e7;
+
+/// The words for --view, for its help.
+std::string ViewsText() {
+  std::string text;
+  for (const debugger::ViewInfo& view : debugger::Views()) {
+    text += (text.empty() ? "" : ", ") + std::string(view.name);
+    if (!view.of.empty()) text += " " + std::string(view.of);
+  }
+  return text + ", panel PANEL";
+}
 
 void AddBrowser(CLI::App& command, WindowWishes& wishes) {
   command.add_flag("--browser", wishes.browser, "Show it in the browser of this machine instead of a window");

@@ -108,18 +108,6 @@ int WriteDatamap(const DatamapOptions& options) {
   return kOk;
 }
 
-Result<fs::path> RulesOfProject(const fs::path& file) {
-  if (!language::IsVisualSoarProject(file)) return file;
-  std::vector<Diagnostic> problems;
-  const Result<language::VisualSoarProject> project = language::ReadVisualSoar(file, problems);
-  if (!project) return project.error();
-  fs::path root = language::RootOfProject(file);
-  if (root.empty())
-    return ProblemIn(file, "there is no file beside this project that loads its rules",
-                     "VisualSoar writes it: a file with the project's name that ends in .soar");
-  return root;
-}
-
 std::vector<Diagnostic> DatamapProblems(const fs::path& file) {
   if (file.extension() != ".soar" && !language::IsVisualSoarProject(file)) return {};
   return language::CheckAgainstDatamap(file);

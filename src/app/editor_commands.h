@@ -26,9 +26,6 @@ struct DatamapOptions {
 /// Writes a VisualSoar project with a datamap. Returns an ExitCode.
 int WriteDatamap(const DatamapOptions& options);
 
-/// Returns the file that loads all rules of a VisualSoar project; for other files, the file itself. Fails if the
-/// project cannot be read or has no such file.
-Result<std::filesystem::path> RulesOfProject(const std::filesystem::path& file);
 /// Returns names in a file of rules that the datamap of its project does not contain, and errors of the project itself.
 std::vector<Diagnostic> DatamapProblems(const std::filesystem::path& file);
 

@@ -20,9 +20,6 @@ int FormatFiles(const FormatOptions&) {
 int WriteDatamap(const DatamapOptions&) {
   return RefuseEditors();
 }
-Result<std::filesystem::path> RulesOfProject(const std::filesystem::path& file) {
-  return file;
-}
 std::vector<Diagnostic> DatamapProblems(const std::filesystem::path&) {
   return {};
 }

@@ -139,15 +139,6 @@ Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders
 
 }  // namespace
 
-std::string ViewsText() {
-  std::string text;
-  for (const debugger::ViewInfo& view : debugger::Views()) {
-    text += (text.empty() ? "" : ", ") + std::string(view.name);
-    if (!view.of.empty()) text += " " + std::string(view.of);
-  }
-  return text + ", panel PANEL";
-}
-
 int Inspect(const InspectOptions& options) {
   const auto refuse = [](const Diagnostic& problem) {
     std::cerr << Format(problem);

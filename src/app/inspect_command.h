@@ -26,7 +26,4 @@ struct InspectOptions {
 /// Prints the contents of a debugger view at a moment of a run. Returns an ExitCode.
 int Inspect(const InspectOptions& options);
 
-/// The list of views for the help: "agents [TEXT], stack, ...".
-std::string ViewsText();
-
 }  // namespace soarbox::app

@@ -14,6 +14,7 @@
 #include "app/exit_codes.h"
 #include "app/lesson.h"
 #include "app/refuse.h"
+#include "app/rules_of_project.h"
 #include "app/run_session.h"
 #include "debugger/json.h"
 #include "debugger/learned_rule.h"

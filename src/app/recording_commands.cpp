@@ -14,11 +14,11 @@
 
 #include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/open_recording.h"
 #include "app/recording_info.h"
 #include "app/recording_pictures.h"
 #include "app/refuse.h"
 #include "app/run_session.h"
-#include "app/window.h"
 #include "diagnostics/read_text.h"
 #include "record/compare.h"
 #include "record/export.h"
@@ -31,31 +31,6 @@
 
 namespace soarbox::app {
 namespace {
-
-/// Opens a recording; incomplete data after a kill are reported as a note.
-Result<std::unique_ptr<record::Reader>> Open(const std::filesystem::path& file) {
-  Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(file);
-  if (reader && !(*reader)->ending().empty()) {
-    Diagnostic note;
-    note.severity = Severity::kWarning;
-    note.file = file.string();
-    note.message = (*reader)->ending();
-    note.hint = fmt::format("the recording is used up to tick {}", (*reader)->last_tick());
-    std::cerr << Format(note);
-  }
-  return reader;
-}
-
-std::uint64_t TickAt(const record::Reader& reader, double time_s) {
-  return static_cast<std::uint64_t>(std::llround(std::max(time_s, 0.0) / reader.header().step_s));
-}
-
-record::TickRange RangeOf(const record::Reader& reader, const RecordingOptions& options) {
-  record::TickRange range;
-  if (options.from_s) range.first = TickAt(reader, *options.from_s);
-  if (options.to_s) range.last = TickAt(reader, *options.to_s);
-  return range;
-}
 
 void Tell(const std::vector<Diagnostic>& warnings) {
   for (const Diagnostic& warning : warnings) std::cerr << Format(warning);
@@ -80,29 +55,23 @@ std::string Of(const record::Difference& difference) {
 
 }  // namespace
 
-int Replay(const RecordingOptions& options) {
-  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+int PrintRecording(const RecordingOptions& options) {
+  Result<std::unique_ptr<record::Reader>> reader = OpenRecording(options.file);
   if (!reader) return Refuse(reader.error());
   CatchInterrupts();
   if (options.info) {
     PrintRecordingInfo(**reader, options.json);
     return kOk;
   }
-  if (!options.pictures.empty() || !options.video.empty())
-    return DrawPictures(**reader, RangeOf(**reader, options), options);
-  if (!NeedsNoWindow(options) && CanOpenWindow()) {
-    const Result<sim::DataFolders> data = FindDataFolders();
-    if (!data) return Refuse(data.error());
-    return ProgramWindow()->Replay(**reader, RangeOf(**reader, options), *data, options);
-  }
   const record::TickRange range = RangeOf(**reader, options);
+  if (!options.pictures.empty() || !options.video.empty()) return DrawPictures(**reader, range, options);
   const Result<void> printed =
       options.json ? record::ExportJson(**reader, range, std::cout) : record::PrintTicks(**reader, range, std::cout);
   return printed ? static_cast<int>(kOk) : Refuse(printed.error());
 }
 
 int Verify(const RecordingOptions& options) {
-  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  Result<std::unique_ptr<record::Reader>> reader = OpenRecording(options.file);
   if (!reader) return Refuse(reader.error());
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());
@@ -129,7 +98,7 @@ int Verify(const RecordingOptions& options) {
 }
 
 int Export(const RecordingOptions& options) {
-  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  Result<std::unique_ptr<record::Reader>> reader = OpenRecording(options.file);
   if (!reader) return Refuse(reader.error());
   const record::TickRange range = RangeOf(**reader, options);
   if (options.tidy) {
@@ -225,9 +194,9 @@ std::vector<std::string> InputsThatDiffer(const record::Header& a, const record:
 }  // namespace
 
 int Compare(const RecordingOptions& options) {
-  Result<std::unique_ptr<record::Reader>> a = Open(options.file);
+  Result<std::unique_ptr<record::Reader>> a = OpenRecording(options.file);
   if (!a) return Refuse(a.error());
-  Result<std::unique_ptr<record::Reader>> b = Open(options.other);
+  Result<std::unique_ptr<record::Reader>> b = OpenRecording(options.other);
   if (!b) return Refuse(b.error());
   const Result<record::Comparison> comparison = record::Compare(**a, **b);
   if (!comparison) return Refuse(comparison.error());
@@ -273,7 +242,7 @@ int Compare(const RecordingOptions& options) {
 }
 
 int Resume(const RecordingOptions& options) {
-  Result<std::unique_ptr<record::Reader>> reader = Open(options.file);
+  Result<std::unique_ptr<record::Reader>> reader = OpenRecording(options.file);
   if (!reader) return Refuse(reader.error());
   const Result<sim::DataFolders> data = FindDataFolders();
   if (!data) return Refuse(data.error());

@@ -42,7 +42,10 @@ inline bool NeedsNoWindow(const RecordingOptions& options) {
 }
 
 // Each executes one of these commands and returns an ExitCode.
+/// Shows a recording in the window of this program, which must be able to open one (CanOpenWindow).
 int Replay(const RecordingOptions& options);
+/// replay without a window: prints the recording, or draws it into files.
+int PrintRecording(const RecordingOptions& options);
 int Verify(const RecordingOptions& options);
 int Export(const RecordingOptions& options);
 int Compare(const RecordingOptions& options);

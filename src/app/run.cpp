@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "app/data_folders.h"
-#include "app/editor_commands.h"
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
 #include "app/kernel_watch.h"
 #include "app/mission_watch.h"
 #include "app/record_run.h"
 #include "app/refuse.h"
+#include "app/rules_of_project.h"
 #include "app/run_headless.h"
 #include "app/run_options.h"
 #include "app/run_session.h"

@@ -180,11 +180,6 @@ void AddVocabulary(Datamap& datamap) {
 
 }  // namespace
 
-std::size_t Datamap::Add(Kind kind) {
-  vertices.emplace_back().kind = kind;
-  return vertices.size() - 1;
-}
-
 std::size_t Datamap::ObjectAt(std::size_t object, std::string_view attribute) {
   for (const Edge& edge : vertices[object].edges)
     if (edge.attribute == attribute && vertices[edge.to].kind == Kind::kObject) return edge.to;

@@ -32,7 +32,10 @@ struct Datamap {
   std::vector<Vertex> vertices;  ///< Empty if there is no datamap.
   std::size_t root = 0;          ///< The top state.
 
-  std::size_t Add(Kind kind);
+  std::size_t Add(Kind kind) {
+    vertices.emplace_back().kind = kind;
+    return vertices.size() - 1;
+  }
   /// The object that an attribute leads to; it is created if it does not exist.
   std::size_t ObjectAt(std::size_t object, std::string_view attribute);
 };

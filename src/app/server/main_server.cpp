@@ -17,5 +17,5 @@ class Server final : public app::PageServer {
 
 int main(int argc, char** argv) {
   const Server server;
-  return app::CommandLine(argc, argv, nullptr, &server);
+  return app::CommandLine(argc, argv, {nullptr, &server, nullptr});
 }

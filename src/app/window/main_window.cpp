@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-// The program soarbox-window: the same commands as soarbox, with the window.
+// The program soarbox-window: the commands of soarbox that open a window. It leaves the others to soarbox.
 #include "app/command_line.h"
 #include "app/window/replay_window.h"
 #include "app/window/run_window.h"
@@ -26,5 +26,5 @@ class ViewerWindow final : public app::Window {
 
 int main(int argc, char** argv) {
   const ViewerWindow window;
-  return app::CommandLine(argc, argv, &window, nullptr);
+  return app::CommandLine(argc, argv, {&window, nullptr, nullptr});
 }

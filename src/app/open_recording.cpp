@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "app/open_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "diagnostics/diagnostic.h"
+
+namespace soarbox::app {
+
+Result<std::unique_ptr<record::Reader>> OpenRecording(const std::filesystem::path& file) {
+  Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(file);
+  if (reader && !(*reader)->ending().empty()) {
+    Diagnostic note;
+    note.severity = Severity::kWarning;
+    note.file = file.string();
+    note.message = (*reader)->ending();
+    note.hint = fmt::format("the recording is used up to tick {}", (*reader)->last_tick());
+    std::cerr << Format(note);
+  }
+  return reader;
+}
+
+std::uint64_t TickAt(const record::Reader& reader, double time_s) {
+  return static_cast<std::uint64_t>(std::llround(std::max(time_s, 0.0) / reader.header().step_s));
+}
+
+record::TickRange RangeOf(const record::Reader& reader, const RecordingOptions& options) {
+  record::TickRange range;
+  if (options.from_s) range.first = TickAt(reader, *options.from_s);
+  if (options.to_s) range.last = TickAt(reader, *options.to_s);
+  return range;
+}
+
+}  // namespace soarbox::app
