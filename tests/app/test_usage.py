@@ -108,6 +108,25 @@ class Usage(ScenarioCase):
         self.assertIn("this build has no window: the world runs headless", done.stderr)
         self.assertIn("soarbox-window beside this program", done.stderr)
 
+    def test_the_program_with_the_window_runs_worlds_and_leaves_other_commands_to_soarbox(self):
+        window = pathlib.Path(COMMAND).with_name("soarbox-window")
+        if not window.exists():
+            self.skipTest("this build has no window")
+        without_display = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+
+        def done(program, *words):
+            return subprocess.run([program, *words], capture_output=True, text=True, timeout=60, check=False,
+                                  env={**without_display, "SOARBOX_DATA": str(pathlib.Path(__file__).resolve().parents[2])})
+
+        run = ["run", "soar_seek", "--seconds", "0.5", "--headless"]
+        self.assertEqual(done(window, *run).stdout, done(COMMAND, *run).stdout)
+        self.assertEqual(done(window, "check", "soar_hallway").stdout, "0 errors, 0 warnings\n")
+        alone = pathlib.Path(self.folder) / "soarbox-window"
+        shutil.copy(window, alone)
+        refused = done(alone, "check", "soar_hallway")
+        self.assertEqual((refused.returncode, refused.stdout), (3, ""), refused.stderr)
+        self.assertIn("this program only opens windows", refused.stderr)
+
     def test_says_where_the_server_comes_from_where_it_is_not_beside_it(self):
         alone = pathlib.Path(self.folder) / "soarbox"
         shutil.copy(COMMAND, alone)
