@@ -57,6 +57,9 @@ struct LessonDesk::Parts {
   LessonProgress progress;
 
   const Lesson* Now() const { return at < lessons.size() ? &lessons[at] : nullptr; }
+  bool IsTried(const Lesson& lesson) const {
+    return progress.Get(lesson.name, "tried") > 0 || progress.Get(lesson.name, "attempts") > 0;
+  }
 };
 
 LessonDesk::LessonDesk(const sim::Scenario& scenario, const fs::path& lesson) : parts_(std::make_unique<Parts>()) {
@@ -139,6 +142,11 @@ bool LessonDesk::Poll() {
   return true;
 }
 
+void LessonDesk::NoteTried() {
+  const Lesson* now = parts_->Now();
+  if (now != nullptr && !parts_->IsTried(*now)) parts_->progress.Set(now->name, "tried", 1);
+}
+
 void LessonDesk::Fill(workbench::Contents& contents) const {
   contents.lessons.clear();
   for (const Lesson& lesson : parts_->lessons)
@@ -157,6 +165,7 @@ void LessonDesk::Fill(workbench::Contents& contents) const {
   const auto used = static_cast<std::size_t>(std::max(0, parts_->progress.Get(now->name, "hints")));
   shown.hints.assign(now->hints.begin(),
                      now->hints.begin() + static_cast<std::ptrdiff_t>(std::min(used, now->hints.size())));
+  shown.is_tried = parts_->IsTried(*now);
   shown.is_passed = parts_->progress.IsPassed(now->name);
   shown.is_graded = parts_->grading.IsRunning();
   shown.grade = parts_->grade;

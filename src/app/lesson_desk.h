@@ -30,6 +30,7 @@ class LessonDesk final : public workbench::Lessons {
   void Cancel() override;
   Result<Opened> Open(const std::string& lesson) override;
   bool Poll() override;
+  void NoteTried() override;
   void Fill(workbench::Contents& contents) const override;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace soarbox::app {
 
-/// The learner's progress: for each lesson whether it is passed, attempts and hints. The file is written atomically; a
-/// damaged file is kept next to it.
+/// The learner's progress: for each lesson whether it is tried and passed, attempts and hints. The file is written
+/// atomically; a damaged file is kept next to it.
 class LessonProgress {
  public:
   /// The current user's progress.
@@ -17,7 +17,7 @@ class LessonProgress {
   static LessonProgress Below(const std::filesystem::path& state);
 
   bool IsPassed(const std::string& lesson) const { return Get(lesson, "passed") > 0; }
-  /// `what` is "passed", "attempts" or "hints"; returns 0 if nothing is stored.
+  /// `what` is "tried", "passed", "attempts" or "hints"; returns 0 if nothing is stored.
   int Get(const std::string& lesson, const char* what) const;
   void Set(const std::string& lesson, const char* what, int value);
 

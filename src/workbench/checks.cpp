@@ -23,4 +23,34 @@ bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks) {
   return true;
 }
 
+CheckResult ResultOf(const CheckRow& check, const Contents& contents) {
+  const Moment& at = contents.moment;
+  const bool is_passed = check.state == "true";
+  if (!is_passed && check.state != "false") return CheckResult::kOpen;
+  if (check.tick > at.shown_tick) return CheckResult::kOpen;
+  if (at.branch_tick && check.tick > *at.branch_tick) return CheckResult::kOpen;
+  if (at.changed_tick && check.tick <= *at.changed_tick) return CheckResult::kOpen;
+  if (is_passed) return CheckResult::kPassed;
+  return contents.lesson && !contents.lesson->is_tried ? CheckResult::kOpen : CheckResult::kFailed;
+}
+
+CheckCounts CountChecks(const Contents& contents) {
+  CheckCounts counts;
+  for (const CheckRow& check : contents.checks) {
+    if (check.is_marker) continue;
+    const CheckResult result = ResultOf(check, contents);
+    ++counts.all;
+    counts.passed += result == CheckResult::kPassed ? 1 : 0;
+    counts.failed += result == CheckResult::kFailed ? 1 : 0;
+  }
+  return counts;
+}
+
+std::string WhyChecksAreOpen(const Moment& moment) {
+  if (moment.branch_tick && moment.is_live)
+    return "You went on from an earlier moment. Checks follow a run from its beginning.";
+  if (moment.changed_tick) return "The rules changed while the world ran. Checks follow a run from its beginning.";
+  return {};
+}
+
 }  // namespace soarbox::workbench

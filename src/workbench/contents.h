@@ -66,6 +66,7 @@ struct LessonContents {
   std::vector<std::string> new_panels;  ///< Words of the panels that this lesson is about.
   std::vector<std::string> hints;       ///< The hints that the learner has asked for.
   std::size_t hint_count = 0;           ///< Number of all hints.
+  bool is_tried = false;                ///< The learner has changed something, or had it graded.
   bool is_passed = false;
   bool is_graded = false;          ///< Grading is in progress.
   std::vector<std::string> grade;  ///< The result, line by line.
@@ -92,6 +93,8 @@ struct Moment {
   std::string resume_refusal;                ///< Why it cannot; empty if it can.
   std::optional<std::uint64_t> branch_tick;  ///< The tick at which the run last left its old future.
   std::uint32_t branches = 0;                ///< How often the run went back and continued from there.
+  /// The tick at which the user last changed the rules of the running world; nothing if they are those it began with.
+  std::optional<std::uint64_t> changed_tick;
 };
 
 /// A file that is being edited.

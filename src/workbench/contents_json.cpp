@@ -58,6 +58,7 @@ Json MomentJson(const Moment& at) {
   json["resume_refusal"] = at.resume_refusal;
   json["branch_tick"] = at.branch_tick ? Json(*at.branch_tick) : Json();
   json["branches"] = at.branches;
+  json["changed_tick"] = at.changed_tick ? Json(*at.changed_tick) : Json();
   return json;
 }
 
@@ -105,10 +106,19 @@ Json CheckJson(const CheckRow& row) {
 }
 
 Json LessonJson(const LessonContents& lesson) {
-  return {{"name", lesson.name},           {"title", lesson.title},           {"idea", lesson.idea},
-          {"task", lesson.task},           {"panel", lesson.panel},           {"new_panels", lesson.new_panels},
-          {"hints", lesson.hints},         {"hint_count", lesson.hint_count}, {"is_passed", lesson.is_passed},
-          {"is_graded", lesson.is_graded}, {"grade", lesson.grade},           {"next", lesson.next}};
+  return {{"name", lesson.name},
+          {"title", lesson.title},
+          {"idea", lesson.idea},
+          {"task", lesson.task},
+          {"panel", lesson.panel},
+          {"new_panels", lesson.new_panels},
+          {"hints", lesson.hints},
+          {"hint_count", lesson.hint_count},
+          {"is_tried", lesson.is_tried},
+          {"is_passed", lesson.is_passed},
+          {"is_graded", lesson.is_graded},
+          {"grade", lesson.grade},
+          {"next", lesson.next}};
 }
 
 Json EditJson(const EditContents& edit) {
@@ -281,7 +291,9 @@ constexpr ContentField kFields[] = {
     {"moment", "time", "",
      "`first_tick`, `shown_tick`, `last_tick`, `step_s`, `turn_ticks`, `is_recording`, `is_live`, `can_go_back`, "
      "`can_resume` (else "
-     "`resume_refusal`), `branch_tick` (null: none) and `branches`",
+     "`resume_refusal`), `branch_tick` (null: none), `branches`, `changed_tick` (at which the user last changed rules; "
+     "null: "
+     "never)",
      [](const Contents& c) { return MomentJson(c.moment); }},
     {"moment", "not_available", "", "why the mind's contents are not shown; empty: they are shown",
      [](const Contents& c) -> Json { return c.not_available; }},
@@ -535,6 +547,8 @@ Json PageJson(const Contents& contents, std::string_view name) {
   if (!panel || !document::HasDocument(*panel)) return ToJson(contents, name);
   Json json{{"document", document::ToJson(document::DocumentOf(*panel, contents))}};
   if (const std::string badge = document::BadgeOf(*panel, contents); !badge.empty()) json["badge"] = badge;
+  // A page also selects an agent by the checks, and shows the lessons on its start page.
+  if (*panel == PanelId::kMission) json.update(ToJson(contents, name));
   return json;
 }
 

@@ -111,6 +111,8 @@ class Desk {
   // Requests of the user (desk_requests.cpp).
   void Obey(const Request& request);
   void Resume();
+  /// Notes that the user has changed the rules of the live world, if that is so.
+  void NoteChangedRules();
   /// Saves unsaved text and unsent lines to the disk: at certain intervals, or now if `at_once`.
   void KeepDrafts(bool at_once);
   struct Visitor;
@@ -178,7 +180,8 @@ class Desk {
   std::vector<ProblemRow> problems_;  ///< In order of time.
   sim::EventFindings findings_;       ///< Refused commands and idle agents.
   std::vector<CheckRow> checks_;
-  std::string news_;  ///< A message to show at once; empty: none.
+  std::optional<std::uint64_t> changed_tick_;  ///< The tick at which the user last changed the rules of the live world.
+  std::string news_;                           ///< A message to show at once; empty: none.
   std::map<std::string, debugger::Coverage> coverage_;
   debugger::MemoryChanges changes_;  ///< Of the selected agent, in the tick that is shown.
 

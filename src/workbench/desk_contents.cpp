@@ -98,6 +98,7 @@ bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
   if (scripts_.TakeNews()) is_stale_ = true;
   files_.ShowDraft();
   for (const Request& request : requests) Obey(request);
+  NoteChangedRules();
   if (!past_.is_live() && Clock::now() - sought_at_ > kRest) past_.rebuilt().Advance(kRebuildSlice_s);
   files_.GoOn();
   if (resume_at_ && (past_.is_live() || past_.shown_tick() != *resume_at_)) resume_at_.reset();
@@ -157,6 +158,7 @@ void Desk::FillMoment(Contents& contents) {
   const TimeMachine::Parting* const parting = past_.parting();
   at.branch_tick = parting != nullptr ? std::optional(parting->tick) : std::nullopt;
   at.branches = parting != nullptr ? parting->number : 0;
+  at.changed_tick = changed_tick_;
 }
 
 void Desk::FillSoarAgents(Contents& contents, const record::TickRecord* shown) {

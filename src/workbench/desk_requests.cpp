@@ -120,6 +120,7 @@ struct Desk::Visitor {
     if (!opened) return desk.NoteProblem(opened.error(), {});
     Open(opened->folder, opened->lesson);
   }
+  void operator()(const FlowRequest&) const {}  // The program around the desk does it.
   void operator()(const SearchRequest& request) const { desk.searched_ = request.text; }
   void operator()(const OfferRequest& request) const { desk.offers_ = request.is_on; }
   void operator()(const BreakRequest& request) const {
@@ -149,6 +150,13 @@ struct Desk::Visitor {
 void Desk::Obey(const Request& request) {
   std::visit(Visitor{*this, surroundings_}, request);
   is_stale_ |= !std::holds_alternative<SelectRequest>(request) && !std::holds_alternative<LookRequest>(request);
+}
+
+void Desk::NoteChangedRules() {
+  if (!files_.TakeApplied()) return;
+  changed_tick_ = past_.last_tick();
+  if (Lessons* const lessons = surroundings_.lessons()) lessons->NoteTried();
+  is_stale_ = true;
 }
 
 void Desk::Resume() {

@@ -72,7 +72,9 @@ void FileDesk::Apply(Open& file) {
         sim::HasError(file.contents.problems) ? "Nothing was changed: the previous version keeps running."
         : file.edit.is_scenario() ? "No errors. Save it and begin again: a world is built from this file only once."
                                   : "Reloaded: it takes effect in the next tick.";
-    if (!sim::HasError(file.contents.problems) && !file.edit.is_scenario()) common_.forget_problems(file.contents.file);
+    if (sim::HasError(file.contents.problems) || file.edit.is_scenario()) return;
+    common_.forget_problems(file.contents.file);
+    has_applied_ |= world == common_.Live();
   } else {
     if (common_.past.rebuilt().IsPossible()) file.apply_at = common_.past.shown_tick();
     file.contents.notice = common_.past.rebuilt().Note();

@@ -44,6 +44,8 @@ class FileDesk {
   void KeepDrafts();
   /// Returns true once after each change that no request made.
   bool TakeNews() { return std::exchange(has_news_, false); }
+  /// Returns true once after the user has applied changed rules or scripts to the live world, without errors.
+  bool TakeApplied() { return std::exchange(has_applied_, false); }
   void Fill(Contents& contents) const;
   /// An open file, if the run uses its present text; else null.
   const debugger::Edit* FindRunning(const std::string& file) const;
@@ -75,7 +77,7 @@ class FileDesk {
   std::string looked_;  ///< The file that the panel shows; empty: none.
   std::uint64_t version_ = 0;
   Clock::time_point looked_at_disk_;
-  bool has_news_ = false;
+  bool has_news_ = false, has_applied_ = false;
 };
 
 struct FileDesk::Belongings {

@@ -212,6 +212,11 @@ struct LessonRequest {
   std::string lesson = {};  ///< The lesson to open.
 };
 
+/// Let the run begin again with the same seed. The program around the desk does this.
+struct FlowRequest {
+  enum class What : std::uint8_t { kBeginAgain } what = What::kBeginAgain;
+};
+
 using Request =
     std::variant<SelectRequest, LookRequest, OpenFileRequest, ConsoleRequest, CompleteRequest, KeepLineRequest,
                  ClearConsoleRequest, ClearProblemsRequest, SeekRequest, LiveRequest, ResumeRequest, SpeedRequest,
@@ -220,6 +225,6 @@ using Request =
                  LearnedRuleRequest, CurveRequest, WhyRequest, ImagineRequest, PlotRequest, EditRequest,
                  EditTextRequest, SaveAllRequest, OpenRunRequest, WatchRequest, BesideRequest, SearchRequest,
                  OfferRequest, BreakRequest, ChangeBreakRequest, LineStopRequest, ErrorStopRequest, ScriptGoRequest,
-                 ScriptCallRequest, ScriptValueRequest, ScriptWatchRequest, LessonRequest>;
+                 ScriptCallRequest, ScriptValueRequest, ScriptWatchRequest, LessonRequest, FlowRequest>;
 
 }  // namespace soarbox::workbench

@@ -27,6 +27,7 @@ constexpr auto kBreakNames = [] {
 }();
 constexpr std::string_view kChangeBreak[] = {"clear", "enable", "disable"};
 constexpr std::string_view kScriptGo[] = {"on", "into", "over", "out"};
+constexpr std::string_view kFlows[] = {"begin-again"};
 constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 
 // In the order of TraceKind.
@@ -190,6 +191,9 @@ void Fields(auto& visit, ScriptWatchRequest& r) {
 void Fields(auto& visit, LessonRequest& r) {
   visit("what", r.what, kLessons, "the next hint, a grade, or another lesson", kNeeded);
   visit("lesson", r.lesson, "which one to open", kOptional);
+}
+void Fields(auto& visit, FlowRequest& r) {
+  visit("what", r.what, kFlows, "the only command that a document contains", kNeeded);
 }
 
 /// "agent, operator or not".
@@ -414,6 +418,7 @@ constexpr Row kRows[] = {
     RowOf<ScriptValueRequest>("script-value", "Unfold a variable of the stopped script, or fold it."),
     RowOf<ScriptWatchRequest>("script-watch", "Show the value of an expression while a script is stopped."),
     RowOf<LessonRequest>("lesson", "Get a hint or the grade of a lesson, or open another lesson."),
+    RowOf<FlowRequest>("flow", "Control the run; serve_protocol.md lists all commands."),
 };
 static_assert(std::size(kRows) == std::variant_size_v<Request>);
 

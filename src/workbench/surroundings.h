@@ -27,6 +27,8 @@ class Lessons {
   virtual Result<Opened> Open(const std::string& lesson) = 0;
   /// Returns true if anything has changed.
   virtual bool Poll() = 0;
+  /// Call it when the learner has changed rules of the running world.
+  virtual void NoteTried() = 0;
   /// Fills in Contents::lesson and Contents::lessons.
   virtual void Fill(Contents& contents) const = 0;
 };

@@ -162,7 +162,7 @@ class Lessons(WindowUser):
 
         self.learn(f"""
             expect "1. A rule fires once for each match"
-            expect-not "This lesson is done."
+            expect-not "You have passed this lesson."
             click "Grade"
             expect "blank before the name." 200
             expect "anna is greeted"
@@ -176,7 +176,7 @@ class Lessons(WindowUser):
             click "Grade"
             expect-not "blank before the name."
             expect "Passed with all of 10 seeds." 200
-            expect "This lesson is done."
+            expect "You have passed this lesson."
             audit "a lesson that is done"
             {picture("lesson-done")}
             click "Next lesson"
@@ -184,7 +184,7 @@ class Lessons(WindowUser):
             expect "Make the mowing robot mow"
             expect "Grade"
             expect "of 5 checks"
-            expect-not "This lesson is done."
+            expect-not "You have passed this lesson."
             {picture("lesson-next")}
             """, 1, while_open=mend)
         progress = json.loads((self.home / "state" / "soarbox" / "learn" / "progress.json").read_text(encoding="utf-8"))
@@ -197,7 +197,7 @@ class Lessons(WindowUser):
             """, "next")
         self.learn("""
             expect "1. A rule fires once for each match"
-            expect "This lesson is done."
+            expect "You have passed this lesson."
             """, 1)
 
     def test_the_next_lesson_of_a_teacher_is_the_teachers(self):

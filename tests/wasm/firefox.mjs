@@ -105,10 +105,10 @@ test("a lesson is solved and graded, and its progress is there the next time", a
   const { page, troubles, close } = await openSite();
   await has(page, "ol.cards button.card");
   await page.locator("ol.cards button.card").click();
-  await has(page, ".panel.mission h2");
+  await has(page, ".panel.mission > .title");
   await applyRules(page, textOf("lessons/01-a-rule/solution/porter.soar"));
   await click(page, ".panel.mission button", "Grade");
-  await has(page, ".panel.mission .passed");
+  await has(page, ".panel.mission > p > .good");
   await picture(page, "firefox_lesson");
   // Changed files are stored after a second.
   await new Promise((resolve) => setTimeout(resolve, 2500));

@@ -44,14 +44,14 @@ test("a lesson is solved and graded, and its progress is there the next time", a
   const { page, troubles, close } = await openPage(SITE, { draws: false });
   await openLesson(page, 1);
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
-  await page.waitForSelector(".panel.mission .grade p");
+  await page.waitForSelector(".panel.mission [data-part=grade] p");
   await page.waitForSelector(".panel.mission button:has-text('Grade'):enabled");
-  assert.equal(await page.locator(".panel.mission .passed").count(), 0, "nothing is solved yet");
+  assert.equal(await page.locator(".panel.mission > p > .good").count(), 0, "nothing is solved yet");
   await typeRules(page, textOf("lessons/01-a-rule/solution/porter.soar"));
   await apply(page);
   await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "the rules are reloaded");
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
-  await page.waitForSelector(".panel.mission .passed");
+  await page.waitForSelector(".panel.mission > p > .good");
   await picture(page, "site_lesson");
   await page.waitForTimeout(2500);  // Changed files are stored after a second.
   await page.reload();
@@ -134,7 +134,7 @@ test("the link of a lesson has the rules of its editor in it", async () => {
   const link = await experimentLink(page), other = await openPage(link, { draws: false });
   await until(async () => /porter\*greet/.test(await other.page.locator(".cm-content").innerText()), "the rules are in the other editor");
   await other.page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
-  await other.page.waitForSelector(".panel.mission .passed");
+  await other.page.waitForSelector(".panel.mission > p > .good");
   assert.deepEqual([...troubles, ...other.troubles], []);
   await other.close();
   await close();

@@ -24,7 +24,7 @@ test("Back, Forward and reload lead to the lesson, the world, and the start page
   await page.waitForSelector(".start:visible h1");
   await page.goBack();
   await until(async () => (await title(page)).startsWith("Operators"), "Back leads to the lesson");
-  await page.waitForSelector(".panel.mission .task");
+  await page.waitForSelector(".panel.mission [data-part=task]");
   await page.goForward();
   await page.goForward();
   await until(async () => (await title(page)) === "eaters", "Forward leads to the world");
@@ -32,7 +32,7 @@ test("Back, Forward and reload lead to the lesson, the world, and the start page
   await until(async () => (await title(page)) === "eaters", "a reload stays there");
   // Opens a bookmark while the page shows something else.
   await page.goto(`${ADDRESS}/#lesson=03-choices`);
-  await until(async () => (await title(page)).startsWith("Preferences") && (await page.locator(".panel.mission .task").count()) === 1, "a bookmark leads to its lesson");
+  await until(async () => (await title(page)).startsWith("Preferences") && (await page.locator(".panel.mission [data-part=task]").count()) === 1, "a bookmark leads to its lesson");
   await page.goto(`${ADDRESS}/#lesson=99-nothing`);
   await page.waitForSelector(".start:visible h1, .remark.error");
   assert.deepEqual(troubles, []);

@@ -57,7 +57,7 @@ export async function openLesson(page, number) {
   await page.waitForSelector(".start h1");
   await page.locator("ol.cards button.card").nth(number - 1).click();
   await untilMade(page);
-  await page.waitForSelector(".panel.mission h2");
+  await page.waitForSelector(".panel.mission > .title");
   await page.waitForSelector(".cm-content .tok-keyword");
 }
 

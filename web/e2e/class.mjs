@@ -131,7 +131,7 @@ test("a link to watch shows the live run and changes nothing; it can be withdraw
   assert.ok(!link.includes(place));
   await picture(owner.page, "links");
   const guest = await visit(link);
-  await guest.page.waitForSelector(".panel.mission h2");
+  await guest.page.waitForSelector(".panel.mission > .title");
   assert.match(await guest.page.locator(".head").innerText(), /You watch somebody's run; you cannot change anything/);
   assert.equal(await guest.page.locator(".panel.edit .bar button.primary").count(), 0);
   assert.equal(await guest.page.locator("button[aria-label='Links to share']").count(), 0);

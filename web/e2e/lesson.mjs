@@ -24,26 +24,26 @@ test("checks are neutral before there is anything to judge, restart with Apply, 
     return 60 * Number(minutes) + Number(rest);
   };
   await until(async () => (await seconds()) > 3, "the world runs");
-  assert.equal(await page.locator(".check.cross").count(), 0, "nobody has done anything that could be wrong");
+  assert.equal(await page.locator(".check.failed").count(), 0, "nobody has done anything that could be wrong");
   await typeRules(page, rules);
   await page.keyboard.press("Control+Enter");
   await until(async () => (await seconds()) < 3, "the run begins again with the rules");
-  await page.waitForSelector(".check.is-passed");
-  await until(async () => (await page.locator(".check.is-passed").count()) === (await page.locator(".check").count()), "all checks come true");
+  await page.waitForSelector(".check.passed");
+  await until(async () => (await page.locator(".check.passed").count()) === (await page.locator(".check").count()), "all checks come true");
   assert.match(await page.locator("#tab-mission .badge").innerText(), /^(\d+)\/\1$/);
 
   // At the beginning no check had passed yet. After the run resumes there, the later ticks are removed.
   await page.locator(".past").focus();
   await page.keyboard.press("Home");
-  await until(async () => (await page.locator(".check.is-passed").count()) === 0, "the past shows what was known then");
+  await until(async () => (await page.locator(".check.passed").count()) === 0, "the past shows what was known then");
   await page.waitForSelector("button:has-text('Resume here'):enabled");
   await page.locator("button", { hasText: "Resume here" }).click();
   await page.waitForSelector(".is-live");
-  await page.waitForSelector(".panel.mission .note:has-text('earlier moment')");
-  assert.equal(await page.locator(".check.is-passed").count(), 0);
-  await page.locator(".panel.mission .note button", { hasText: "Begin again" }).click();
-  await page.waitForSelector(".check.is-passed");
-  assert.equal(await page.locator(".panel.mission .note").count(), 0);
+  await page.waitForSelector(".panel.mission [data-part=note]:has-text('earlier moment')");
+  assert.equal(await page.locator(".check.passed").count(), 0);
+  await page.locator(".panel.mission [data-part=note] button", { hasText: "Begin again" }).click();
+  await page.waitForSelector(".check.passed");
+  assert.equal(await page.locator(".panel.mission [data-part=note]").count(), 0);
   assert.deepEqual(troubles, []);
   await close();
 });
@@ -51,8 +51,8 @@ test("checks are neutral before there is anything to judge, restart with Apply, 
 test("lesson 1, from the first click to the next lesson", async () => {
   const { page, troubles, close } = await openPage("/", { draws: false });
   await openLesson(page, 1);
-  assert.match(await page.locator(".panel.mission .task").innerText(), /Greet each visitor by name/);
-  assert.doesNotMatch(await page.locator(".panel.mission .task").innerText(), /Alt\+/);
+  assert.match(await page.locator(".panel.mission [data-part=task]").innerText(), /Greet each visitor by name/);
+  assert.doesNotMatch(await page.locator(".panel.mission [data-part=task]").innerText(), /Alt\+/);
   assert.match(await page.locator(".cm-content").innerText(), /porter\*greet/);
 
   // An error is shown at its place, with a fix, and the world continues with the previous rules.
@@ -82,23 +82,23 @@ test("lesson 1, from the first click to the next lesson", async () => {
   await apply(page);
   await until(async () => /Reloaded/.test(await page.locator(".panel.edit .under").innerText()), "it was reloaded");
   await page.locator(".panel.mission button", { hasText: "Hint 1 of 3" }).click();
-  await page.waitForSelector(".hints li");
+  await page.waitForSelector(".panel.mission [data-part=hints] p");
   await page.locator(".panel.mission button", { hasText: "Grade" }).click();
-  await page.waitForSelector(".panel.mission .grade");
-  await until(async () => /never bert/.test(await page.locator(".panel.mission .grade").innerText()), "the grade says what is wrong");
+  await page.waitForSelector(".panel.mission [data-part=grade]");
+  await until(async () => /never bert/.test(await page.locator(".panel.mission [data-part=grade]").innerText()), "the grade says what is wrong");
   await picture(page, "lesson_wrong");
-  await assertIsSeen(page, ".panel.mission .grade .headline", "the cause is where the eye is");
-  assert.equal(await page.evaluate(() => document.activeElement?.className), "grade fail", "and so is the focus");
+  await assertIsSeen(page, ".panel.mission [data-part=grade] p b", "the cause is where the eye is");
+  assert.equal(await page.evaluate(() => document.activeElement?.dataset.part), "grade", "and so is the focus");
 
   await typeRules(page, file("solution/porter.soar"));
   await apply(page);
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
-  await page.waitForSelector(".panel.mission .passed");
-  await assertIsSeen(page, ".panel.mission .grade .praise", "a pass is celebrated where the eye is");
-  await assertIsSeen(page, ".panel.mission .grade button", "and leads to the next lesson");
+  await page.waitForSelector(".panel.mission > p > .good");
+  await assertIsSeen(page, ".panel.mission [data-part=grade] .title", "a pass is celebrated where the eye is");
+  await assertIsSeen(page, ".panel.mission [data-part=grade] button", "and leads to the next lesson");
   await picture(page, "lesson_passed");
   await page.locator(".panel.mission button", { hasText: "Next lesson" }).click();
-  await until(async () => /Operators/.test(await page.locator(".panel.mission h2").innerText()), "the next lesson is open");
+  await until(async () => /Operators/.test(await page.locator(".panel.mission > .title").innerText()), "the next lesson is open");
   await page.locator("button.home").click();
   await page.waitForSelector(".card.passed");
   assert.match(await page.locator(".welcome button.primary").innerText(), /Operators/, "the main button is the next thing to do");

@@ -36,7 +36,7 @@ async function applyAndGrade(page, { name, text }) {
   await page.keyboard.press("Control+s");
   await until(async () => /Reloaded|no changes/i.test(await page.locator(".panel.edit .under").innerText()), `${name} was reloaded`);
   await page.locator(".panel.mission button", { hasText: /^Grade$/ }).click();
-  await page.waitForSelector(".panel.mission .grade p");
+  await page.waitForSelector(".panel.mission [data-part=grade] p");
   await page.waitForSelector(".panel.mission button:has-text('Grade'):enabled");
 }
 
@@ -45,23 +45,23 @@ test("each lesson is solved by typing, from the first to the last", async () => 
   await openLesson(page, 1);
   for (const [i, lesson] of LESSONS.entries()) {
     const title = titleOf(lesson);
-    await until(async () => (await page.locator(".panel.mission h2").innerText()).endsWith(title), `lesson ${i + 1} is open`);
+    await until(async () => (await page.locator(".panel.mission > .title").innerText()).endsWith(title), `lesson ${i + 1} is open`);
     await page.waitForSelector(".cm-content .tok-keyword");
-    assert.ok((await page.locator(".panel.mission .task").innerText()).length > 40);
+    assert.ok((await page.locator(".panel.mission [data-part=task]").innerText()).length > 40);
     const wrong = wrongAnswerOf(lesson);
     await applyAndGrade(page, wrong.rules);
-    const grade = await page.locator(".panel.mission .grade").innerText();
+    const grade = await page.locator(".panel.mission [data-part=grade]").innerText();
     assert.match(grade, wrong.told, `lesson ${i + 1}`);
     assert.doesNotMatch(grade, /soarbox run/);
-    assert.equal(await page.locator(".panel.mission .passed").count(), 0);
+    assert.equal(await page.locator(".panel.mission > p > .good").count(), 0);
     await page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
-    await page.waitForSelector(".hints li");
+    await page.waitForSelector(".panel.mission [data-part=hints] p");
     await picture(page, `wrong_${lesson}`);
     await applyAndGrade(page, rulesBelow(lesson, "solution"));
-    await page.waitForSelector(".panel.mission .passed");
+    await page.waitForSelector(".panel.mission > p > .good");
     for (let at = ALL.indexOf(lesson); i + 1 < LESSONS.length && ALL[at] !== LESSONS[i + 1]; ++at) {
       await page.locator(".panel.mission button", { hasText: "Next lesson" }).click();
-      await until(async () => (await page.locator(".panel.mission h2").innerText()).endsWith(titleOf(ALL[at + 1])), `${ALL[at + 1]} follows`);
+      await until(async () => (await page.locator(".panel.mission > .title").innerText()).endsWith(titleOf(ALL[at + 1])), `${ALL[at + 1]} follows`);
     }
   }
   await page.locator("button.home").click();

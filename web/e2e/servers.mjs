@@ -66,7 +66,7 @@ test("a teacher sees the class, and watches without changing anything; names wit
   await until(async () => (await teacher.page.locator(".here.yes").count()) === 1, "somebody is here");
   await picture(teacher.page, "class");
   await teacher.page.locator("tr:has(.here.yes) a", { hasText: "Watch" }).click();
-  await teacher.page.waitForSelector(".panel.mission h2");
+  await teacher.page.waitForSelector(".panel.mission > .title");
   assert.match(await teacher.page.locator(".head").innerText(), /You watch/);
   assert.equal(await teacher.page.locator(".panel.edit .bar button.primary").count(), 0);
   assert.equal(await teacher.page.locator(".flow-bar button:enabled").count(), 0);
@@ -78,7 +78,7 @@ test("a teacher sees the class, and watches without changing anything; names wit
   await teacher.page.waitForSelector(".panel.links .attribute:visible");
   assert.equal(await learner.page.locator("#tab-why[aria-selected=true]").count(), 1);
   await learner.page.locator(".panel.mission button", { hasText: "Hint 1 of" }).click();
-  const hint = await learner.page.locator(".hints li").first().innerText();
+  const hint = (await learner.page.locator(".panel.mission [data-part=hints] p").first().innerText()).replace(/^1\. /, "");
   await teacher.page.goto(here(table));
   await until(async () => (await teacher.page.locator("table.class").textContent()).includes(hint), "the last hint is in the table");
   for (const one of [learner, teacher]) {

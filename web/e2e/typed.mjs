@@ -22,7 +22,7 @@ test("a reload right after the last letter, and typing without a server, lose no
   await openLesson(page, 1);
   await addLine(page, "# typed before the reload");
   await page.reload();
-  await page.waitForSelector(".panel.mission h2");
+  await page.waitForSelector(".panel.mission > .title");
   await until(async () => /typed before the reload/.test(await text(page)), "it is there after the reload");
   await first.kill();
   await page.waitForSelector(".pill.lost");
@@ -30,7 +30,7 @@ test("a reload right after the last letter, and typing without a server, lose no
   const second = await startServer([], { port: first.port, state: first.state });
   await page.reload();
   // If the run of a place has ended, the page shows the start page or a button. Otherwise it shows the run.
-  await page.locator(".start h1:visible, .over-run button.primary:visible, .panel.mission h2:visible").first().waitFor();
+  await page.locator(".start h1:visible, .over-run button.primary:visible, .panel.mission > .title:visible").first().waitFor();
   if ((await page.locator(".over-run button.primary:visible").count()) > 0) await page.locator(".over-run button.primary").click();
   else if ((await page.locator(".start h1:visible").count()) > 0) await openLesson(page, 1);
   await until(async () => /typed before the reload[^]*typed without a server/.test(await text(page)), "both are there when the server is");

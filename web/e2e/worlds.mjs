@@ -110,7 +110,7 @@ test("with the keyboard alone: run, step, select, cameras, panels, keys", async 
     return page.evaluate(() => document.activeElement?.textContent?.startsWith("Begin with lesson") ?? false);
   }, "Tab comes to the first lesson");
   await page.keyboard.press("Enter");
-  await page.waitForSelector(".panel.mission h2");
+  await page.waitForSelector(".panel.mission > .title");
   await page.waitForSelector(".cm-content .tok-keyword");
   await page.waitForSelector(".labels .name.selected");
   await page.locator(".stage canvas").focus();
@@ -171,8 +171,8 @@ test("arrow keys move in lists and trees and move the bars between panels; every
   await page.waitForSelector("[data-shape=narrow]");
   for (const selector of [".stage", ".dock"]) assert.ok((await page.locator(selector).boundingBox()).height >= 190, `${selector} is large enough`);
   await show(page, "Mission");
-  await page.locator(".panel.mission .task").scrollIntoViewIfNeeded();
-  assert.ok(await page.locator(".panel.mission .task").isVisible());
+  await page.locator(".panel.mission [data-part=task]").scrollIntoViewIfNeeded();
+  assert.ok(await page.locator(".panel.mission [data-part=task]").isVisible());
   await picture(page, "zoom_200");
   assert.deepEqual(troubles, []);
   await close();

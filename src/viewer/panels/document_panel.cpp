@@ -28,7 +28,7 @@ const Kind* As(const doc::Node& node) {
 /// A section that cannot be folded. Such sections are items of a list if one follows another.
 bool IsItem(const doc::Node& node) {
   const auto* section = As<doc::Section>(node);
-  return section != nullptr && !section->unfolds;
+  return section != nullptr && !section->unfolds && !section->box && !section->nodes.empty();
 }
 
 void DrawParagraph(PanelFrame& frame, const doc::Paragraph& text) {
@@ -83,6 +83,50 @@ void DrawPlot(PanelFrame& frame, const doc::Plot& plot, float height, bool is_la
   const auto first = static_cast<double>(moment.first_tick), last = static_cast<double>(moment.last_tick);
   DrawGraph(frame, "graph", curves, height, first, last, plot.is_stepped);
   if (is_last) DrawTimeAxis(frame, first, last);
+}
+
+/// An empty box, a check mark or a cross: shapes, so that the meaning does not depend on colors.
+void DrawResult(const PanelFrame& frame, workbench::CheckResult result) {
+  using workbench::CheckResult;
+  const float size = ImGui::GetTextLineHeight(), inset = size * 0.15f, line = std::max(1.0f, frame.Px(1.6f));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 low{at.x + inset, at.y + inset}, high{at.x + size - inset, at.y + size - inset};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (result == CheckResult::kOpen) {
+    list.AddRect(low, high, theme::Packed(theme::kQuiet), frame.Px(2));
+  } else if (result == CheckResult::kPassed) {
+    const ImVec2 foot{at.x + size * 0.42f, high.y};
+    list.AddLine({low.x, at.y + size * 0.55f}, foot, theme::Packed(theme::kGood), line);
+    list.AddLine(foot, {high.x, low.y}, theme::Packed(theme::kGood), line);
+  } else {
+    list.AddLine(low, high, theme::Packed(theme::kBad), line);
+    list.AddLine({low.x, high.y}, {high.x, low.y}, theme::Packed(theme::kBad), line);
+  }
+  ImGui::Dummy({size, size});
+}
+
+void DrawChecklist(PanelFrame& frame, const doc::Checklist& list) {
+  int number = 0;
+  for (const doc::Checklist::Item& item : list.items) {
+    const IdScope id(++number);
+    DrawResult(frame, item.result);
+    Tooltip(item.says);
+    ImGui::SameLine(0, frame.Px(6));
+    ImGui::BeginGroup();
+    DrawSpans(frame, item.spans);
+    const IdScope below("below");
+    if (!item.below.empty()) DrawSpans(frame, item.below);
+    ImGui::EndGroup();
+    Tooltip(item.hint);
+  }
+}
+
+void DrawProgress(PanelFrame& frame, const doc::Progress& progress) {
+  WrappedText(progress.text);
+  const float share = static_cast<float>(progress.value) / static_cast<float>(std::max<std::size_t>(progress.of, 1));
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kGood);
+  ImGui::ProgressBar(share, {-1, frame.Px(5)}, "");
+  ImGui::PopStyleColor();
 }
 
 /// A click or a drag selects a number. Marked numbers have a line, the selected one a frame.
@@ -156,7 +200,33 @@ void DrawTreeRow(PanelFrame& frame, const doc::Tree& tree, const doc::TreeRow& r
 }  // namespace
 
 void DocumentView::Draw(PanelFrame& frame, const doc::Nodes& nodes) {
-  DrawNodes(frame, nodes, true);
+  LookForNews(nodes);
+  const doc::Actions* const actions = nodes.empty() ? nullptr : As<doc::Actions>(nodes.back());
+  if (actions == nullptr) return DrawNodes(frame, nodes, true);
+  float& height = heights_["actions"];
+  {
+    const Part part("above", {0, -std::max(height, ImGui::GetFrameHeightWithSpacing())});
+    DrawRange(frame, nodes, 0, nodes.size() - 1, true);
+  }
+  const float begin = ImGui::GetCursorPosY();
+  ImGui::Separator();
+  const IdScope id("actions");
+  DrawLine(frame, {actions->nodes});
+  height = ImGui::GetCursorPosY() - begin + ImGui::GetStyle().ItemSpacing.y;
+}
+
+void DocumentView::LookForNews(const doc::Nodes& nodes) {
+  constexpr int kFrames = 3;  // The height of the new contents is known some frames later.
+  for (const doc::Node& node : nodes) {
+    const auto* section = As<doc::Section>(node);
+    if (section == nullptr || !section->news) continue;
+    const auto [known, is_first] = news_.try_emplace(section->key, *section->news);
+    if (is_first || known->second == *section->news) continue;
+    known->second = *section->news;
+    if (section->news->empty()) continue;
+    section_to_show_ = section->key;
+    frames_to_show_ = kFrames;
+  }
 }
 
 void DocumentView::DrawNodes(PanelFrame& frame, const doc::Nodes& nodes, bool fills) {
@@ -244,7 +314,10 @@ void DocumentView::DrawNode(PanelFrame& frame, const doc::Node& node, bool fills
   if (const auto* button = As<doc::Button>(node)) return DrawButton(frame, *button);
   if (const auto* form = As<doc::Form>(node)) return DrawForm(frame, *form);
   if (const auto* table = As<doc::Table>(node)) return DrawTable(frame, *table, fills);
+  if (const auto* list = As<doc::Checklist>(node)) return DrawChecklist(frame, *list);
+  if (const auto* progress = As<doc::Progress>(node)) return DrawProgress(frame, *progress);
   if (const auto* section = As<doc::Section>(node)) return DrawSection(frame, *section);
+  if (const auto* actions = As<doc::Actions>(node)) return DrawLine(frame, {actions->nodes});
   if (const auto* tabs = As<doc::Tabs>(node)) return DrawTabs(frame, *tabs, fills);
   if (const auto* columns = As<doc::Columns>(node)) return DrawColumns(frame, *columns);
   if (const auto* facts = As<doc::Facts>(node)) return DrawFacts(frame, *facts);
@@ -261,8 +334,10 @@ void DocumentView::DrawNode(PanelFrame& frame, const doc::Node& node, bool fills
 
 void DocumentView::DrawButton(PanelFrame& frame, const doc::Button& button) {
   ImGui::BeginDisabled(!button.is_enabled);
+  if (button.is_main) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   const bool pressed =
       button.is_on ? LitButton(button.label.c_str(), *button.is_on, "") : ImGui::Button(button.label.c_str());
+  if (button.is_main) ImGui::PopStyleColor();
   ImGui::EndDisabled();
   Tooltip(button.hint);
   if (!pressed) return;
@@ -424,7 +499,22 @@ void DocumentView::DrawTree(PanelFrame& frame, const doc::Tree& tree) {
 }
 
 void DocumentView::DrawSection(PanelFrame& frame, const doc::Section& section) {
+  if (section.title.empty() && section.nodes.empty()) return;
   const IdScope id(section.key);
+  if (section_to_show_ == section.key && frames_to_show_ > 0 && --frames_to_show_ >= 0) ImGui::SetScrollHereY(0);
+  if (section.box) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float inset = frame.Px(9);
+    ImGui::Indent(inset);
+    ImGui::BeginGroup();
+    DrawSpans(frame, section.title);
+    DrawNodes(frame, section.nodes, false);
+    ImGui::EndGroup();
+    ImGui::Unindent(inset);
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + frame.Px(3), ImGui::GetItemRectMax().y},
+                                              theme::Packed(ColorOf(*section.box)));
+    return ImGui::Spacing();
+  }
   if (section.unfolds) {
     const ImGuiTreeNodeFlags flags = *section.unfolds ? ImGuiTreeNodeFlags_DefaultOpen : 0;
     if (!ImGui::TreeNodeEx("section", flags, "%s", TextOf(frame, section.title).c_str())) return;

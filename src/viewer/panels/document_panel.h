@@ -16,7 +16,7 @@ namespace soarbox::viewer {
 /// filters, sorting, chosen pages, typed text. ImGui stores which parts are unfolded.
 class DocumentView {
  public:
-  /// The last table or tree fills the remaining height.
+  /// The last table or tree fills the remaining height. Actions stay at the lower edge.
   void Draw(PanelFrame& frame, const workbench::document::Nodes& nodes);
 
  private:
@@ -59,6 +59,8 @@ class DocumentView {
   void DrawRows(PanelFrame& frame, const workbench::document::Table& table, TableState& state,
                 const std::vector<std::size_t>& columns);
   void DrawTree(PanelFrame& frame, const workbench::document::Tree& tree);
+  /// Notes which section has news that the user waits for.
+  void LookForNews(const workbench::document::Nodes& nodes);
   void DrawSection(PanelFrame& frame, const workbench::document::Section& section);
   void DrawTabs(PanelFrame& frame, const workbench::document::Tabs& tabs, bool fills);
   void DrawColumns(PanelFrame& frame, const workbench::document::Columns& columns);
@@ -69,7 +71,10 @@ class DocumentView {
   std::map<std::string, std::string> reasons_;  ///< Last reasons that documents gave for pages.
   float plot_height_ = 80;                      ///< Of the plots that are currently drawn, px.
   std::map<std::string, int> pages_;
-  std::map<std::string, float> heights_;  ///< Of stories when they were last drawn, px.
+  std::map<std::string, float> heights_;     ///< Of stories and actions when they were last drawn, px.
+  std::map<std::string, std::string> news_;  ///< Of sections, by key.
+  std::string section_to_show_;              ///< The section to scroll to, in the next frames.
+  int frames_to_show_ = 0;
 };
 
 /// A panel that is described by a document.

@@ -19,6 +19,8 @@ using workbench::document::Spans;
 void Press(PanelFrame& frame, const Action& action) {
   if (const auto* select = std::get_if<workbench::SelectRequest>(&action.request))
     frame.Select(select->agent);
+  else if (std::holds_alternative<workbench::FlowRequest>(action.request))
+    frame.Command(ViewerCommand::kReset);
   else
     frame.Ask(action.request);
   if (action.panel) frame.layout.Show(*action.panel);

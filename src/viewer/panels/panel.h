@@ -69,6 +69,5 @@ class Panel {
 std::unique_ptr<Panel> MakeTimelinePanel();
 std::unique_ptr<Panel> MakeConsolePanel();
 std::unique_ptr<Panel> MakeEditPanel();
-std::unique_ptr<Panel> MakeMissionPanel();
 
 }  // namespace soarbox::viewer

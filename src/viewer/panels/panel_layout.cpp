@@ -34,7 +34,6 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   put(workbench::PanelId::kTimeline, MakeTimelinePanel());
   put(workbench::PanelId::kConsole, MakeConsolePanel());
   put(workbench::PanelId::kEdit, MakeEditPanel());
-  put(workbench::PanelId::kMission, MakeMissionPanel());
 }
 
 Workspace::Metrics Workspace::Measure(int width, int height) const {
@@ -210,7 +209,8 @@ void Workspace::DrawTabs(PanelFrame& frame, Area area) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const workbench::PanelInfo& info = InfoOf(panels[i]);
     const bool is_front = side.front < all.size() && panels[i] == all[side.front];
-    const bool alarms = !workbench::document::BadgeOf(panels[i], frame.contents).empty();
+    const bool alarms =
+        panels[i] == workbench::PanelId::kProblems && !workbench::document::BadgeOf(panels[i], frame.contents).empty();
     const std::string title = TitleOf(panels[i], frame.contents);
     const ImVec2 size = SizeOfTab(title);
     if (i > 0) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "debugger/syntax.h"
+#include "workbench/checks.h"
 #include "workbench/panel_id.h"
 #include "workbench/requests.h"
 
@@ -75,6 +76,7 @@ struct Button {
   std::string hint = {};
   std::optional<bool> is_on = std::nullopt;  ///< If set, the button is a toggle.
   bool is_enabled = true;
+  bool is_main = false;     ///< The most likely next thing to do.
   std::string copies = {};  ///< If not empty: the button has no action and copies this text to the clipboard.
 };
 
@@ -201,19 +203,49 @@ struct Strip {
   RowAction press;   ///< The number is used as the key.
 };
 
-/// A part of a document with a heading.
+/// A list of requirements, each with its present result.
+struct Checklist {
+  struct Item {
+    std::string key;
+    CheckResult result = CheckResult::kOpen;
+    std::string says;  ///< The result in words.
+    Spans spans;
+    Spans below = {};  ///< In a line of its own.
+    std::string hint = {};
+  };
+  std::vector<Item> items;
+};
+std::string_view WordOf(CheckResult result);
+
+/// A text with a bar: `value` of `of` are done.
+struct Progress {
+  std::string text;
+  std::size_t value = 0, of = 0;
+};
+
+/// A part of a document with a heading. Nothing is drawn if it has neither a title nor nodes.
 struct Section {
-  std::string key;
-  Spans title;
-  Nodes nodes;
+  std::string key;  ///< Its first word is the same in all documents of the panel.
+  Spans title = {};
+  Nodes nodes = {};
   std::optional<bool> unfolds = std::nullopt;  ///< If set, the section can be folded, and the value says whether it is
                                                ///< initially open.
   bool is_story = false;                       ///< It shows the details of an item, above the list that contains the
                                                ///< item.
+  std::optional<Role> box = std::nullopt;  ///< If set, the section is set off from the rest, in the color of this role.
+  /// What the user waits for. When this text changes to another that is not empty, renderers bring the panel to the
+  /// front and scroll to the section.
+  std::optional<std::string> news = std::nullopt;
 };
 
 /// Buttons, forms and texts in one line.
 struct Line {
+  Nodes nodes;
+};
+
+/// A line of buttons and forms at the lower edge of the panel, which stays visible while the rest scrolls. The last
+/// node of a document.
+struct Actions {
   Nodes nodes;
 };
 
@@ -240,7 +272,9 @@ struct Facts {
 };
 
 struct Node {
-  std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Section, Tabs, Columns, Facts> is;
+  std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Checklist, Progress, Section, Actions,
+               Tabs, Columns, Facts>
+      is;
   template <typename Kind>
   Node(Kind kind) : is(std::move(kind)) {}  // NOLINT: parts are converted to nodes implicitly.
 };

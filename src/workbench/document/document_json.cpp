@@ -14,6 +14,7 @@ using debugger::Json;
 constexpr std::string_view kRoles[] = {"plain", "strong", "quiet", "code", "good", "warn", "bad",
                                        "new",   "gone",   "num",   "obj",  "name", "tag"};
 constexpr std::string_view kStyles[] = {"text", "heading", "title", "empty"};
+constexpr std::string_view kResults[] = {"open", "passed", "failed"};
 constexpr std::string_view kFields[] = {"line", "choice", "check", "suggested"};
 
 /// The request and the panel that comes to the front: [{"request": "rule", "rule": "x"}, "rules"].
@@ -132,6 +133,7 @@ struct Writer {
     Set(json, "copies", button.copies);
     if (button.is_on) json["on"] = *button.is_on;
     if (!button.is_enabled) json["off"] = true;
+    if (button.is_main) json["main"] = true;
     return json;
   }
   Json operator()(const Form& form) const {
@@ -189,11 +191,30 @@ struct Writer {
             {"chosen", strip.chosen}, {"marks", strip.marks},
             {"mark", strip.mark},     {"press", RowActionJson(strip.press)}};
   }
+  Json operator()(const Checklist& list) const {
+    Json json{{"is", "checklist"}};
+    Json& items = json["items"] = Json::array();
+    for (const Checklist::Item& item : list.items) {
+      Json& each = items.emplace_back(Json{{"k", item.key},
+                                           {"result", std::string(WordOf(item.result))},
+                                           {"says", item.says},
+                                           {"s", SpansJson(item.spans)}});
+      if (!item.below.empty()) each["below"] = SpansJson(item.below);
+      Set(each, "hint", item.hint);
+    }
+    return json;
+  }
+  Json operator()(const Progress& progress) const {
+    return {{"is", "progress"}, {"text", progress.text}, {"value", progress.value}, {"of", progress.of}};
+  }
+  Json operator()(const Actions& actions) const { return {{"is", "actions"}, {"nodes", ToJson(actions.nodes)}}; }
   Json operator()(const Section& section) const {
     Json json{
         {"is", "section"}, {"key", section.key}, {"title", SpansJson(section.title)}, {"nodes", ToJson(section.nodes)}};
     if (section.unfolds) json["open"] = *section.unfolds;
     if (section.is_story) json["story"] = true;
+    if (section.box) json["box"] = std::string(WordOf(*section.box));
+    if (section.news) json["news"] = *section.news;
     return json;
   }
   Json operator()(const Tabs& tabs) const {
@@ -223,6 +244,10 @@ struct Writer {
 
 std::string_view WordOf(Role role) {
   return kRoles[static_cast<std::size_t>(role)];
+}
+
+std::string_view WordOf(CheckResult result) {
+  return kResults[static_cast<std::size_t>(result)];
 }
 
 Json ToJson(const Nodes& nodes) {

@@ -67,6 +67,16 @@ class TextWriter {
     for (const std::size_t mark : strip.marks) marks += (marks.empty() ? "; " : ", ") + std::to_string(mark);
     Put("1 to " + std::to_string(strip.count) + marks + (marks.empty() ? "" : " " + strip.mark));
   }
+  void operator()(const Checklist& list) {
+    for (const Checklist::Item& item : list.items) {
+      Put(item.says + ": " + TextOf(item.spans));
+      ++indent_;
+      Put(TextOf(item.below));
+      --indent_;
+    }
+  }
+  void operator()(const Progress& progress) { Put(progress.text); }
+  void operator()(const Actions& actions) { Put(Inline(actions.nodes)); }
   void operator()(const Section& section) {
     Put(TextOf(section.title));
     const int indent = indent_;

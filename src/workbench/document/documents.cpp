@@ -16,6 +16,10 @@ Nodes DocumentOf(PanelId panel, const Contents& contents) {
 }
 
 std::string BadgeOf(PanelId panel, const Contents& contents) {
+  if (panel == PanelId::kMission) {
+    const CheckCounts counts = CountChecks(contents);
+    return counts.all == 0 ? std::string() : std::to_string(counts.passed) + "/" + std::to_string(counts.all);
+  }
   if (panel != PanelId::kProblems) return {};
   const auto count = std::ranges::count_if(
       contents.problems, [](const ProblemRow& problem) { return problem.diagnostic.severity != Severity::kNote; });

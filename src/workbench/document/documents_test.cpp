@@ -55,6 +55,8 @@ std::vector<Situation> Situations() {
     contents.problems.clear();
     contents.agent_count = 0;
     contents.soar_agents.clear();
+    contents.checks.clear();
+    contents.lesson.reset();
     contents.messages = nullptr;
     contents.plots = nullptr;
     contents.exercise.reset();
@@ -84,6 +86,7 @@ std::vector<Situation> Situations() {
       {"a recording", "walker",
        [](Contents& contents) {
          contents.moment.is_recording = true;
+         contents.lesson.reset();
          contents.past_note = "The minds of this moment are being simulated again: 40 %";
          contents.not_recorded = "Working memory is not recorded at this level.";
          contents.rules.clear();
@@ -135,10 +138,10 @@ TEST_F(Documents, HoldRequestsThatCanBeReadAndPanelsThatExist) {
       });
     }
   }
-  for (const char* request :
-       {"select",       "seek",      "ask",        "rule",      "object",      "element",      "search-memory", "break",
-        "change-break", "watch",     "beside",     "plot",      "imagine",     "coverage",     "state",         "edit",
-        "search-known", "line-stop", "error-stop", "script-go", "script-call", "script-value", "script-watch"})
+  for (const char* request : {"select",        "seek",      "ask",          "rule",         "object",       "element",
+                              "search-memory", "break",     "change-break", "watch",        "beside",       "plot",
+                              "imagine",       "coverage",  "state",        "edit",         "search-known", "line-stop",
+                              "error-stop",    "script-go", "script-call",  "script-value", "script-watch", "lesson"})
     EXPECT_TRUE(requests.contains(request)) << request;
 }
 
@@ -219,6 +222,90 @@ TEST_F(Documents, OfMindsShowWhatAScriptShowsAlsoOfAnAgentWithoutAMind) {
   EXPECT_TRUE(row.is_chosen);
   EXPECT_EQ(row.depth, 1);
   EXPECT_EQ(row.hint, "since 0.40 s");
+}
+
+TEST_F(Documents, OfMissionsShowChecksAsTheyWereKnownAtTheMoment) {
+  run->Fill("walker");
+  Contents& contents = run->contents;
+  const auto badge = [&] { return BadgeOf(PanelId::kMission, contents); };
+  const auto text = [] { return TextOf(PanelId::kMission); };
+  EXPECT_EQ(badge(), "1/3") << "markers are not counted";
+  EXPECT_THAT(text(), AllOf(HasSubstr("passed: it goes north 0:00.17"), HasSubstr("failed: it rests"),
+                            HasSubstr("not decided yet: later")));
+  contents.moment.shown_tick = 8;
+  EXPECT_THAT(text(), AllOf(HasSubstr("passed: it goes north"), HasSubstr("not decided yet: it rests")));
+  contents.moment.shown_tick = 4;
+  EXPECT_THAT(text(), HasSubstr("0 of 3 checks\n"));
+  contents.moment.shown_tick = 2'000'000;
+  EXPECT_EQ(badge(), "2/3");
+  // A learner who has not tried anything is not told that a check failed.
+  contents.lesson->is_tried = false;
+  EXPECT_THAT(text(), AllOf(HasSubstr("2 of 3 checks\n"), HasSubstr("not decided yet: it rests")));
+  contents.lesson->is_tried = true;
+  // Rules that were changed, and a future that was given up.
+  contents.moment.changed_tick = 9;
+  EXPECT_THAT(text(), AllOf(HasSubstr("The rules changed while the world ran."), HasSubstr("[Begin again]"),
+                            HasSubstr("not decided yet: it goes north"), HasSubstr("passed: later")));
+  contents.moment.changed_tick.reset();
+  contents.moment.branch_tick = 7;
+  EXPECT_THAT(text(), AllOf(HasSubstr("You went on from an earlier moment."), HasSubstr("1 of 3 checks\n"),
+                            HasSubstr("passed: it goes north"), HasSubstr("not decided yet: later")));
+}
+
+TEST_F(Documents, OfMissionsWithoutALessonSayWhatIsExpectedUntilItIsSo) {
+  run->Fill("walker");
+  run->contents.lesson.reset();
+  EXPECT_THAT(TextOf(PanelId::kMission),
+              AllOf(Not(HasSubstr("walker should be at north")),
+                    HasSubstr("walker should stand idle for at least 2 s; it stood idle for 0 s"),
+                    HasSubstr("not decided yet: a moment\n    a moment that others refer to"),
+                    HasSubstr("walker should be at east by 60 s"), Not(HasSubstr("[Grade]"))));
+}
+
+TEST_F(Documents, OfMissionsShowGradesWithoutFoldersAndLeadToTheNextLesson) {
+  run->Fill("walker");
+  LessonContents& lesson = *run->contents.lesson;
+  lesson.grade = {"/var/places/abc/home/01-a-rule/porter.soar:3:4: error: x (see /a/b/c.soar)", "",
+                  "  no   anna is greeted", "3 of 10 seeds passed; this was seed 1: soarbox run /x --seed 1"};
+  EXPECT_THAT(
+      TextOf(PanelId::kMission),
+      HasSubstr("Grade\n  porter.soar:3:4: error: x (see c.soar)\n  no: anna is greeted\n  3 of 10 seeds passed; "
+                "this was seed 1\n"));
+  lesson.grade = {"Passed with all of 10 seeds.", "  yes  anna is greeted"};
+  lesson.is_passed = true;
+  EXPECT_THAT(
+      TextOf(PanelId::kMission),
+      AllOf(HasSubstr("You have passed: 1. A rule fires"), HasSubstr("[Next lesson: Operators] 1 of 2 lessons passed"),
+            HasSubstr("yes: anna is greeted"), HasSubstr("[Grade] [Hint 2 of 3]\n")));
+  lesson.next.clear();
+  EXPECT_THAT(TextOf(PanelId::kMission), HasSubstr("That was the last lesson."));
+  lesson.is_graded = true;
+  lesson.grade = {"seed 3 of 10"};
+  lesson.hint_count = 1;
+  EXPECT_THAT(TextOf(PanelId::kMission),
+              AllOf(HasSubstr("Grading: seed 3 of 10"), HasSubstr("[Grading ...] [Cancel] [No more hints]")));
+}
+
+TEST_F(Documents, OfMissionsHaveNewsWhenAGradeOrAHintComes) {
+  run->Fill("walker");
+  LessonContents& lesson = *run->contents.lesson;
+  const auto news = [](std::string_view part) {
+    for (const Node& node : DocumentOf(PanelId::kMission, run->contents))
+      if (const auto* section = std::get_if<Section>(&node.is); section != nullptr && section->key.starts_with(part))
+        return section->news.value_or("none");
+    return std::string("no such section");
+  };
+  lesson.grade.clear();
+  EXPECT_EQ(news("grade"), "");
+  lesson.is_graded = true;
+  EXPECT_EQ(news("grade"), "grading");
+  lesson.grade = {"seed 3 of 10"};
+  EXPECT_EQ(news("grade"), "grading") << "progress is no news";
+  lesson.is_graded = false;
+  EXPECT_EQ(news("grade"), "seed 3 of 10\n");
+  EXPECT_EQ(news("hints"), "1");
+  lesson.hints.clear();
+  EXPECT_EQ(news("hints"), "");
 }
 
 TEST_F(Documents, OfFuturesBeginWithWhoDecidedOtherwise) {

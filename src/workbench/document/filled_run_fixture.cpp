@@ -161,9 +161,11 @@ void FilledRun::Fill(const std::string& agent) {
   lesson.new_panels = {"memory"};
   lesson.hints = {"Watch the panel Memory."};
   lesson.hint_count = 3;
+  lesson.is_tried = true;
   lesson.grade = {"  yes  anna is greeted", "  no   once per visit"};
   lesson.next = "02-operators";
   contents.lesson = lesson;
+  contents.lessons = {{"01-a-rule", "A rule", false}, {"02-operators", "Operators", true}};
   FillScript();
   const std::unique_ptr<explain::Inspector> mind = simulation->Inspect(agent);
   contents.has_mind = mind != nullptr;

@@ -42,6 +42,7 @@ Nodes ExerciseDocument(const Contents& contents);
 Nodes ImageryDocument(const Contents& contents);
 Nodes ScriptDocument(const Contents& contents);
 Nodes ProblemsDocument(const Contents& contents);
+Nodes MissionDocument(const Contents& contents);
 
 struct PanelDocument {
   PanelId panel;
@@ -57,7 +58,7 @@ inline constexpr PanelDocument kPanelDocuments[] = {
     {PanelId::kMinds, MindsDocument},       {PanelId::kLongTerm, LongTermDocument},
     {PanelId::kLearning, LearningDocument}, {PanelId::kExercise, ExerciseDocument},
     {PanelId::kImagery, ImageryDocument},   {PanelId::kScript, ScriptDocument},
-    {PanelId::kProblems, ProblemsDocument},
+    {PanelId::kProblems, ProblemsDocument}, {PanelId::kMission, MissionDocument},
 };
 
 }  // namespace soarbox::workbench::document

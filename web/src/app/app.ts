@@ -370,7 +370,7 @@ export class App {
 
   private drawBody(): void {
     const { state, hello } = this.run;
-    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what), false, () => this.goHome(), this.guest.panels ?? null, this.watches ? null : this.files());
+    this.runPage ??= hello === null ? null : new RunPage(this.run, (what) => this.open(what), false, this.guest.panels ?? null, this.watches ? null : this.files());
     const shows = this.isHome ? "start" : state === "joining" && hello === null ? "waiting" : "run";
     this.body.dataset["shows"] = shows;
     let start = this.body.querySelector<HTMLElement>(":scope > .start-place");

@@ -92,7 +92,11 @@ export class Dock {
 
   /** Schedules a redraw of the panels that show these contents. */
   note(names: readonly ContentName[]): void {
-    for (const panel of this.panels) if (panel.uses.some((one) => names.includes(one))) this.stale.add(panel.word);
+    for (const panel of this.panels) {
+      if (!panel.uses.some((one) => names.includes(one))) continue;
+      this.stale.add(panel.word);
+      panel.note?.(this.contents());
+    }
     this.later();
   }
 
@@ -120,8 +124,8 @@ export class Dock {
       return;
     }
     this.stale.delete(this.front);
-    // A panel begins with its name, for screen readers; the task has its own heading.
-    patch(body, [panel.word !== "mission" && h("h2.hidden", { key: "heading" }, panel.title), panel.view(this.contents())]);
+    // A panel begins with its name, for screen readers.
+    patch(body, [h("h2.hidden", { key: "heading" }, panel.title), panel.view(this.contents())]);
   }
 
   private drawTabs(): void {

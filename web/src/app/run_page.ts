@@ -2,8 +2,6 @@
 import { patch, type Child } from "../dom/view";
 import { documentPanel } from "../document/document_panel";
 import { EditPanel } from "../editor/edit_panel";
-import { missionPanel } from "../lesson/mission_panel";
-import { Attempt } from "../lesson/attempt";
 import { consolePanel } from "../panels/console";
 import type { Panel, PanelContext, PlaceFiles } from "../panels/panel";
 import { outputPanel } from "../panels/output";
@@ -62,18 +60,19 @@ export class RunPage {
   private isFronted = false;
   /** Number of the script's stop that was shown last. */
   private stopCount = 0;
-  private readonly attempt = new Attempt(localStorage);
+  /** The world that runs, as the address names it. */
+  private what = "";
 
   /**
    * `isReport`: the page contains a recorded run and shows fewer panels. `only`: the panels of an embedded page; null:
    * all.
    */
-  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, goHome: () => void = () => {}, private readonly only: readonly string[] | null = null, files: PlaceFiles | null = null) {
+  constructor(private readonly run: Run, openWhat: (what: string) => void, private readonly isReport = false, private readonly only: readonly string[] | null = null, files: PlaceFiles | null = null) {
     this.element.className = "run-page";
     this.work.className = "work";
     this.foot.className = "foot";
     const context: PanelContext = {
-      run, openWhat, goHome, files, attempt: this.attempt, grade: () => this.grade(),
+      run, openWhat, files, grade: () => this.grade(),
       redraw: (word) => this.docks.forEach((dock) => dock.has(word) && dock.redraw(word)),
       titleOf: (word) => this.panels.find((one) => one.word === word)?.title ?? word,
       reveal: (word) => this.reveal(word),
@@ -89,18 +88,19 @@ export class RunPage {
       },
     };
     this.edit = new EditPanel(context, () => this.applied());
-    const own = [missionPanel, timelinePanel, consolePanel, outputPanel].map((make) => make(context));
+    const own = [timelinePanel, consolePanel, outputPanel].map((make) => make(context));
     this.panels = [...own, ...PANELS.filter((one) => one.hasDocument).map((one) => documentPanel(context, one))];
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
     this.element.append(this.work, this.foot);
-    if (run.hello !== null) this.attempt.begin(run.hello.what);
+    this.what = run.hello?.what ?? "";
     run.on("hello", ({ what }) => {
       this.isChosen = false;
       this.chosen = "";
       this.stopCount = 0;
       // When the run begins again, the panels stay as they are.
-      if (!this.attempt.begin(what)) this.isFronted = false;
+      if (what !== this.what) this.isFronted = false;
+      this.what = what;
       this.arrange();
       this.drawFlow();
     });
@@ -163,7 +163,8 @@ export class RunPage {
 
   /** Whether the run has other rules than at its beginning, or continued from an earlier moment. */
   get isPieced(): boolean {
-    return this.attempt.changedAt !== null || (this.run.contents.moment?.time.branch_tick ?? null) !== null;
+    const time = this.run.contents.moment?.time;
+    return (time?.changed_tick ?? null) !== null || (time?.branch_tick ?? null) !== null;
   }
 
   get editorText(): string | null {
@@ -228,15 +229,12 @@ export class RunPage {
 
   /** Called when rules have changed. A lesson's run begins again, so that checks and picture show the new rules. */
   private applied(): void {
-    const { run, attempt } = this, isLive = run.contents.moment?.time.is_live !== false;
-    attempt.applied(run.flow.tick);
-    if (attempt.isLesson && attempt.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
-    for (const dock of this.docks) dock.note(["mission"]);
+    const { run } = this, isLive = run.contents.moment?.time.is_live !== false;
+    if (this.what.startsWith("lesson:") && this.edit.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
   }
 
   private grade(): void {
     if (this.edit.isUnsaved) this.edit.apply();
-    this.attempt.note();
     this.run.ask("lesson", { what: "grade" });
   }
 

@@ -10,10 +10,10 @@ import { columnsOf } from "./plot_view";
 
 const MARKUP = "<img onerror=alert(1)>";
 
-function made(answers = true): { view: DocumentView; asked: unknown[]; context: PanelContext } {
+function made(answers = true, mayEdit = true): { view: DocumentView; asked: unknown[]; context: PanelContext } {
   const asked: unknown[] = [];
-  const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), answers), contents: {} };
-  const context = { run, redraw: (word: string) => asked.push(`redraw ${word}`), reveal: (word: string) => asked.push(`reveal ${word}`), beforeEdit: () => asked.push("flush") } as unknown as PanelContext;
+  const run = { ask: (request: string, fields: unknown) => (asked.push([request, fields]), answers), contents: {}, hello: { may_edit: mayEdit } };
+  const context = { run, redraw: (word: string) => asked.push(`redraw ${word}`), reveal: (word: string) => asked.push(`reveal ${word}`), beforeEdit: () => asked.push("flush"), grade: () => asked.push("grade"), openWhat: (what: string) => asked.push(`open ${what}`) } as unknown as PanelContext;
   return { view: new DocumentView(context, "rules"), asked, context };
 }
 
@@ -156,6 +156,36 @@ test("pages, stories, columns and facts are drawn; the page that was chosen stay
   assert.match(textOf(view.view(nodes)), /sp \{x.*my\*rule.*before.*nothing.*scout/s);
   press(view.view(nodes), "Rules 0");
   assert.match(textOf(view.view(nodes)), /none yet/);
+});
+
+test("a checklist says each result in words; progress has a bar; actions follow the rest", () => {
+  const { view, asked } = made();
+  const nodes: Document = [
+    { is: "progress", text: "1 of 2 checks", value: 1, of: 2 },
+    { is: "checklist", items: [{ k: "a", result: "passed", says: "passed", s: ["it waves ", [30]] }, { k: "b", result: "failed", says: "failed", s: "it rests", below: [["it never did", "bad"]], hint: "it should rest" }] },
+    { is: "actions", nodes: [{ is: "button", label: "Grade", do: [{ request: "lesson", what: "grade" }], main: true }, { is: "button", label: "Hint 1 of 3", do: [{ request: "lesson", what: "hint" }] }, { is: "button", label: "Next lesson", do: [{ request: "lesson", what: "open", lesson: "02" }] }] },
+  ];
+  const shown = view.view(nodes);
+  assert.match(textOf(shown), /passed: it waves 0:01\.00failed: it restsit never did/);
+  assert.deepEqual(all(shown).filter((one) => one.tag === "progress").map((one) => [one.props.attributes!["value"], one.props.attributes!["max"]]), [[1, 2]]);
+  for (const label of ["Grade", "Hint 1 of 3", "Next lesson"]) press(shown, label);
+  assert.deepEqual(asked, ["grade", ["lesson", { what: "hint" }], "open lesson:02"], "the page applies texts before a grade, and opens lessons itself");
+  assert.equal(find(shown, "Grade").classes, "primary");
+  assert.equal(all(made(true, false).view.view(nodes)).filter((one) => one.tag === "button" && one.classes !== "link time").length, 0, "who watches cannot press them");
+});
+
+test("news of a section bring its panel to the front, but neither the first ones nor empty ones", () => {
+  const { asked, context } = made();
+  const panel = documentPanel(context, { word: "rules", title: "Rules", about: "", hasDocument: true });
+  const told = (key: string, news: string): void => panel.note!({ rules: { document: [{ is: "section", key, title: news === "" ? "" : "Grade", nodes: [], news }] } });
+  told("grade 01", "old");
+  assert.deepEqual(asked, []);
+  told("grade 01", "grading");
+  told("grade 01", "grading");
+  assert.deepEqual(asked.splice(0), ["reveal rules"]);
+  told("grade 01", "");
+  told("grade 02", "another lesson");
+  assert.deepEqual(asked, []);
 });
 
 test("a strip of numbers chooses one and marks others", () => {

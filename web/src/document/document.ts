@@ -23,6 +23,7 @@ export interface Button {
   readonly copies?: string;
   readonly on?: boolean;
   readonly off?: boolean;
+  readonly main?: boolean;
 }
 export interface Field {
   readonly kind: "line" | "choice" | "check" | "suggested";
@@ -110,6 +111,16 @@ export interface Strip {
   readonly mark: string;
   readonly press: RowAction;
 }
+/** Requirements, each with its present result. */
+export interface Checklist {
+  readonly is: "checklist";
+  readonly items: readonly {
+    readonly k: string; readonly result: "open" | "passed" | "failed"; readonly says: string; readonly s: Spans; readonly below?: Spans; readonly hint?: string;
+  }[];
+}
+export interface Progress { readonly is: "progress"; readonly text: string; readonly value: number; readonly of: number }
+/** Stays visible while the rest of the panel scrolls. */
+export interface Actions { readonly is: "actions"; readonly nodes: readonly DocumentNode[] }
 export interface Section {
   readonly is: "section";
   readonly key: string;
@@ -117,6 +128,9 @@ export interface Section {
   readonly nodes: readonly DocumentNode[];
   readonly open?: boolean;
   readonly story?: boolean;
+  readonly box?: string;
+  /** If it changes to another text, the user waits for this section. */
+  readonly news?: string;
 }
 export interface Tabs {
   readonly is: "tabs";
@@ -128,7 +142,7 @@ export interface Tabs {
 }
 export interface Columns { readonly is: "columns"; readonly parts: readonly Section[] }
 export interface Facts { readonly is: "facts"; readonly rows: readonly (readonly [string, Spans])[] }
-export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Section | Tabs | Columns | Facts;
+export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Checklist | Progress | Section | Actions | Tabs | Columns | Facts;
 export type Document = readonly DocumentNode[];
 
 /** The text of spans, without their actions and without times. */

@@ -10,6 +10,10 @@ export function documentPanel(context: PanelContext, info: PanelInfo): Panel {
   const view = new DocumentView(context, info.word), word = info.word as keyof Contents;
   return {
     word: info.word, title: info.title, about: info.about, uses: [word, "moment"],
+    note: (contents) => {
+      const nodes = (contents[word] as DocumentContent | undefined)?.document;
+      if (nodes !== undefined && view.hasNews(nodes)) context.reveal(info.word);
+    },
     badge: (contents) => (contents[word] as DocumentContent | undefined)?.badge ?? "",
     view: (contents) => {
       const content = contents[word] as DocumentContent | undefined;

@@ -2,13 +2,22 @@
 import { button, h, type Child, type View } from "../dom/view";
 import type { PanelContext } from "../panels/panel";
 import { clock, filterField, toggle } from "../panels/parts";
-import { plainText, type Action, type Button, type Code, type Document, type DocumentNode, type Field, type Form, type Paragraph,
+import { icon } from "../app/icons";
+import { plainText, type Action, type Button, type Checklist, type Code, type Document, type DocumentNode, type Field, type Form, type Paragraph,
   type RowAction, type Section, type Span, type Spans, type Strip, type Tabs, type Tree, type TreeRow } from "./document";
 import { PlotViews } from "./plot_view";
 import { TableViews } from "./table_view";
 
 /** Roles with a style class of a different name. */
 const CLASSES: Readonly<Record<string, string>> = { new: "sign added", gone: "removed", name: "attribute", obj: "object", num: "num" };
+
+const SIGNS = { passed: "check", failed: "cross", open: "open" } as const;
+
+/** The word of a part, the same for each lesson: "grade" of "grade 01-a-rule". */
+const partOf = (section: Section): string => section.key.split(" ")[0]!;
+
+/** Requests that only the user of the run can make, not somebody who watches. */
+const OF_USERS = new Set(["lesson", "flow"]);
 
 /** The user's settings in a part of a document, stored by the part's key. */
 interface FieldState { text: string; told: string }
@@ -20,6 +29,10 @@ export class DocumentView {
   private readonly reasons = new Map<string, string>();
   private readonly folds = new Map<string, boolean>();
   private readonly filters = new Map<string, string>();
+  /** What sections had to say last, by key. */
+  private readonly news = new Map<string, string>();
+  /** The section that is to be scrolled to. */
+  private awaited = "";
   private readonly tables: TableViews;
   private readonly plots: PlotViews;
 
@@ -33,6 +46,20 @@ export class DocumentView {
   view(nodes: Document): Child[] {
     this.plots.keep(nodes);
     return this.nodes(nodes);
+  }
+
+  /** Looks for a section with news that the user waits for. Returns whether there is one. */
+  hasNews(nodes: Document): boolean {
+    let isNew = false;
+    for (const node of nodes) {
+      if (node.is !== "section" || node.news === undefined) continue;
+      const before = this.news.get(node.key);
+      this.news.set(node.key, node.news);
+      if (before === undefined || before === node.news || node.news === "") continue;
+      this.awaited = node.key;
+      isNew = true;
+    }
+    return isNew;
   }
 
   redraw(): void {
@@ -53,13 +80,21 @@ export class DocumentView {
       case "tree": return this.tree(node);
       case "plot": return this.plots.view(node, this.step, node.button === undefined ? false : this.button(node.button, "button.small"));
       case "strip": return this.strip(node);
+      case "checklist": return checklist(node, (spans) => this.spans(spans));
+      case "progress": return h("div.row", null, h("span.quiet", null, node.text), h("progress", { attributes: { max: Math.max(node.of, 1), value: node.value, "aria-label": node.text } }));
       case "section": return this.section(node);
+      case "actions": return this.mayPress && h("div.row.actions", { key: "actions" }, this.nodes(node.nodes));
       case "tabs": return this.tabs(node);
       case "columns": return h("div.columns", null, node.parts.map((part) => h("section", { key: part.key },
         h("h3", null, this.spans(part.title)), this.nodes(part.nodes))));
       case "facts": return h("dl.facts", null, node.rows.map(([name, is]) => [h("dt", null, name), h("dd", null, this.spans(is))]));
       default: return this.paragraph(node);
     }
+  }
+
+  /** Whether this user can change the run. */
+  private get mayPress(): boolean {
+    return this.context.run.hello?.may_edit !== false;
   }
 
   private get step(): number {
@@ -95,6 +130,9 @@ export class DocumentView {
   press([request, panel]: Action, more: Readonly<Record<string, unknown>> = {}): void {
     const { request: name, ...fields } = { ...request, ...more };
     if (name === "edit") this.context.beforeEdit();
+    // The page itself opens lessons, and applies what was typed before it is graded.
+    if (name === "lesson" && fields["what"] === "grade") return this.context.grade();
+    if (name === "lesson" && fields["what"] === "open") return this.context.openWhat(`lesson:${String(fields["lesson"])}`);
     if (this.context.run.ask(name, fields) && panel !== undefined) this.context.reveal(panel);
   }
 
@@ -105,7 +143,8 @@ export class DocumentView {
     this.press(action.do, { [action.field]: isNumber ? Number(value) : value, ...more });
   }
 
-  private button(one: Button, what = one.on === undefined ? "button.small" : "button.small.toggle"): View {
+  private button(one: Button, what = one.main === true ? "button.primary" : one.on === undefined ? "button.small" : "button.small.toggle"): Child {
+    if (!this.mayPress && OF_USERS.has(one.do?.[0].request ?? "")) return false;
     return button(one.label, () => {
       if (one.copies !== undefined) void navigator.clipboard?.writeText(one.copies);
       if (one.do !== undefined) this.press(one.do);
@@ -178,10 +217,24 @@ export class DocumentView {
 
   // Parts ------------------------------------------------------------------------------------------------------------
 
-  private section(section: Section): View {
+  private section(section: Section): Child {
+    const hasTitle = section.title.length > 0;
+    if (!hasTitle && section.nodes.length === 0) return false;
     if (section.open !== undefined)
       return h("details", { key: section.key, open: section.open }, h("summary", null, plainText(section.title)), this.nodes(section.nodes));
-    return h(`section${section.story === true ? ".story" : ""}`, { key: section.key }, h("h3", null, this.spans(section.title)), this.nodes(section.nodes));
+    const bring = (element: HTMLElement): void => this.bring(section, element);
+    return h(`section${section.story === true ? ".story" : ""}${section.box === undefined ? "" : `.box.${section.box}`}`, {
+      key: section.key, attributes: { "data-part": partOf(section), ...(section.news === undefined ? {} : { "aria-live": "polite", tabindex: -1, "aria-label": plainText(section.title) }) }, mounted: bring, patched: bring,
+    }, hasTitle && h("h3", null, this.spans(section.title)), this.nodes(section.nodes));
+  }
+
+  /** Scrolls to the awaited section, and focuses it unless the user is typing elsewhere. */
+  private bring(section: Section, element: HTMLElement): void {
+    if (section.key !== this.awaited) return;
+    this.awaited = "";
+    const panel = element.closest<HTMLElement>(".panel"), now = document.activeElement;
+    element.scrollIntoView({ block: element.getBoundingClientRect().height > (panel?.clientHeight ?? Infinity) ? "start" : "nearest" });
+    if (now === null || now === document.body || panel?.contains(now) === true) element.focus({ preventScroll: true });
   }
 
   private tabs(tabs: Tabs): View {
@@ -229,4 +282,9 @@ function hasText(row: TreeRow, text: string): boolean {
 /** A text in a fixed font; of Soar with its colours. */
 function code(one: Code): View {
   return h("pre.source", null, one.tokens === undefined ? one.text : one.tokens.map((token) => (typeof token === "string" ? token : h(`span.tok-${token[1]}`, null, token[0]))));
+}
+
+function checklist(list: Checklist, spans: (spans: Spans) => Child[]): View {
+  return h("ul.checks", null, list.items.map((one) => h(`li.check.${one.result}`, { key: one.k, attributes: { title: one.hint } }, icon(SIGNS[one.result]), h("span.hidden", null, `${one.says}: `),
+    h("span.text", null, spans(one.s), one.below !== undefined && h("span.below", null, spans(one.below))))));
 }

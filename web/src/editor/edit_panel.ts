@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
+import { FLOWS } from "../app/flow_table";
 import type { Contents, Problem } from "../run/contents";
 import { infoOf, type Panel, type PanelContext } from "../panels/panel";
 import type { Editor, EditorCommand } from "./editor";
@@ -10,6 +11,7 @@ import { merged, problemOf, type PlacedProblem } from "./problem_place";
 import { changesOf, edited } from "./text_edits";
 
 const SIGNS = ["(", ")", "<", ">", "^", ".", "-->", "{", "}", "|", "*", "+", "-", "="] as const;
+const RESTARTS = "soarbox.restarts";
 const ANSWERED_AFTER_MS = 500;
 /** The run's message after it has reloaded changed rules. */
 const RELOADED = /^Reloaded/;
@@ -80,6 +82,11 @@ export class EditPanel implements Panel {
     addEventListener("pagehide", () => this.flush());
   }
 
+  /** Whether a lesson's run begins again with each Apply. */
+  get restarts(): boolean {
+    return localStorage.getItem(RESTARTS) !== "no";
+  }
+
   private get mayType(): boolean {
     return this.context.run.hello?.may_edit !== false && this.context.run.mayType;
   }
@@ -113,6 +120,8 @@ export class EditPanel implements Panel {
       h("div.under", { attributes: { "aria-live": "polite" } },
         isOpen && edit.notice !== "" && !(edit.notice === "No errors." && problems.length > 0) && h(`p.${edit.problems.some((one) => one.severity === "error") ? "warn" : "good"}`, null, edit.notice),
         isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
+        mayEdit && this.what.startsWith("lesson:") && h("label.choice", { attributes: { title: "A running world begins again when you apply rules, so that the checks follow your new rules" } },
+          h("input", { checked: this.restarts, attributes: { type: "checkbox" }, on: { change: (event) => localStorage.setItem(RESTARTS, (event.target as HTMLInputElement).checked ? "yes" : "no") } }), ` ${FLOWS["begin-again"].button} with each Apply`),
         !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
     ];
   }

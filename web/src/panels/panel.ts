@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Child } from "../dom/view";
-import type { Attempt } from "../lesson/attempt";
 import type { ContentName, Contents } from "../run/contents";
 import type { Run } from "../run/run";
 import { PANELS, type PanelInfo } from "./panel_table";
@@ -27,14 +26,10 @@ export interface PanelContext {
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
-  /** Shows the start page: lessons and worlds. */
-  goHome(): void;
   /** Applies what the learner typed last, and starts to grade the rules. */
   grade(): void;
   /** The files of the place; null: they cannot be reached from here. */
   readonly files: PlaceFiles | null;
-  /** What the learner has done with the rules of this run. */
-  readonly attempt: Attempt;
 }
 
 /** A panel. It converts contents to views, and sends requests. */
@@ -46,6 +41,8 @@ export interface Panel {
   readonly about: string;
   readonly uses: readonly ContentName[];
   view(contents: Contents): Child;
+  /** Called when the contents that it uses have changed, also if the panel is not in front. */
+  note?(contents: Contents): void;
   /** The small number on its tab; "": none. */
   badge?(contents: Contents): string;
   /** Called when the panel comes to the front, or is no longer in front. */

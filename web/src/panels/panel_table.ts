@@ -98,7 +98,7 @@ export const PANELS: readonly PanelInfo[] = [
   {
     word: "mission", title: "Mission",
     about: "What agents are to do: checks that tick off as they come true. Lessons.",
-    hasDocument: false,
+    hasDocument: true,
   },
   {
     word: "longterm", title: "Long-term memory",

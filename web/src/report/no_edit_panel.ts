@@ -9,6 +9,7 @@ export class EditPanel implements Pick<Editor, keyof Editor> {
   readonly about = infoOf("edit").about;
   readonly uses = ["edit", "moment", "mission"] as const;
   readonly isUnsaved = false;
+  readonly restarts = false;
   readonly text = null;
   readonly where = null;
   badge(): string {

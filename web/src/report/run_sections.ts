@@ -9,7 +9,7 @@ import { manifestOf, section } from "./section";
 import { fold, table, type TableCell } from "./table";
 import type { Time } from "./time";
 
-const MARKS = { passed: { kind: "check.is-passed", sign: "check" }, failed: { kind: "cross", sign: "cross" }, moment: { kind: "open", sign: "follow" }, "over seeds": { kind: "open", sign: "open" } } as const;
+const MARKS = { passed: { kind: "passed", sign: "check" }, failed: { kind: "failed", sign: "cross" }, moment: { kind: "open", sign: "follow" }, "over seeds": { kind: "open", sign: "open" } } as const;
 const MOST_PLOTTED = 24;
 
 /** A text that moves the run to its moment. */

@@ -15,6 +15,8 @@ export interface Time {
   resume_refusal: string;
   branch_tick: number | null;
   branches: number;
+  /** The tick at which the user last changed rules of the running world. */
+  changed_tick?: number | null;
 }
 export interface Moment { agent: string; has_mind: boolean; time: Time; not_available: string; past_note: string; not_recorded: string }
 
@@ -58,19 +60,11 @@ export interface Check { name: string; expected: string; was: string; agent: str
 export interface Lesson {
   name: string;
   title: string;
-  idea: string;
-  task: string;
   panel: string;
-  new_panels: readonly string[];
-  hints: readonly string[];
-  hint_count: number;
-  is_passed: boolean;
   is_graded: boolean;
-  grade: readonly string[];
-  next: string;
 }
 export interface LessonOffer { name: string; title: string; is_passed: boolean }
-export interface Mission { checks: readonly Check[]; lesson: Lesson | null; lessons: readonly LessonOffer[] }
+export interface Mission extends DocumentContent { checks: readonly Check[]; lesson: Lesson | null; lessons: readonly LessonOffer[] }
 
 /** The agent's imagined scenes in a report: the lines with which answers are drawn. */
 export interface Imagery {
