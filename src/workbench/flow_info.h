@@ -63,6 +63,9 @@ inline constexpr const FlowInfo* FindFlow(std::string_view word) {
 /// The button that continues a run from the moment that is shown.
 inline constexpr std::string_view kResumeButton = "Resume here";
 
+/// What a return to the present is called in lists of keys and in tooltips.
+inline constexpr std::string_view kLiveTitle = "Back to the newest moment";
+
 /// Generates web/src/app/flow_table.ts.
 std::string FlowTable();
 

@@ -6,6 +6,7 @@
 #include "workbench/arrangement.h"
 #include "workbench/contents_json.h"
 #include "workbench/document/panels.h"
+#include "workbench/empty_panels.h"
 #include "workbench/flow_info.h"
 #include "workbench/requests_json.h"
 
@@ -61,6 +62,9 @@ std::string PanelTable() {
     }
     text += "  },\n";
   }
+  text += "} as const;\n\n/** The texts of empty panels that no document describes. */\nexport const EMPTY = {\n";
+  for (const auto& [word, empty] : {std::pair{"timeline", kEmptyTimeline}, std::pair{"edit", kEmptyEdit}})
+    text += "  " + std::string(word) + ": " + quoted(std::string(empty.what) + " " + std::string(empty.advice)) + ",\n";
   return text + "} as const;\n";
 }
 
@@ -79,12 +83,14 @@ std::string FlowTable() {
   return text +
          "} as const;\n\n/** The button that continues a run from the moment that is shown. */\nexport const RESUME "
          "= " +
-         quoted(kResumeButton) + ";\n";
+         quoted(kResumeButton) + ";\n/** A return to the present. */\nexport const LIVE = " + quoted(kLiveTitle) +
+         ";\n";
 }
 
 const char* const kDocuments =
     "\n## Documents\n\n"
-    "Most panels are described by a **document** (`src/workbench/document/`): what they show, without colors, sizes "
+    "Nearly all panels are described by a **document** (`src/workbench/document/`): what they show, without colors, "
+    "sizes "
     "and "
     "positions. It is built from\nthe contents. The window draws it with ImGui (`viewer/panels/document_panel.cpp`), "
     "pages and "
@@ -98,10 +104,14 @@ const char* const kDocuments =
     "| `line` | `nodes`, one after another |\n"
     "| `button` | `label`, `do`: an action, or `copies`: a text for the clipboard; `hint`, `on` (it is a toggle), "
     "`off` (it cannot be "
-    "pressed) |\n"
-    "| `form` | `key`, `do`, `fields` (`kind`: `line`, `choice`, `check` or `suggested`; `name` in the request, "
+    "pressed), `main` (the most likely next thing to do) |\n"
+    "| `form` | `key`, `do`, `fields` (`kind`: `line`, `choice`, `check`, `suggested` or `command`; `name` in the "
+    "request, "
     "`label`, "
-    "`placeholder`, `value`, `options`, `needed`), `button` (none: it sends while the user types), `hint`, `refusal`, "
+    "`placeholder`, `value`, `options`, `needed`; of a command line `command`: the actions `complete` and `keep`, "
+    "whose "
+    "requests get the text as `line`, and the `words` for `completed_line`), `button` (none: it sends while the user "
+    "types), `hint`, `refusal`, "
     "`clears` |\n"
     "| `table` | `key`, `columns` (`title`, `number`, `wide`: only where there is room, `wraps`), `rows` (`k`: key, "
     "`c`: cells, `hint`, "
@@ -115,14 +125,21 @@ const char* const kDocuments =
     "| `plot` | `key`, `title`, `value`, `range`, `curves` (`name`, `points`: tick and value), `stepped`, `button` |\n"
     "| `strip` | `key`, `label`, `count`: numbers from 1 of which one is `chosen` (0: none), `marks`, `mark`: what the "
     "marked ones are, `press` |\n"
-    "| `section` | `key`, `title`, `nodes`, `open` (it folds), `story` (all about one thing) |\n"
+    "| `checklist` | `items` (`k`, `result`: `open`, `passed` or `failed`, `says`: the result in words, `s`, `below`: "
+    "spans in a line of their own, `hint`) |\n"
+    "| `progress` | `text`; a bar: `value` of `of` are done |\n"
+    "| `transcript` | `key`, `label`, `lines`: a span for each, `count` (changes when a line is appended) |\n"
+    "| `section` | `key`, `title`, `nodes`, `open` (it folds), `story` (all about one thing), `box`: a role whose "
+    "color "
+    "sets it off, `news` (when this changes, the panel comes to the front and scrolls to it) |\n"
+    "| `actions` | `nodes`: a line at the lower edge that does not scroll; the last node of a document |\n"
     "| `tabs` | `key`, `pages` (`title`, `hint`, `nodes`), `first`, `reason` (another one: the first page again) |\n"
     "| `columns` | `parts`: sections side by side |\n"
     "| `facts` | `rows`: pairs of a name and spans |\n\n"
     "**Spans** are a text, or a list of texts and of `[text, role, action, hint]`; a number instead of the text is a "
     "tick: it is shown as a time, and a click goes there.\nAn **action** is `[request, panel]`: the panel comes to the "
     "front. `press` and `unfold` are `{do, "
-    "field, argument}`: the "
+    "field, argument, hint}`: the "
     "request's field becomes\nthe row's key, or its n-th argument. **Keys** stay the same from one document to the "
     "next, so that selection, filters and unfolded rows are kept.\n";
 

@@ -82,7 +82,7 @@ test("soldiers are drawn, reasons are shown, and the past is visited and left ag
   await show(page, "Console");
   await page.locator(".panel.console input").fill("print s1");
   await page.keyboard.press("Enter");
-  await until(async () => /\^io/.test(await page.locator("ol.console").innerText()), "the console answers");
+  await until(async () => /\^io/.test(await page.locator("ol.transcript").innerText()), "the console answers");
   await show(page, "Timeline");
   await page.waitForSelector("canvas.timeline");
 

@@ -191,7 +191,10 @@ void DrawTreeRow(PanelFrame& frame, const doc::Tree& tree, const doc::TreeRow& r
     ImGui::EndPopup();
   }
   const bool is_link = !row.spans.empty() && row.spans.front().action.has_value();
-  if (tree.press && !is_link && ClickedLikeALink()) Press(frame, *tree.press, row.key, row.arguments);
+  if (tree.press && !is_link) {
+    if (ClickedLikeALink()) Press(frame, *tree.press, row.key, row.arguments);
+    Tooltip(tree.press->hint);
+  }
   if (!open) return;
   for (const doc::TreeRow& below : row.below) DrawTreeRow(frame, tree, below);
   ImGui::TreePop();
@@ -316,6 +319,7 @@ void DocumentView::DrawNode(PanelFrame& frame, const doc::Node& node, bool fills
   if (const auto* table = As<doc::Table>(node)) return DrawTable(frame, *table, fills);
   if (const auto* list = As<doc::Checklist>(node)) return DrawChecklist(frame, *list);
   if (const auto* progress = As<doc::Progress>(node)) return DrawProgress(frame, *progress);
+  if (const auto* transcript = As<doc::Transcript>(node)) return DrawTranscript(frame, *transcript);
   if (const auto* section = As<doc::Section>(node)) return DrawSection(frame, *section);
   if (const auto* actions = As<doc::Actions>(node)) return DrawLine(frame, {actions->nodes});
   if (const auto* tabs = As<doc::Tabs>(node)) return DrawTabs(frame, *tabs, fills);
@@ -451,7 +455,11 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
     const float button = form.button.empty() ? 0 : ButtonWidth(form.button.c_str()) + ImGui::GetStyle().ItemSpacing.x;
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) FocusNextField();
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) focused_form_.clear();
-    sends |= DrawField(form, field, is_last ? button : 0);
+    if (field.kind == doc::Field::Kind::kCommand) {
+      sends |= commands_[form.key].Draw(frame, field, button, history_);
+    } else {
+      sends |= DrawField(form, field, is_last ? button : 0);
+    }
   }
   if (!form.button.empty()) {
     FlowLine(ButtonWidth(form.button.c_str()));
@@ -459,12 +467,20 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
     Tooltip(form.refusal.empty() ? form.hint : form.refusal);
   }
   ImGui::EndDisabled();
+  if (const auto command = commands_.find(form.key); command != commands_.end() && !command->second.offered().empty())
+    CutText(command->second.offered(), theme::kQuiet);
   if (sends) Send(frame, form);
 }
 
 void DocumentView::Send(PanelFrame& frame, const doc::Form& form) {
   workbench::Json json = workbench::ToJson(form.action.request);
+  const auto command = commands_.find(form.key);
   for (const doc::Field& field : form.fields) {
+    if (field.kind == doc::Field::Kind::kCommand) {
+      if (command->second.text().find_first_not_of(" \t") == std::string::npos) return;
+      json[field.name] = command->second.text();
+      continue;
+    }
     FieldState& state = fields_[form.key + "/" + field.name];
     const bool is_line = field.kind == doc::Field::Kind::kLine || field.kind == doc::Field::Kind::kSuggested;
     const std::string& value = is_line ? state.text : field.options[static_cast<std::size_t>(state.choice)].first;
@@ -476,6 +492,7 @@ void DocumentView::Send(PanelFrame& frame, const doc::Form& form) {
   for (const doc::Field& field : form.fields)
     if (field.kind == doc::Field::Kind::kSuggested && !form.button.empty())
       fields_[form.key + "/" + field.name].text.clear();
+  if (command != commands_.end()) return command->second.Sent(history_);
   if (!form.clears) return;
   for (const doc::Field& field : form.fields) fields_[form.key + "/" + field.name].text.clear();
   if (form.repeats) focused_form_ = form.key;
@@ -558,6 +575,32 @@ void DocumentView::DrawColumns(PanelFrame& frame, const doc::Columns& columns) {
   }
 }
 
+void DocumentView::DrawTranscript(PanelFrame& frame, const doc::Transcript& transcript) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
+  const Part part(transcript.key.c_str(), {0, 0}, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::PopStyleColor();
+  const FontScope mono(frame.fonts.mono);
+  const auto draw = [&](int i) {
+    const IdScope id(i);
+    const doc::Span& line = transcript.lines[static_cast<std::size_t>(i)];
+    if (!line.action) return ColoredText(ColorOf(line.role), line.text);
+    if (Link("line", line.text, ColorOf(line.role))) Press(frame, *line.action);
+    Tooltip(line.hint);
+  };
+  ForRowsInSight(transcript.lines.size(), draw, ImGui::GetTextLineHeightWithSpacing());
+  SeenLines& seen = seen_lines_[transcript.key];
+  if (seen.count == transcript.count) return;
+  ImGui::SetScrollHereY(1);
+  if (++seen.frames <= 2) return;  // The part has its new height one frame later.
+  seen = {transcript.count, 0};
+}
+
+std::string DocumentView::Unsent() const {
+  for (const auto& [form, command] : commands_)
+    if (command.text().find_first_not_of(" \t") != std::string::npos) return command.text();
+  return {};
+}
+
 // The panel -----------------------------------------------------------------------------------------------------------
 
 void DocumentPanel::Draw(PanelFrame& frame) {
@@ -566,6 +609,11 @@ void DocumentPanel::Draw(PanelFrame& frame) {
     revision_ = frame.contents.revision;
   }
   view_.Draw(frame, nodes_);
+}
+
+std::string DocumentPanel::Unsent() const {
+  const std::string line = view_.Unsent();
+  return line.empty() ? line : std::string(InfoOf(panel_).title) + ": \"" + line + "\" was typed and not sent.";
 }
 
 std::string DocumentPanel::Text(const PanelFrame& frame) const {

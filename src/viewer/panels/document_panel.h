@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/panels/command_field.h"
 #include "viewer/panels/panel.h"
 #include "workbench/document/document.h"
 #include "workbench/panel_id.h"
@@ -18,6 +19,8 @@ class DocumentView {
  public:
   /// The last table or tree fills the remaining height. Actions stay at the lower edge.
   void Draw(PanelFrame& frame, const workbench::document::Nodes& nodes);
+  /// A command line that was typed and not sent; empty: none.
+  std::string Unsent() const;
 
  private:
   struct TableState {
@@ -59,6 +62,7 @@ class DocumentView {
   void DrawRows(PanelFrame& frame, const workbench::document::Table& table, TableState& state,
                 const std::vector<std::size_t>& columns);
   void DrawTree(PanelFrame& frame, const workbench::document::Tree& tree);
+  void DrawTranscript(PanelFrame& frame, const workbench::document::Transcript& transcript);
   /// Notes which section has news that the user waits for.
   void LookForNews(const workbench::document::Nodes& nodes);
   void DrawSection(PanelFrame& frame, const workbench::document::Section& section);
@@ -67,9 +71,16 @@ class DocumentView {
 
   std::map<std::string, TableState> tables_;
   std::map<std::string, FieldState> fields_;
-  std::string focused_form_;                    ///< The form whose field takes the keyboard next.
-  std::map<std::string, std::string> reasons_;  ///< Last reasons that documents gave for pages.
-  float plot_height_ = 80;                      ///< Of the plots that are currently drawn, px.
+  std::map<std::string, CommandField> commands_;  ///< By the key of the form.
+  CommandHistory history_;
+  struct SeenLines {
+    std::uint64_t count = 0;
+    int frames = 0;  ///< Frames since lines were appended.
+  };
+  std::map<std::string, SeenLines> seen_lines_;  ///< Of transcripts.
+  std::string focused_form_;                     ///< The form whose field takes the keyboard next.
+  std::map<std::string, std::string> reasons_;   ///< Last reasons that documents gave for pages.
+  float plot_height_ = 80;                       ///< Of the plots that are currently drawn, px.
   std::map<std::string, int> pages_;
   std::map<std::string, float> heights_;     ///< Of stories and actions when they were last drawn, px.
   std::map<std::string, std::string> news_;  ///< Of sections, by key.
@@ -83,6 +94,7 @@ class DocumentPanel final : public Panel {
   explicit DocumentPanel(workbench::PanelId panel) : panel_(panel) {}
   void Draw(PanelFrame& frame) override;
   std::string Text(const PanelFrame& frame) const override;
+  std::string Unsent() const override;
 
  private:
   const workbench::PanelId panel_;

@@ -6,11 +6,21 @@
 #include <sstream>
 #include <utility>
 
-#include "viewer/panels/mind_note.h"
+#include "debugger/file_place.h"
 #include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
 namespace {
+
+/// Opens a place in a file for editing: in the panel Edit, or in the user's own editor if that panel cannot reload the
+/// file.
+void GoToFile(PanelFrame& frame, const std::string& file, int line) {
+  if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
+    frame.Ask(workbench::OpenFileRequest{file, line});
+  } else {
+    frame.AskIn(workbench::PanelId::kEdit, workbench::EditRequest{file, line});
+  }
+}
 
 constexpr std::size_t kMostShown = 60;
 
@@ -81,7 +91,7 @@ void Finder::AddPlaces(PanelFrame& frame, std::vector<Item>& items) const {
                            GoToFile(frame, place.file, place.line);
                            break;
                          case workbench::FoundPlace::Kind::kMemory:
-                           ShowObject(frame, place.id);
+                           frame.AskIn(workbench::PanelId::kMemory, workbench::ObjectRequest{place.id, true});
                            break;
                          case workbench::FoundPlace::Kind::kTrace:
                          case workbench::FoundPlace::Kind::kMessage:

@@ -67,7 +67,6 @@ class Panel {
 };
 
 std::unique_ptr<Panel> MakeTimelinePanel();
-std::unique_ptr<Panel> MakeConsolePanel();
 std::unique_ptr<Panel> MakeEditPanel();
 
 }  // namespace soarbox::viewer

@@ -32,7 +32,6 @@ Workspace::Workspace(Layout new_layout) : layout(std::move(new_layout)) {
   for (const workbench::PanelInfo& info : workbench::kPanelInfos)
     if (workbench::document::HasDocument(info.id)) put(info.id, std::make_unique<DocumentPanel>(info.id));
   put(workbench::PanelId::kTimeline, MakeTimelinePanel());
-  put(workbench::PanelId::kConsole, MakeConsolePanel());
   put(workbench::PanelId::kEdit, MakeEditPanel());
 }
 

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "debugger/console.h"
 #include "debugger/syntax.h"
 #include "workbench/checks.h"
 #include "workbench/panel_id.h"
@@ -80,9 +81,18 @@ struct Button {
   std::string copies = {};  ///< If not empty: the button has no action and copies this text to the clipboard.
 };
 
+/// What a command line needs besides its text. Its requests get the typed text in their field `line`.
+struct CommandLine {
+  Action complete;                  ///< Asks for completions, when the Tab key is pressed.
+  Action keep;                      ///< Stores a text that is not sent.
+  std::string completed_line = {};  ///< The line for which completions were last requested.
+  debugger::Completion found = {};  ///< The completions of that line.
+};
+
 /// A field of a form. Its value is stored in the field `name` of the form's request.
 struct Field {
-  enum class Kind : std::uint8_t { kLine, kChoice, kCheck, kSuggested } kind = Kind::kLine;
+  /// kCommand: a line with a history (arrow keys) and completion (Tab).
+  enum class Kind : std::uint8_t { kLine, kChoice, kCheck, kSuggested, kCommand } kind = Kind::kLine;
   std::string name;
   std::string label;
   std::string placeholder = {};
@@ -90,6 +100,7 @@ struct Field {
   std::vector<std::pair<std::string, std::string>> options =
       {};                  ///< Values and labels. kCheck: off, then on; kSuggested: suggestions for the line.
   bool is_needed = false;  ///< The form is not sent while the field is empty.
+  std::optional<CommandLine> command = std::nullopt;  ///< Of kCommand.
 };
 
 /// Fields that are sent together, by a button or by Enter.
@@ -110,6 +121,7 @@ struct RowAction {
   Action action;
   std::string_view field = {};  ///< The field of the request.
   std::size_t argument = 0;     ///< 0: the row's key; n: its n-th argument. Rows without that argument have no action.
+  std::string hint = {};        ///< Tooltip of rows of a tree.
 };
 
 struct Column {
@@ -154,8 +166,9 @@ struct Table {
   std::vector<TableRow> rows;
   std::string caption = {};
   std::optional<RowAction> press = std::nullopt;
-  std::string filter = {};                             ///< The label of a field that filters rows; empty: no field.
-  std::vector<std::string> groups = {};                ///< The user chooses one of them; initially the first.
+  std::string filter = {};               ///< The label of a field that filters rows; empty: no field.
+  std::vector<std::string> groups = {};  ///< The user chooses one of them; initially the first.
+  std::string groups_hint = "Which rows are shown";
   std::pair<std::string, std::string> none_fits = {};  ///< The text if no row passes the filter.
   bool is_sortable = false;
   bool has_heads = true;
@@ -217,6 +230,13 @@ struct Checklist {
 };
 std::string_view WordOf(CheckResult result);
 
+/// Lines that a run or a user appends. The newest line is visible, unless the user has scrolled to an earlier one.
+struct Transcript {
+  std::string key, label;
+  Spans lines;              ///< One span for each line.
+  std::uint64_t count = 0;  ///< Changes when a line is appended.
+};
+
 /// A text with a bar: `value` of `of` are done.
 struct Progress {
   std::string text;
@@ -272,8 +292,8 @@ struct Facts {
 };
 
 struct Node {
-  std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Checklist, Progress, Section, Actions,
-               Tabs, Columns, Facts>
+  std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Checklist, Progress, Transcript, Section,
+               Actions, Tabs, Columns, Facts>
       is;
   template <typename Kind>
   Node(Kind kind) : is(std::move(kind)) {}  // NOLINT: parts are converted to nodes implicitly.

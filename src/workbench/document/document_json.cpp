@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The JSON form of a document for pages. It is compact, because it is sent whenever the panel changes.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "workbench/document/panels.h"
@@ -15,7 +17,7 @@ constexpr std::string_view kRoles[] = {"plain", "strong", "quiet", "code", "good
                                        "new",   "gone",   "num",   "obj",  "name", "tag"};
 constexpr std::string_view kStyles[] = {"text", "heading", "title", "empty"};
 constexpr std::string_view kResults[] = {"open", "passed", "failed"};
-constexpr std::string_view kFields[] = {"line", "choice", "check", "suggested"};
+constexpr std::string_view kFields[] = {"line", "choice", "check", "suggested", "command"};
 
 /// The request and the panel that comes to the front: [{"request": "rule", "rule": "x"}, "rules"].
 Json ActionJson(const Action& action) {
@@ -58,6 +60,7 @@ Json SpansJson(const Spans& spans) {
 Json RowActionJson(const RowAction& action) {
   Json json{{"do", ActionJson(action.action)}, {"field", std::string(action.field)}};
   if (action.argument > 0) json["argument"] = action.argument;
+  Set(json, "hint", action.hint);
   return json;
 }
 
@@ -101,6 +104,13 @@ Json FieldJson(const Field& field) {
   Set(json, "value", field.value);
   if (!field.options.empty()) json["options"] = field.options;
   if (field.is_needed) json["needed"] = true;
+  if (const std::optional<CommandLine>& command = field.command)
+    json["command"] = {{"complete", ActionJson(command->complete)},
+                       {"keep", ActionJson(command->keep)},
+                       {"completed_line", command->completed_line},
+                       {"begin", command->found.begin},
+                       {"words", command->found.words},
+                       {"common", command->found.common}};
   return json;
 }
 
@@ -162,6 +172,7 @@ struct Writer {
     Set(json, "filter", table.filter);
     if (table.press) json["press"] = RowActionJson(*table.press);
     if (!table.groups.empty()) json["groups"] = table.groups;
+    if (!table.groups.empty()) json["groups_hint"] = table.groups_hint;
     if (!table.none_fits.first.empty()) json["none"] = Json::array({table.none_fits.first, table.none_fits.second});
     if (table.is_sortable) json["sorts"] = true;
     if (!table.has_heads) json["headless"] = true;
@@ -206,6 +217,16 @@ struct Writer {
   }
   Json operator()(const Progress& progress) const {
     return {{"is", "progress"}, {"text", progress.text}, {"value", progress.value}, {"of", progress.of}};
+  }
+  Json operator()(const Transcript& transcript) const {
+    // A page gets the newest lines.
+    constexpr std::ptrdiff_t kMost = 500;
+    const auto size = std::ssize(transcript.lines);
+    Json json{{"is", "transcript"}, {"key", transcript.key}, {"label", transcript.label}, {"count", transcript.count}};
+    Json& lines = json["lines"] = Json::array();
+    for (auto line = transcript.lines.end() - std::min(size, kMost); line != transcript.lines.end(); ++line)
+      lines.push_back(SpanJson(*line));
+    return json;
   }
   Json operator()(const Actions& actions) const { return {{"is", "actions"}, {"nodes", ToJson(actions.nodes)}}; }
   Json operator()(const Section& section) const {

@@ -76,6 +76,9 @@ class TextWriter {
     }
   }
   void operator()(const Progress& progress) { Put(progress.text); }
+  void operator()(const Transcript& transcript) {
+    for (const Span& line : transcript.lines) Put(line.text);
+  }
   void operator()(const Actions& actions) { Put(Inline(actions.nodes)); }
   void operator()(const Section& section) {
     Put(TextOf(section.title));

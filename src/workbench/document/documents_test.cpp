@@ -138,10 +138,11 @@ TEST_F(Documents, HoldRequestsThatCanBeReadAndPanelsThatExist) {
       });
     }
   }
-  for (const char* request : {"select",        "seek",      "ask",          "rule",         "object",       "element",
-                              "search-memory", "break",     "change-break", "watch",        "beside",       "plot",
-                              "imagine",       "coverage",  "state",        "edit",         "search-known", "line-stop",
-                              "error-stop",    "script-go", "script-call",  "script-value", "script-watch", "lesson"})
+  for (const char* request :
+       {"select",       "seek",         "ask",          "rule",      "object",     "element",   "search-memory",
+        "break",        "change-break", "watch",        "beside",    "plot",       "imagine",   "coverage",
+        "state",        "edit",         "search-known", "line-stop", "error-stop", "script-go", "script-call",
+        "script-value", "script-watch", "lesson",       "console",   "complete",   "keep-line"})
     EXPECT_TRUE(requests.contains(request)) << request;
 }
 
@@ -306,6 +307,32 @@ TEST_F(Documents, OfMissionsHaveNewsWhenAGradeOrAHintComes) {
   EXPECT_EQ(news("hints"), "1");
   lesson.hints.clear();
   EXPECT_EQ(news("hints"), "");
+}
+
+TEST_F(Documents, OfConsolesHoldWhatWasSaidAndALineThatCanBeCompleted) {
+  run->Fill("walker");
+  Contents& contents = run->contents;
+  contents.begun_line = "matches w";
+  contents.completed_line = "pri";
+  contents.completion = {0, {"print"}, "print"};
+  EXPECT_THAT(TextOf(PanelId::kConsole), AllOf(HasSubstr("> print s1\n"), HasSubstr("^superstate nil"),
+                                               HasSubstr("[Clear] walker>{matches w} [Send]")));
+  const debugger::Json json = ToJson(DocumentOf(PanelId::kConsole, contents));
+  const debugger::Json& field = json[1]["nodes"][1]["fields"][0];
+  EXPECT_EQ(field["command"]["words"].dump(), R"(["print"])");
+  EXPECT_EQ(field["command"]["complete"][0]["request"], "complete");
+  // Lines that name a place in a file lead there.
+  debugger::Console console("walker");
+  console.Refuse("print", "see walker.soar:3 about it");
+  contents.console = &console;
+  const Nodes nodes = DocumentOf(PanelId::kConsole, contents);
+  const Transcript& lines = std::get<Transcript>(nodes.at(0).is);
+  ASSERT_EQ(lines.lines.size(), 2u);
+  EXPECT_FALSE(lines.lines[0].action);
+  EXPECT_TRUE(lines.lines[1].action);
+  contents.has_mind = false;
+  console.Clear();
+  EXPECT_THAT(TextOf(PanelId::kConsole), HasSubstr("walker has no Soar mind. Type Lua for its script"));
 }
 
 TEST_F(Documents, OfFuturesBeginWithWhoDecidedOtherwise) {

@@ -43,6 +43,7 @@ Nodes ImageryDocument(const Contents& contents);
 Nodes ScriptDocument(const Contents& contents);
 Nodes ProblemsDocument(const Contents& contents);
 Nodes MissionDocument(const Contents& contents);
+Nodes ConsoleDocument(const Contents& contents);
 
 struct PanelDocument {
   PanelId panel;
@@ -59,6 +60,7 @@ inline constexpr PanelDocument kPanelDocuments[] = {
     {PanelId::kLearning, LearningDocument}, {PanelId::kExercise, ExerciseDocument},
     {PanelId::kImagery, ImageryDocument},   {PanelId::kScript, ScriptDocument},
     {PanelId::kProblems, ProblemsDocument}, {PanelId::kMission, MissionDocument},
+    {PanelId::kConsole, ConsoleDocument},
 };
 
 }  // namespace soarbox::workbench::document

@@ -51,3 +51,5 @@ export const FLOWS = {
 
 /** The button that continues a run from the moment that is shown. */
 export const RESUME = "Resume here";
+/** A return to the present. */
+export const LIVE = "Back to the newest moment";

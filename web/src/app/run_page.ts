@@ -2,7 +2,6 @@
 import { patch, type Child } from "../dom/view";
 import { documentPanel } from "../document/document_panel";
 import { EditPanel } from "../editor/edit_panel";
-import { consolePanel } from "../panels/console";
 import type { Panel, PanelContext, PlaceFiles } from "../panels/panel";
 import { outputPanel } from "../panels/output";
 import { ARRANGEMENTS, PANELS } from "../panels/panel_table";
@@ -88,7 +87,7 @@ export class RunPage {
       },
     };
     this.edit = new EditPanel(context, () => this.applied());
-    const own = [timelinePanel, consolePanel, outputPanel].map((make) => make(context));
+    const own = [timelinePanel, outputPanel].map((make) => make(context));
     this.panels = [...own, ...PANELS.filter((one) => one.hasDocument).map((one) => documentPanel(context, one))];
     this.panels.push(this.edit);
     this.stage = new Stage(run, (name) => run.ask("select", { agent: name }));
@@ -233,9 +232,9 @@ export class RunPage {
     if (this.what.startsWith("lesson:") && this.edit.restarts && isLive && !run.flow.paused && run.hello?.may_edit === true) run.ask("flow", { what: "begin-again" });
   }
 
-  private grade(): void {
+  private grade(): boolean {
     if (this.edit.isUnsaved) this.edit.apply();
-    this.run.ask("lesson", { what: "grade" });
+    return this.run.ask("lesson", { what: "grade" });
   }
 
   private drawFlow(): void {

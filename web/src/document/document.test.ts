@@ -174,6 +174,46 @@ test("a checklist says each result in words; progress has a bar; actions follow 
   assert.equal(all(made(true, false).view.view(nodes)).filter((one) => one.tag === "button" && one.classes !== "link time").length, 0, "who watches cannot press them");
 });
 
+test("a command line is completed with Tab, sent with Enter, and brought back with the arrow keys", () => {
+  const { view, asked } = made();
+  const nodes = (agent: string, command: { completed_line: string; begin: number; words: string[]; common: string }, value = ""): Document => [
+    { is: "transcript", key: `output ${agent}`, label: "Output", count: 2, lines: [["> print s1", "name"], "(S1 ^io I1)", ["a.soar:3: error", "bad", [{ request: "edit", file: "a.soar", line: 3 }, "edit"]]] },
+    { is: "actions", nodes: [{ is: "form", key: `command ${agent}`, do: [{ request: "console", agent, line: "" }], button: "Send", clears: true, fields: [
+      { kind: "command", name: "line", label: `${agent}>`, value, needed: true, command: { complete: [{ request: "complete", agent, line: "" }], keep: [{ request: "keep-line", agent, line: "" }], ...command } },
+    ] }] },
+  ];
+  const none = { completed_line: "", begin: 0, words: [], common: "" };
+  const field = (shown: Child): View => all(shown).find((one) => one.tag === "input")!;
+  const key = (shown: Child, name: string): void => field(shown).props.on!.keydown!({ key: name, shiftKey: false, preventDefault: () => {} } as KeyboardEvent);
+  const submit = (shown: Child): void => all(shown).find((one) => one.tag === "form")!.props.on!.submit!({ preventDefault: () => {} } as SubmitEvent);
+  let shown = view.view(nodes("porter", none));
+  assert.deepEqual(all(shown).filter((one) => one.tag === "li").map(textOf), ["> print s1", "(S1 ^io I1)", "a.soar:3: error"]);
+  submit(shown);
+  assert.deepEqual(asked, [], "an empty line is not sent");
+  type(shown, "porter>", "pri");
+  key(shown, "Tab");
+  assert.deepEqual(asked.splice(0), [["complete", { agent: "porter", line: "pri" }]]);
+  shown = view.view(nodes("porter", { completed_line: "pri", begin: 0, words: ["print", "prints"], common: "print" }));
+  assert.equal(field(view.view(nodes("porter", none))).props.value, "print", "Tab inserts what all words have in common");
+  press(shown, "prints");
+  shown = view.view(nodes("porter", none));
+  assert.equal(field(shown).props.value, "prints");
+  asked.length = 0;
+  field(shown).props.on!.change!({} as Event);
+  assert.deepEqual(asked.splice(0), [["keep-line", { agent: "porter", line: "prints" }]]);
+  type(shown, "porter>", "print s1");
+  assert.equal(field(view.view(nodes("anna", none, "begun"))).props.value, "begun", "another agent has its own line");
+  assert.equal(field(view.view(nodes("porter", none))).props.value, "print s1", "and this one keeps its own");
+  submit(shown);
+  assert.deepEqual(asked[0], ["console", { agent: "porter", line: "print s1" }]);
+  shown = view.view(nodes("porter", none));
+  assert.equal(field(shown).props.value, "");
+  key(shown, "ArrowUp");
+  assert.equal(field(view.view(nodes("porter", none))).props.value, "print s1");
+  key(shown, "ArrowDown");
+  assert.equal(field(view.view(nodes("porter", none))).props.value, "");
+});
+
 test("news of a section bring its panel to the front, but neither the first ones nor empty ones", () => {
   const { asked, context } = made();
   const panel = documentPanel(context, { word: "rules", title: "Rules", about: "", hasDocument: true });

@@ -10,7 +10,7 @@ export type Span = string | readonly [string | number, string?, (Action | null)?
 export type Spans = string | readonly Span[];
 
 /** An action of rows: the request's field is the row's key, or its n-th argument. */
-export interface RowAction { readonly do: Action; readonly field: string; readonly argument?: number }
+export interface RowAction { readonly do: Action; readonly field: string; readonly argument?: number; readonly hint?: string }
 
 export interface Paragraph { readonly is: "text" | "heading" | "title" | "empty"; readonly s: Spans; readonly hint?: string }
 export interface Code { readonly is: "code"; readonly text?: string; readonly tokens?: readonly (string | readonly [string, string])[] }
@@ -26,13 +26,15 @@ export interface Button {
   readonly main?: boolean;
 }
 export interface Field {
-  readonly kind: "line" | "choice" | "check" | "suggested";
+  readonly kind: "line" | "choice" | "check" | "suggested" | "command";
   readonly name: string;
   readonly label: string;
   readonly placeholder?: string;
   readonly value?: string;
   readonly options?: readonly (readonly [string, string])[];
   readonly needed?: boolean;
+  /** Of a command line: its requests get the text as `line`. The words complete `completed_line` from `begin` on. */
+  readonly command?: { readonly complete: Action; readonly keep: Action; readonly completed_line: string; readonly begin: number; readonly words: readonly string[]; readonly common: string };
 }
 export interface Form {
   readonly is: "form";
@@ -69,6 +71,7 @@ export interface Table {
   readonly filter?: string;
   readonly press?: RowAction;
   readonly groups?: readonly string[];
+  readonly groups_hint?: string;
   readonly none?: readonly [string, string];
   readonly sorts?: boolean;
   readonly headless?: boolean;
@@ -118,6 +121,8 @@ export interface Checklist {
     readonly k: string; readonly result: "open" | "passed" | "failed"; readonly says: string; readonly s: Spans; readonly below?: Spans; readonly hint?: string;
   }[];
 }
+/** Lines that are appended; the newest is visible unless the user has scrolled back. */
+export interface Transcript { readonly is: "transcript"; readonly key: string; readonly label: string; readonly lines: readonly Span[]; readonly count: number }
 export interface Progress { readonly is: "progress"; readonly text: string; readonly value: number; readonly of: number }
 /** Stays visible while the rest of the panel scrolls. */
 export interface Actions { readonly is: "actions"; readonly nodes: readonly DocumentNode[] }
@@ -142,7 +147,7 @@ export interface Tabs {
 }
 export interface Columns { readonly is: "columns"; readonly parts: readonly Section[] }
 export interface Facts { readonly is: "facts"; readonly rows: readonly (readonly [string, Spans])[] }
-export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Checklist | Progress | Section | Actions | Tabs | Columns | Facts;
+export type DocumentNode = Paragraph | Code | Line | Button | Form | Table | Tree | Plot | Strip | Checklist | Progress | Transcript | Section | Actions | Tabs | Columns | Facts;
 export type Document = readonly DocumentNode[];
 
 /** The text of spans, without their actions and without times. */

@@ -3,6 +3,7 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { PanelContext } from "../panels/panel";
 import { clock, filterField, toggle } from "../panels/parts";
 import { icon } from "../app/icons";
+import { CommandField } from "./command_field";
 import { plainText, type Action, type Button, type Checklist, type Code, type Document, type DocumentNode, type Field, type Form, type Paragraph,
   type RowAction, type Section, type Span, type Spans, type Strip, type Tabs, type Tree, type TreeRow } from "./document";
 import { PlotViews } from "./plot_view";
@@ -29,6 +30,8 @@ export class DocumentView {
   private readonly reasons = new Map<string, string>();
   private readonly folds = new Map<string, boolean>();
   private readonly filters = new Map<string, string>();
+  private readonly commands = new Map<string, CommandField>();
+  private readonly history: string[] = [];
   /** What sections had to say last, by key. */
   private readonly news = new Map<string, string>();
   /** The section that is to be scrolled to. */
@@ -81,6 +84,7 @@ export class DocumentView {
       case "plot": return this.plots.view(node, this.step, node.button === undefined ? false : this.button(node.button, "button.small"));
       case "strip": return this.strip(node);
       case "checklist": return checklist(node, (spans) => this.spans(spans));
+      case "transcript": return h("ol.transcript", { key: node.key, attributes: { "aria-label": node.label, "aria-live": "polite", "data-count": node.count }, mounted: toNewest, patched: followNewest }, node.lines.map((line) => h("li", null, this.span(line))));
       case "progress": return h("div.row", null, h("span.quiet", null, node.text), h("progress", { attributes: { max: Math.max(node.of, 1), value: node.value, "aria-label": node.text } }));
       case "section": return this.section(node);
       case "actions": return this.mayPress && h("div.row.actions", { key: "actions" }, this.nodes(node.nodes));
@@ -126,14 +130,16 @@ export class DocumentView {
     return h(role === "strong" ? "b" : role === "code" ? "code" : `span.${name.replace(" ", ".")}`, { attributes }, text);
   }
 
-  /** Sends a request, and shows where its answer appears. */
-  press([request, panel]: Action, more: Readonly<Record<string, unknown>> = {}): void {
+  /** Sends a request, and shows where its answer appears. Returns whether it was sent. */
+  press([request, panel]: Action, more: Readonly<Record<string, unknown>> = {}): boolean {
     const { request: name, ...fields } = { ...request, ...more };
     if (name === "edit") this.context.beforeEdit();
     // The page itself opens lessons, and applies what was typed before it is graded.
     if (name === "lesson" && fields["what"] === "grade") return this.context.grade();
-    if (name === "lesson" && fields["what"] === "open") return this.context.openWhat(`lesson:${String(fields["lesson"])}`);
-    if (this.context.run.ask(name, fields) && panel !== undefined) this.context.reveal(panel);
+    if (name === "lesson" && fields["what"] === "open") return this.context.openWhat(`lesson:${String(fields["lesson"])}`), true;
+    const isSent = this.context.run.ask(name, fields);
+    if (isSent && panel !== undefined) this.context.reveal(panel);
+    return isSent;
   }
 
   private pressRow(action: RowAction, row: { readonly k: string; readonly a?: readonly string[] }, more: Readonly<Record<string, unknown>> = {}): void {
@@ -167,11 +173,12 @@ export class DocumentView {
     const send = (): void => {
       const values: Record<string, unknown> = {};
       for (const field of form.fields) {
-        const { text } = this.stateOf(form, field);
+        const text = this.commands.get(form.key)?.line ?? this.stateOf(form, field).text;
         if (field.needed === true && text.trim() === "") return;
         values[field.name] = typeof form.do[0][field.name] === "number" ? Math.max(0, Math.floor(Number(text))) || 0 : text.trim();
       }
-      this.press(form.do, values);
+      if (!this.press(form.do, values)) return;
+      this.commands.get(form.key)?.sent();
       if (form.clears !== true) return;
       for (const field of form.fields) if (field.kind === "line") this.stateOf(form, field).text = "";
       this.redraw();
@@ -184,7 +191,18 @@ export class DocumentView {
     !isLive && h("button", { attributes: { type: "submit", title: form.refusal ?? form.hint, disabled: form.refusal !== undefined } }, form.button));
   }
 
+  /** The command line of a form. It keeps what is typed until it is sent. */
+  private commandOf(form: Form, field: Field): CommandField {
+    let command = this.commands.get(form.key);
+    if (command === undefined) {
+      const uses = { ask: (action: Action, line: string) => void this.press(action, { line }), redraw: () => this.redraw() };
+      this.commands.set(form.key, (command = new CommandField(field.value ?? "", this.history, uses)));
+    }
+    return command;
+  }
+
   private field(form: Form, field: Field, changed: () => void): Child {
+    if (field.command !== undefined) return this.commandOf(form, field).view(field);
     const state = this.stateOf(form, field), options = field.options ?? [];
     const set = (text: string): void => {
       state.text = text;
@@ -223,7 +241,7 @@ export class DocumentView {
     if (section.open !== undefined)
       return h("details", { key: section.key, open: section.open }, h("summary", null, plainText(section.title)), this.nodes(section.nodes));
     const bring = (element: HTMLElement): void => this.bring(section, element);
-    return h(`section${section.story === true ? ".story" : ""}${section.box === undefined ? "" : `.box.${section.box}`}`, {
+    return h(`section${section.story === true ? ".story" : ""}${section.box === undefined ? "" : `.box.box-${section.box}`}`, {
       key: section.key, attributes: { "data-part": partOf(section), ...(section.news === undefined ? {} : { "aria-live": "polite", tabindex: -1, "aria-label": plainText(section.title) }) }, mounted: bring, patched: bring,
     }, hasTitle && h("h3", null, this.spans(section.title)), this.nodes(section.nodes));
   }
@@ -270,7 +288,7 @@ export class DocumentView {
         this.folds.set(place, !isOpen);
         this.redraw();
       }, { attributes: { "aria-expanded": String(isOpen), "aria-label": `${isOpen ? "Fold" : "Unfold"} ${plainText(row.s)}` } }, "button.fold") : h("span.fold", null, " "),
-      press !== undefined && !leads ? button(text, () => this.pressRow(press, row), { attributes: { title: "Which rule made it, and which rules test it" } }, "button.link") : h("span.text", null, text)),
+      press !== undefined && !leads ? button(text, () => this.pressRow(press, row), { attributes: { title: press.hint } }, "button.link") : h("span.text", null, text)),
       isOpen && row.below !== undefined && h("ul.tree", { attributes: { role: "group" } }, row.below.map((one) => this.treeRow(tree, one, place))));
   }
 }
@@ -287,4 +305,15 @@ function code(one: Code): View {
 function checklist(list: Checklist, spans: (spans: Spans) => Child[]): View {
   return h("ul.checks", null, list.items.map((one) => h(`li.check.${one.result}`, { key: one.k, attributes: { title: one.hint } }, icon(SIGNS[one.result]), h("span.hidden", null, `${one.says}: `),
     h("span.text", null, spans(one.s), one.below !== undefined && h("span.below", null, spans(one.below))))));
+}
+
+const toNewest = (element: HTMLElement): void => {
+  element.scrollTop = element.scrollHeight;
+};
+
+/** Scrolls to the newest line unless the user has scrolled back. */
+function followNewest(element: HTMLElement): void {
+  const isNear = element.scrollHeight - element.scrollTop - element.clientHeight < 80;
+  if (isNear || element.dataset["shown"] !== element.dataset["count"]) toNewest(element);
+  element.dataset["shown"] = element.dataset["count"];
 }

@@ -26,8 +26,8 @@ export interface PanelContext {
   /** Opens a file in the editor. */
   edit(file: string, line?: number): void;
   openWhat(what: string): void;
-  /** Applies what the learner typed last, and starts to grade the rules. */
-  grade(): void;
+  /** Applies what the learner typed last, and starts to grade the rules. Returns whether the request was sent. */
+  grade(): boolean;
   /** The files of the place; null: they cannot be reached from here. */
   readonly files: PlaceFiles | null;
 }

@@ -63,7 +63,7 @@ export const PANELS: readonly PanelInfo[] = [
   {
     word: "console", title: "Console",
     about: "The Soar command line of the selected agent.",
-    hasDocument: false,
+    hasDocument: true,
   },
   {
     word: "edit", title: "Edit",
@@ -147,4 +147,10 @@ export const ARRANGEMENTS = {
     right: ["mind", "why"],
     bottom: ["timeline", "output", "messages", "trace", "imagery"],
   },
+} as const;
+
+/** The texts of empty panels that no document describes. */
+export const EMPTY = {
+  timeline: "Nothing has happened yet. Let the world run: operators, commands and events appear here.",
+  edit: "No file is open. Choose one above, or press Edit at a rule.",
 } as const;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { button, h, type Child, type View } from "../dom/view";
-import type { Contents } from "../run/contents";
 import type { PanelContext } from "./panel";
 
 /** Parts that several panels share. */
@@ -8,19 +7,6 @@ import type { PanelContext } from "./panel";
 /** A note in an empty panel: what it will show. */
 export function empty(text: string, ...more: Child[]): View {
   return h("div.empty", null, h("p", null, text), more);
-}
-
-/** Why a panel about a mind has nothing to show, and what to do; `otherwise`: the text in all other cases. */
-export function noMind(context: PanelContext, contents: Contents, otherwise: string): View {
-  const { hello } = context.run, agent = contents.moment?.agent ?? "";
-  if (hello !== null && hello.minds.length === 0 && hello.agents.length === 0)
-    return empty("Nobody is in this world yet. Some worlds wait for a key: click the picture, and press what the world names in the panel Output.");
-  if (hello !== null && hello.minds.length === 0)
-    return empty("No agent of this world has a Soar mind: Lua scripts decide for them. Read the scripts in the panel Edit, and watch what happens in Timeline and Trace.");
-  if (agent === "") return empty(otherwise);
-  if (hello !== null && !hello.minds.includes(agent) && contents.moment?.has_mind === false)
-    return empty(`${agent} has no Soar mind: a script decides for it. Select one of those who have one:`, h("div.row", null, hello.minds.slice(0, 12).map((one) => button(one, () => context.run.ask("select", { agent: one }), { key: one }, "button.small"))));
-  return empty(contents.moment?.not_available || otherwise);
 }
 
 /** 12.3 s as "0:12.30"; hours are minutes. */

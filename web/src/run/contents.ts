@@ -25,14 +25,6 @@ export interface Mark { tick: number; kind: string; text: string }
 export interface Track { agent: string; spans: readonly Span[]; marks: readonly Mark[] }
 export interface Timeline { timeline: readonly Track[] | null }
 
-export interface ConsoleLine { tick: number; kind: "input" | "output" | "error" | "hint"; text: string }
-export interface Console {
-  lines: readonly ConsoleLine[];
-  completed_line: string;
-  completion: { begin: number; words: readonly string[]; common: string };
-  begun_line: string;
-}
-
 export interface Problem { severity: "note" | "warning" | "error"; file?: string; line?: number; column?: number; message: string; excerpt?: string; hint?: string; more?: number }
 export interface OpenFile { file: string; is_changed: boolean; is_unsaved: boolean; failure: string }
 export interface EditText {
@@ -92,11 +84,10 @@ export interface DocumentContent { document?: Document; badge?: string }
 export interface Contents extends Partial<Record<DocumentName, DocumentContent>> {
   moment?: Moment;
   timeline?: Timeline;
-  console?: Console;
   edit?: Edit;
   mission?: Mission;
   ghosts?: Ghosts;
 }
 type DocumentName = "agents" | "mind" | "memory" | "rules" | "why" | "links" | "messages" | "plots" | "trace" | "breakpoints" | "futures" | "watch" | "minds" |
-  "longterm" | "learning" | "exercise" | "imagery" | "script" | "problems";
+  "longterm" | "learning" | "exercise" | "imagery" | "script" | "problems" | "console";
 export type ContentName = keyof Contents;
