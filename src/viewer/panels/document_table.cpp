@@ -110,7 +110,7 @@ void DocumentView::DrawTableBar(PanelFrame& frame, const doc::Table& table, Tabl
           state.group = static_cast<int>(i);
       ImGui::EndCombo();
     }
-    Tooltip("Which rows are shown");
+    Tooltip(table.groups_hint);
     if (!table.filter.empty()) FlowLine(frame.Px(90));
   }
   if (!table.filter.empty()) SearchField("##filter", table.filter.c_str(), state.filter);

@@ -12,6 +12,7 @@
 #include "viewer/panels/rule_source.h"
 #include "viewer/panels/text_history.h"
 #include "viewer/panels/widgets.h"
+#include "workbench/empty_panels.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -29,10 +30,10 @@ class EditPanel final : public Panel {
     if (edit.file.empty()) {
       OpenOwnRules(frame);
       EmptyNote(
-          frame.contents.moment.is_recording ? "A recording has no files to edit." : "No file is open.",
+          frame.contents.moment.is_recording ? "A recording has no files to edit." : workbench::kEmptyEdit.what,
           frame.contents.moment.is_recording
               ? "Run its scenario, or go on from a moment of it: soarbox resume FILE --at SECONDS --rules NEW.soar"
-              : "Choose one above, or press Edit at a rule.");
+              : workbench::kEmptyEdit.advice);
       return;
     }
     if (file_ != edit.file || version_ != edit.version) {

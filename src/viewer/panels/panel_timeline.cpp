@@ -8,6 +8,7 @@
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
 #include "viewer/panels/widgets.h"
+#include "workbench/empty_panels.h"
 
 namespace soarbox::viewer {
 namespace {
@@ -141,7 +142,7 @@ class TimelinePanel final : public Panel {
   void Draw(PanelFrame& frame) override {
     const debugger::Timeline* timeline = frame.contents.timeline;
     if (timeline == nullptr || timeline->empty()) {
-      EmptyNote("Nothing has happened yet.", "Let the world run: operators, commands and events appear here.");
+      EmptyNote(workbench::kEmptyTimeline.what, workbench::kEmptyTimeline.advice);
       return;
     }
     const workbench::Moment& now = frame.contents.moment;

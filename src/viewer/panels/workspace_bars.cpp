@@ -347,7 +347,7 @@ void Workspace::DrawScrubber(PanelFrame& frame, const Metrics& m) {
   }
   const char* const to_newest = is_newest         ? "This is the newest moment"
                                 : at.is_recording ? "To the end of the recording"
-                                                  : "Back to the newest moment";
+                                                  : workbench::kLiveTitle.data();
   if (IconButton(Icon::kToEnd, "live", newest, to_newest, !is_newest)) frame.Ask(workbench::LiveRequest{});
   ImGui::End();
 }

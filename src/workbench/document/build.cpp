@@ -131,8 +131,7 @@ Span AgentLink(const std::string& agent) {
 }
 
 Span ElementLink(const mind::ElementFact& element) {
-  return {ElementText(element), Role::kObject, Action{ElementRequest{element.timetag}, PanelId::kMemory},
-          "Which rule made it, and which rules test it"};
+  return {ElementText(element), Role::kObject, Action{ElementRequest{element.timetag}, PanelId::kMemory}, kElementHint};
 }
 
 Span FileLink(const Contents& contents, const std::string& file, int line, std::string text) {

@@ -27,6 +27,8 @@ Span Time(std::uint64_t tick);
 Span RuleLink(const std::string& rule, Role role = Role::kName);
 /// A link that selects the agent.
 Span AgentLink(const std::string& agent);
+/// The tooltip of links to elements.
+inline constexpr const char* kElementHint = "Which rule made it, and which rules test it";
 /// A link to the element in the panel Memory: "(S1 ^io I1)".
 Span ElementLink(const mind::ElementFact& element);
 /// A link to the file: opens it in the panel Edit if it can be edited there, else in the user's editor.

@@ -74,7 +74,7 @@ void AddLink(const char* key, const debugger::MemoryObject& object, bool is_perc
   Tree tree;
   tree.key = key;
   tree.label = is_percept ? "Percepts" : "Output link";
-  tree.press = RowAction{{ElementRequest{}, PanelId::kMemory}, "timetag"};
+  tree.press = RowAction{{ElementRequest{}, PanelId::kMemory}, "timetag", 0, kElementHint};
   if (is_percept) tree.filter = "Filter by attribute or value";
   for (const MemoryRow& row : object.rows)
     if (!IsReplaced(row, object.rows)) tree.rows.push_back(PerceptRow(row, {}, 0, is_percept));

@@ -142,7 +142,7 @@ Nodes MemoryDocument(const Contents& contents) {
     return nodes;
   }
   Tree tree{"memory", "Working memory", {}};
-  tree.press = RowAction{{ElementRequest{}}, "timetag"};
+  tree.press = RowAction{{ElementRequest{}}, "timetag", 0, kElementHint};
   tree.unfold = RowAction{{ObjectRequest{}}, "id", 1};
   Unfolded unfolded(contents);
   for (const debugger::StackLevel& level : contents.stack.levels)

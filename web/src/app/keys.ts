@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 
-import { FLOWS } from "./flow_table";
+import { FLOWS, LIVE } from "./flow_table";
 
 /** Keys of the page. Letters work outside of text fields. */
 export interface Key { keys: string; does: string; group: "Run" | "Picture" | "Panels" | "Rules" | "Page" }
@@ -15,7 +15,7 @@ export const KEYS: readonly Key[] = [
   of("C", "step-change"),
   { keys: "< and >", does: "Slower, faster", group: "Run" },
   of("R", "begin-again"),
-  { keys: "L", does: "Back to the newest moment", group: "Run" },
+  { keys: "L", does: LIVE, group: "Run" },
   { keys: "Drag, arrow keys", does: "Turn around what is looked at", group: "Picture" },
   { keys: "Shift and drag or arrow", does: "Move along the ground", group: "Picture" },
   { keys: "Wheel, pinch, + and -", does: "Nearer, further", group: "Picture" },

@@ -35,7 +35,7 @@ const type = (child: Child, label: string, text: string): void => {
 };
 
 const TABLE: Table = {
-  is: "table", key: "rules", columns: [{ title: "Rule" }, { title: "Fired", number: true }], filter: "Filter by text", groups: ["all", "match now"], sorts: true, none: ["No rule matches.", "Choose 'all'."],
+  is: "table", key: "rules", columns: [{ title: "Rule" }, { title: "Fired", number: true }], filter: "Filter by text", groups: ["all", "match now"], groups_hint: "Which rows are shown", sorts: true, none: ["No rule matches.", "Choose 'all'."],
   press: { do: [{ request: "rule", rule: "" }], field: "rule" },
   rows: [
     { k: "seek", c: ["seek", { s: "2", n: 2 }], g: 3 }, { k: "flee", c: [[["flee", "good"]], { s: "10", n: 10 }], g: 1, chosen: true },

@@ -39,7 +39,7 @@ export class TableViews {
 
   private bar(table: Table, state: TableState): Child {
     if (table.filter === undefined && table.groups === undefined) return false;
-    return h("div.row", { key: `bar ${table.key}` }, table.groups !== undefined && h("select", { value: String(state.group), attributes: { "aria-label": "Which rows are shown" }, on: { change: (event) => {
+    return h("div.row", { key: `bar ${table.key}` }, table.groups !== undefined && h("select", { value: String(state.group), attributes: { "aria-label": table.groups_hint }, on: { change: (event) => {
       state.group = Number((event.target as HTMLSelectElement).value);
       this.uses.redraw();
     } } }, table.groups.map((group, i) => h("option", { attributes: { value: i } }, group))),

@@ -2,6 +2,7 @@
 import { button, h, type Child, type View } from "../dom/view";
 import { FLOWS } from "../app/flow_table";
 import type { Contents, Problem } from "../run/contents";
+import { EMPTY } from "../panels/panel_table";
 import { infoOf, type Panel, type PanelContext } from "../panels/panel";
 import type { Editor, EditorCommand } from "./editor";
 import { unpackText } from "../app/address";
@@ -122,7 +123,7 @@ export class EditPanel implements Panel {
         isOpen && problems.length > 0 && h("ul.plain.problems", null, problems.map((one) => problemView(this.context, { ...one, ...(one.file === undefined ? { file: edit.file } : {}) }))),
         mayEdit && this.what.startsWith("lesson:") && h("label.choice", { attributes: { title: "A running world begins again when you apply rules, so that the checks follow your new rules" } },
           h("input", { checked: this.restarts, attributes: { type: "checkbox" }, on: { change: (event) => localStorage.setItem(RESTARTS, (event.target as HTMLInputElement).checked ? "yes" : "no") } }), ` ${FLOWS["begin-again"].button} with each Apply`),
-        !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : "Choose a file.")),
+        !isOpen && h("p.quiet", null, files.length === 0 ? "Select an agent: the files that it was made from can be edited here." : EMPTY.edit)),
     ];
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { h } from "../dom/view";
 import type { Contents, Span, Track } from "../run/contents";
+import { EMPTY } from "./panel_table";
 import { infoOf, type MakePanel } from "./panel";
 import { clock, empty } from "./parts";
 
@@ -139,7 +140,7 @@ export const timelinePanel: MakePanel = (context) => {
       const tracks = contents.timeline?.timeline ?? [];
       if (tracks.length === 0) {
         canvas = null;
-        return empty("Operators, impasses, commands and events are drawn here as they happen.");
+        return empty(EMPTY.timeline);
       }
       return [
         h("p.quiet.told", { attributes: { "aria-live": "off" } }, hint === "" ? "Click a moment to go there. A state of the stack is orange, an operator has its own colour." : hint),
