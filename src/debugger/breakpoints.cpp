@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 #include <utility>
 #include <variant>
 
 #include "debugger/facts_text.h"
+#include "debugger/fields.h"
 #include "debugger/memory.h"
 #include "diagnostics/number_from_chars.h"
 #include "diagnostics/problem.h"
@@ -279,16 +279,7 @@ std::string ToText(const std::vector<Breakpoint>& list) {
 }
 
 Json ToJson(const std::vector<Breakpoint>& list) {
-  Json json = Json::array();
-  for (const Breakpoint& point : list) {
-    json.push_back(Json{{"number", point.number},
-                        {"kind", NameOf(point.kind)},
-                        {"agent", point.agent},
-                        {"what", point.what},
-                        {"enabled", point.enabled},
-                        {"hits", point.hits}});
-  }
-  return json;
+  return JsonOf(list);
 }
 
 }  // namespace soarbox::debugger

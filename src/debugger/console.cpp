@@ -2,10 +2,10 @@
 #include "debugger/console.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "debugger/fields.h"
 #include "debugger/rules.h"
 #include "diagnostics/diagnostic.h"
 #include "sim/live_edits.h"
@@ -152,12 +152,7 @@ std::string ToText(const std::deque<ConsoleLine>& lines) {
 }
 
 Json ToJson(const std::deque<ConsoleLine>& lines) {
-  Json list = Json::array();
-  for (const ConsoleLine& line : lines) {
-    constexpr const char* kNames[] = {"input", "output", "error", "hint"};
-    list.push_back(Json{{"tick", line.tick}, {"kind", kNames[static_cast<int>(line.kind)]}, {"text", line.text}});
-  }
-  return list;
+  return JsonOf(lines);
 }
 
 }  // namespace soarbox::debugger

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "debugger/facts_text.h"
-#include "debugger/scene_shapes.h"
+#include "debugger/fields.h"
 #include "debugger/why.h"
 #include "explain/scene_source.h"
 
@@ -147,55 +147,6 @@ std::string PlaceText(const ScenePoint& at) {
   return "(" + number(at[0]) + ", " + number(at[1]) + ", " + number(at[2]) + ")";
 }
 
-Json JsonOf(const ScenePoint& point) {
-  return Json::array({point[0], point[1], point[2]});
-}
-
-Json JsonOf(const SceneNodeRow& node) {
-  Json json;
-  json["name"] = node.name;
-  json["parent"] = node.parent;
-  json["depth"] = node.depth;
-  json["shape"] = node.shape;
-  json["at"] = JsonOf(node.at);
-  json["turn"] = Json::array({node.turn[0], node.turn[1], node.turn[2], node.turn[3]});
-  json["scale"] = JsonOf(node.scale);
-  if (node.shape == "ball") json["radius"] = node.radius;
-  if (!node.points.empty()) {
-    json["points"] = Json::array();
-    for (const ScenePoint& point : node.points) json["points"].push_back(JsonOf(point));
-  }
-  json["tags"] = Json::object();
-  for (const auto& [name, value] : node.tags) json["tags"][name] = value;
-  return json;
-}
-
-Json JsonOf(const SceneExtractRow& extract) {
-  Json json;
-  json["id"] = extract.id;
-  json["command"] = extract.command;
-  json["rule"] = extract.rule;
-  json["filter"] = extract.filter;
-  json["status"] = extract.status;
-  if (!extract.problem.empty()) {
-    json["problem"] = extract.problem;
-    json["hint"] = extract.hint;
-  }
-  json["count"] = extract.count;
-  json["values"] = Json::array();
-  for (const SceneValueRow& value : extract.values) {
-    Json row;
-    row["record"] = value.record;
-    row["value"] = value.text;
-    row["why"] = ToJson(value.why);
-    row["nodes"] = value.nodes;
-    row["lines"] = Json::array();
-    for (const SceneLine& line : value.lines) row["lines"].push_back(ToJson(line));
-    json["values"].push_back(std::move(row));
-  }
-  return json;
-}
-
 /// A line of the output of `svs facts`: STATE node "NAME" {...}
 struct FactLine {
   std::string state, kind, name;
@@ -299,19 +250,7 @@ std::string ToText(const ImageryView& view) {
 }
 
 Json ToJson(const ImageryView& view) {
-  Json json;
-  json["note"] = view.note;
-  json["scenes"] = Json::array();
-  for (const SceneView& scene : view.scenes) {
-    Json one;
-    one["state"] = scene.state;
-    one["nodes"] = Json::array();
-    for (const SceneNodeRow& node : scene.nodes) one["nodes"].push_back(JsonOf(node));
-    one["extracts"] = Json::array();
-    for (const SceneExtractRow& extract : scene.extracts) one["extracts"].push_back(JsonOf(extract));
-    json["scenes"].push_back(std::move(one));
-  }
-  return json;
+  return JsonOf(view);
 }
 
 }  // namespace soarbox::debugger

@@ -2,11 +2,11 @@
 #include "debugger/scene_shapes.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 #include <utility>
 
+#include "debugger/fields.h"
 #include "world/physics_hull.h"
 
 namespace soarbox::debugger {
@@ -106,21 +106,6 @@ SceneShape ShapeOf(const SceneNodeRow& node, const std::string& state) {
   return shape;
 }
 
-/// Rounds to millimetres.
-Json RoundedJson(const ScenePoint& point) {
-  Json json = Json::array();
-  for (const double number : point) json.push_back(std::round(number * 1000) / 1000);
-  return json;
-}
-
-template <typename List>
-Json JsonOfNumbers(const List& list) {
-  Json json = Json::array();
-  for (const auto& one : list)
-    for (const std::uint32_t number : one) json.push_back(number);
-  return json;
-}
-
 }  // namespace
 
 std::vector<SceneShape> ShapesOf(const ImageryView& view, std::string_view state) {
@@ -153,21 +138,11 @@ AnswerLines LinesOf(const ImageryView& view, std::string_view record) {
 }
 
 Json ToJson(const SceneShape& shape) {
-  constexpr const char* kKinds[] = {"made-up", "sensed", "remembered"};
-  Json json;
-  json["name"] = shape.name;
-  json["state"] = shape.state;
-  json["kind"] = kKinds[static_cast<std::size_t>(shape.kind)];
-  json["points"] = Json::array();
-  for (const ScenePoint& point : shape.points)
-    for (const Json& number : RoundedJson(point)) json["points"].push_back(number);
-  json["edges"] = JsonOfNumbers(shape.edges);
-  json["faces"] = JsonOfNumbers(shape.faces);
-  return json;
+  return JsonOf(shape);
 }
 
 Json ToJson(const SceneLine& line) {
-  return {{"from", RoundedJson(line.from)}, {"to", RoundedJson(line.to)}, {"is_crossed", line.is_crossed}};
+  return JsonOf(line);
 }
 
 }  // namespace soarbox::debugger

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <variant>
 
+#include "debugger/fields.h"
 #include "wording/mind_words.h"
 
 namespace soarbox::debugger {
@@ -233,29 +234,20 @@ std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64
   return text;
 }
 
-Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
-  Json list = Json::array();
+std::vector<TrackRow> TracksWithin(const Timeline& timeline, std::string_view agent, std::uint64_t first,
+                                   std::uint64_t last) {
+  std::vector<TrackRow> rows;
   for (const TimelineTrack* track : timeline.tracks()) {
     if (!agent.empty() && track->agent != agent) continue;
-    Json json;
-    json["agent"] = track->agent;
-    json["spans"] = Json::array();
-    for (const TimelineSpan& span : SpansWithin(*track, first, last)) {
-      json["spans"].push_back(Json{{"kind", span.is_state ? "state" : "operator"},
-                                   {"level", span.level},
-                                   {"id", span.id},
-                                   {"text", span.text},
-                                   {"first_tick", span.first_tick},
-                                   {"last_tick", span.last_tick},
-                                   {"open", span.open}});
-    }
-    json["marks"] = Json::array();
-    for (const TimelineMark& mark : track->marks)
-      if (mark.tick >= first && mark.tick <= last)
-        json["marks"].push_back(Json{{"tick", mark.tick}, {"kind", NameOf(mark.kind)}, {"text", mark.text}});
-    list.push_back(std::move(json));
+    TrackRow& row = rows.emplace_back(TrackRow{track->agent, SpansWithin(*track, first, last), {}});
+    std::ranges::copy_if(track->marks, std::back_inserter(row.marks),
+                         [&](const TimelineMark& mark) { return mark.tick >= first && mark.tick <= last; });
   }
-  return list;
+  return rows;
+}
+
+Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
+  return JsonOf(TracksWithin(timeline, agent, first, last));
 }
 
 }  // namespace soarbox::debugger

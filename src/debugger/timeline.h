@@ -85,7 +85,16 @@ class Timeline {
 void ForSpansWithin(const TimelineTrack& track, std::uint64_t first, std::uint64_t last,
                     const std::function<void(const TimelineSpan&)>& see);
 
+/// What an agent did in some ticks.
+struct TrackRow {
+  std::string agent;
+  std::vector<TimelineSpan> spans;  ///< Including open ones, in the order in which they began.
+  std::vector<TimelineMark> marks;
+};
+
 /// The ticks `first` to `last`. An empty agent means all.
+std::vector<TrackRow> TracksWithin(const Timeline& timeline, std::string_view agent, std::uint64_t first,
+                                   std::uint64_t last);
 std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
 Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
 

@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "debugger/facts_text.h"
+#include "debugger/fields.h"
 #include "debugger/imagery_rows.h"
 #include "debugger/io_rows.h"
 #include "debugger/learned_rule.h"
 #include "debugger/operators.h"
 #include "debugger/recorded_mind.h"
 #include "explain/origin_tree.h"
+#include "wording/number_words.h"
 
 namespace soarbox::debugger {
 namespace {
@@ -232,16 +233,7 @@ std::string ToText(const WhyNode& node, std::size_t indent) {
 }
 
 Json ToJson(const WhyNode& node) {
-  Json json;
-  json["text"] = node.text;
-  json["kind"] = KindWord(node.kind);
-  if (!node.link.empty()) json["link"] = node.link;
-  if (node.time_s) json["time"] = *node.time_s;
-  if (!node.below.empty()) {
-    json["below"] = Json::array();
-    for (const WhyNode& below : node.below) json["below"].push_back(ToJson(below));
-  }
-  return json;
+  return JsonOf(node);
 }
 
 }  // namespace soarbox::debugger

@@ -10,6 +10,11 @@
 #include "workbench/contents.h"
 #include "workbench/panel_id.h"
 
+namespace soarbox::debugger {
+struct FieldType;
+class TypeLister;
+}  // namespace soarbox::debugger
+
 namespace soarbox::workbench {
 
 using debugger::Json;
@@ -24,6 +29,7 @@ struct ContentField {
   std::string_view view;     ///< The view of `soarbox inspect` that prints the same value; empty if there is none.
   std::string_view about;
   Json (*value)(const Contents& contents);
+  debugger::FieldType (*type)(debugger::TypeLister& lister);
 };
 std::span<const ContentField> ContentFields();
 
@@ -41,6 +47,12 @@ Json PageJson(const Contents& contents, std::string_view name);
 
 /// Generates docs/workbench.md.
 std::string WorkbenchReference();
+/// Adds the types of the nodes of a document, and returns their names.
+std::vector<std::string> ListNodes(debugger::TypeLister& lister);
+/// Generates web/src/document/nodes.ts.
+std::string DocumentTypes();
+/// Generates web/src/run/contents.ts.
+std::string ContentTypes();
 /// Generates web/src/panels/panel_table.ts.
 std::string PanelTable();
 

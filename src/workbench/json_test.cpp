@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
+#include "workbench/contents_fields.h"
 #include "workbench/contents_json.h"
 #include "workbench/requests_json.h"
 
@@ -85,6 +90,44 @@ TEST(ContentsJson, HasEachPanelOnce) {
   PanelSet panels;
   panels.Add(PanelId::kWhy);
   EXPECT_EQ(ContentNames(panels, nothing), (std::vector<std::string_view>{"moment", "why", "ghosts"}));
+}
+
+/// The names of the fields in an object.
+std::vector<std::string> NamesIn(const Json& json) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+TEST(JsonFields, AreWrittenAsTheyAreListed) {
+  debugger::TypeLister lister;
+  std::vector<std::string> listed;
+  for (const debugger::TypeField& field : lister.FieldsOf<EditContents>()) {
+    EXPECT_TRUE(field.is_needed) << field.name;
+    listed.emplace_back(field.name);
+  }
+  EXPECT_EQ(NamesIn(debugger::JsonOf(EditContents())), listed);
+  ASSERT_EQ(lister.types().size(), 1u) << "the problems of the text";
+  EXPECT_EQ(lister.types().front().name, "Problem");
+
+  Diagnostic problem;
+  problem.message = "it is wrong";
+  EXPECT_EQ(NamesIn(debugger::JsonOf(problem)), (std::vector<std::string>{"severity", "message"}));
+  problem.hint = "mend it";
+  EXPECT_EQ(NamesIn(debugger::JsonOf(problem)), (std::vector<std::string>{"severity", "message", "hint"}));
+}
+
+TEST(JsonFields, HaveTypesInTypeScriptAndInWords) {
+  debugger::TypeLister lister;
+  EXPECT_EQ(lister.TypeOf<std::vector<int>>().script, "readonly number[]");
+  EXPECT_EQ((lister.TypeOf<std::vector<std::pair<std::string, bool>>>().script),
+            "readonly (readonly [string, boolean])[]");
+  EXPECT_EQ((lister.TypeOf<std::array<double, 3>>().script), "readonly [number, number, number]");
+  EXPECT_EQ((lister.TypeOf<std::map<std::string, int>>().words), "object of number");
+  EXPECT_EQ(lister.TypeOf<std::optional<LessonContents>>().script, "Lesson | null");
+  std::set<std::string_view> names;
+  for (const ContentField& field : ContentFields()) EXPECT_NE(field.type(lister).script, "") << field.name;
+  for (const debugger::TypeInfo& type : lister.types()) EXPECT_TRUE(names.insert(type.name).second) << type.name;
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "debugger/json_fields.h"
 #include "workbench/arrangement.h"
 #include "workbench/contents_json.h"
 #include "workbench/document/panels.h"
-#include "workbench/empty_panels.h"
 #include "workbench/flow_info.h"
 #include "workbench/requests_json.h"
 
@@ -18,6 +18,21 @@ std::string Cell(std::string_view text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);
   return cell;
+}
+
+/// A table of fields for each type.
+std::string TypeTables(const debugger::TypeLister& types) {
+  std::string text;
+  for (const debugger::TypeInfo& type : types.types()) {
+    text += "\n`" + std::string(type.name) + "`: " + Cell(type.about) +
+            "\n\n| field | type | what it is |\n| --- | --- | --- |\n";
+    for (const debugger::TypeField& field : type.fields) {
+      const std::string name = "`" + std::string(field.name) + "`";
+      text += "| " + (field.is_needed ? name : "[" + name + "]") + " | " + field.type.words + " | " +
+              Cell(field.about) + " |\n";
+    }
+  }
+  return text;
 }
 
 std::string AboutContent(std::string_view name) {
@@ -62,9 +77,6 @@ std::string PanelTable() {
     }
     text += "  },\n";
   }
-  text += "} as const;\n\n/** The texts of empty panels that no document describes. */\nexport const EMPTY = {\n";
-  for (const auto& [word, empty] : {std::pair{"timeline", kEmptyTimeline}, std::pair{"edit", kEmptyEdit}})
-    text += "  " + std::string(word) + ": " + quoted(std::string(empty.what) + " " + std::string(empty.advice)) + ",\n";
   return text + "} as const;\n";
 }
 
@@ -83,63 +95,22 @@ std::string FlowTable() {
   return text +
          "} as const;\n\n/** The button that continues a run from the moment that is shown. */\nexport const RESUME "
          "= " +
-         quoted(kResumeButton) + ";\n/** A return to the present. */\nexport const LIVE = " + quoted(kLiveTitle) +
-         ";\n";
+         quoted(kResumeButton) + ";\n";
 }
 
 const char* const kDocuments =
     "\n## Documents\n\n"
-    "Nearly all panels are described by a **document** (`src/workbench/document/`): what they show, without colors, "
-    "sizes "
+    "Most panels are described by a **document** (`src/workbench/document/`): what they show, without colors, sizes "
     "and "
     "positions. It is built from\nthe contents. The window draws it with ImGui (`viewer/panels/document_panel.cpp`), "
     "pages and "
     "reports with HTML (`web/src/document/`), and\n`ToText` writes it as text. A page gets the document instead of the "
     "contents: `{\"document\": [node, ...]}`, and `badge`, the number on the panel's tab, if it has one. A node is an "
-    "object; `is` says what it is:\n\n"
-    "| `is` | fields |\n| --- | --- |\n"
-    "| `text`, `heading`, `title`, `empty` | `s`: spans; `hint`. `empty` says why a panel shows nothing, and what to "
-    "do |\n"
-    "| `code` | `text`; or of Soar `tokens`: texts, and pairs of a text and its kind |\n"
-    "| `line` | `nodes`, one after another |\n"
-    "| `button` | `label`, `do`: an action, or `copies`: a text for the clipboard; `hint`, `on` (it is a toggle), "
-    "`off` (it cannot be "
-    "pressed), `main` (the most likely next thing to do) |\n"
-    "| `form` | `key`, `do`, `fields` (`kind`: `line`, `choice`, `check`, `suggested` or `command`; `name` in the "
-    "request, "
-    "`label`, "
-    "`placeholder`, `value`, `options`, `needed`; of a command line `command`: the actions `complete` and `keep`, "
-    "whose "
-    "requests get the text as `line`, and the `words` for `completed_line`), `button` (none: it sends while the user "
-    "types), `hint`, `refusal`, "
-    "`clears` |\n"
-    "| `table` | `key`, `columns` (`title`, `number`, `wide`: only where there is room, `wraps`), `rows` (`k`: key, "
-    "`c`: cells, `hint`, "
-    "`a`: arguments, `sign`: team, kind and whether another simulation moves the body, `depth`, `open`: deeper rows "
-    "fold, `g`: bits of "
-    "groups, `chosen`), `press`, `caption`, `filter`, `groups`, `none`, `sorts`, `headless`. A cell is spans, or has "
-    "`s`, `n` (what it is "
-    "sorted by) and `bar` |\n"
-    "| `tree` | `key`, `label`, `rows` (`k`, `s`, `a`, `open`, `below`), `press`, `unfold` (the run stores which rows "
-    "are unfolded), `filter` |\n"
-    "| `plot` | `key`, `title`, `value`, `range`, `curves` (`name`, `points`: tick and value), `stepped`, `button` |\n"
-    "| `strip` | `key`, `label`, `count`: numbers from 1 of which one is `chosen` (0: none), `marks`, `mark`: what the "
-    "marked ones are, `press` |\n"
-    "| `checklist` | `items` (`k`, `result`: `open`, `passed` or `failed`, `says`: the result in words, `s`, `below`: "
-    "spans in a line of their own, `hint`) |\n"
-    "| `progress` | `text`; a bar: `value` of `of` are done |\n"
-    "| `transcript` | `key`, `label`, `lines`: a span for each, `count` (changes when a line is appended) |\n"
-    "| `section` | `key`, `title`, `nodes`, `open` (it folds), `story` (all about one thing), `box`: a role whose "
-    "color "
-    "sets it off, `news` (when this changes, the panel comes to the front and scrolls to it) |\n"
-    "| `actions` | `nodes`: a line at the lower edge that does not scroll; the last node of a document |\n"
-    "| `tabs` | `key`, `pages` (`title`, `hint`, `nodes`), `first`, `reason` (another one: the first page again) |\n"
-    "| `columns` | `parts`: sections side by side |\n"
-    "| `facts` | `rows`: pairs of a name and spans |\n\n"
+    "object; `is` says what it is.\n\n"
     "**Spans** are a text, or a list of texts and of `[text, role, action, hint]`; a number instead of the text is a "
     "tick: it is shown as a time, and a click goes there.\nAn **action** is `[request, panel]`: the panel comes to the "
     "front. `press` and `unfold` are `{do, "
-    "field, argument, hint}`: the "
+    "field, argument}`: the "
     "request's field becomes\nthe row's key, or its n-th argument. **Keys** stay the same from one document to the "
     "next, so that selection, filters and unfolded rows are kept.\n";
 
@@ -149,8 +120,9 @@ std::string WorkbenchReference() {
       "`src/workbench` is the common model of all programs that show a run. **Contents** are the values that panels "
       "show. **Requests** say what\nthe user wants. A **desk** (`workbench/desk.h`) turns requests into contents, tick "
       "by tick, for a live run and for a recording. Windows\nand pages only draw contents and send requests. This page "
-      "is made from the tables in `contents_json.cpp` and `requests_json.cpp`\n(`reference_pages docs`); "
-      "a test compares it.\n\n"
+      "is made from the lists of fields in `requests_json.cpp`, `contents_json.cpp`,\n`contents_fields.h` and "
+      "`debugger/fields.h` (`reference_pages docs`), as are the page's types in `web/src/run/contents.ts`; a test "
+      "compares them.\n\n"
       "## Requests\n\n"
       "A request is an object with its name and its fields: `{\"request\": \"seek\", \"tick\": 120}`. Fields in "
       "brackets may be left out. A field\nthat is unknown, missing or of another type is an error, which names it. A "
@@ -171,17 +143,23 @@ std::string WorkbenchReference() {
       "The contents of a panel are an object, named by the panel's word. They are filled in while the panel is visible "
       "(request `look`).\nLists that grow with the run contain only the newest 500 lines. If a view is named, `soarbox "
       "inspect --json --view VIEW` prints the same form.\n";
+  debugger::TypeLister types;
   for (const std::string_view name : ContentNames()) {
     text += "\n### " + std::string(name) + "\n\n" + AboutContent(name) +
-            "\n\n| field | what it is | view |\n| --- | --- | --- |\n";
+            "\n\n| field | type | what it is | view |\n| --- | --- | --- | --- |\n";
     for (const ContentField& field : ContentFields()) {
       if (field.content != name) continue;
-      text += "| `" + std::string(field.name) + "` | " + Cell(field.about) + " | " +
+      text += "| `" + std::string(field.name) + "` | " + field.type(types).words + " | " + Cell(field.about) + " | " +
               (field.view.empty() ? "" : "`" + std::string(field.view) + "` ") + "|\n";
     }
   }
-  text += kDocuments;
-  return text;
+  text +=
+      "\n### Types\n\nThe objects in these contents. Fields in brackets are left out if there is nothing to say. "
+      "JSON is what\n`soarbox inspect --json` prints.\n";
+  text += TypeTables(types);
+  debugger::TypeLister nodes;
+  ListNodes(nodes);
+  return text + kDocuments + TypeTables(nodes);
 }
 
 }  // namespace soarbox::workbench

@@ -7,15 +7,18 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <utility>
 
+#include "debugger/json_fields.h"
 #include "diagnostics/problem.h"
 
 namespace soarbox::workbench {
 namespace {
 
-using Words = std::span<const std::string_view>;
+using debugger::kNeeded;
+using debugger::kOptional;
+using debugger::Need;
+using debugger::Words;
 
 // The words of each choice, in the order of its enumerators.
 constexpr std::string_view kWhyAbout[] = {"agent", "operator", "command", "element", "not"};
@@ -34,9 +37,19 @@ constexpr std::string_view kLessons[] = {"hint", "grade", "open", "cancel"};
 constexpr std::string_view kTraceLevels[] = {"error", "decision", "command", "event",
                                              "input", "percept",  "rule",    "element"};
 
-enum Need : bool { kOptional = false, kNeeded = true };
+}  // namespace
 
-// The fields of each request, for parsing, printing and the reference.
+Json ToJson(const PanelSet& panels) {
+  Json list = Json::array();
+  for (const PanelInfo& info : kPanelInfos)
+    if (panels.Has(info.id)) list.push_back(std::string(info.word));
+  return list;
+}
+debugger::FieldType ScriptTypeOf(const PanelSet*) {
+  return {"readonly string[]", "list of text"};
+}
+
+// The fields of each request (debugger/json_fields.h), for parsing, printing and the reference.
 void Fields(auto& visit, SelectRequest& r) {
   visit("agent", r.agent, "its name; empty: nobody", kNeeded);
 }
@@ -196,60 +209,7 @@ void Fields(auto& visit, FlowRequest& r) {
   visit("what", r.what, kFlows, "the only command that a document contains", kNeeded);
 }
 
-/// "agent, operator or not".
-std::string Choice(Words words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += "`" + std::string(words[i]) + "`";
-  }
-  return text;
-}
-
-/// Lists the fields of a request.
-struct Lister {
-  std::vector<RequestField> fields;
-
-  void Add(std::string_view name, std::string type, std::string_view about, Need need) {
-    fields.push_back({name, std::move(type), about, need});
-  }
-  void operator()(std::string_view name, const std::string&, std::string_view about, Need need) {
-    Add(name, "text", about, need);
-  }
-  void operator()(std::string_view name, const bool&, std::string_view about, Need need) {
-    Add(name, "true or false", about, need);
-  }
-  void operator()(std::string_view name, const PanelSet&, std::string_view about, Need need) {
-    Add(name, "list of text", about, need);
-  }
-  template <typename Number>
-  void operator()(std::string_view name, const Number&, std::string_view about, Need need) {
-    Add(name, "number", about, need);
-  }
-  template <typename Enum>
-  void operator()(std::string_view name, const Enum&, Words words, std::string_view about, Need need) {
-    Add(name, Choice(words), about, need);
-  }
-};
-
-/// Prints the fields of a request.
-struct Writer {
-  Json& json;
-
-  template <typename Value>
-  void operator()(std::string_view name, const Value& value, std::string_view, Need) {
-    json[std::string(name)] = value;
-  }
-  void operator()(std::string_view name, const PanelSet& panels, std::string_view, Need) {
-    Json& list = json[std::string(name)] = Json::array();
-    for (const PanelInfo& info : kPanelInfos)
-      if (panels.Has(info.id)) list.push_back(std::string(info.word));
-  }
-  template <typename Enum>
-  void operator()(std::string_view name, const Enum& value, Words words, std::string_view, Need) {
-    json[std::string(name)] = std::string(words[static_cast<std::size_t>(value)]);
-  }
-};
+namespace {
 
 /// Parses the fields of a request. Keeps the first error.
 struct Reader {
@@ -342,20 +302,14 @@ struct Reader {
 
 struct Row {
   std::string_view name, about;
-  std::vector<RequestField> (*list)();
+  std::vector<debugger::TypeField> (*list)(debugger::TypeLister& types);
   Request (*read)(Reader& reader);
   bool (*write)(const Request& request, Json& json);  ///< Returns false if the request is of another kind.
 };
 
 template <typename R>
 constexpr Row RowOf(std::string_view name, std::string_view about) {
-  return {name, about,
-          [] {
-            R request;
-            Lister lister;
-            Fields(lister, request);
-            return std::move(lister.fields);
-          },
+  return {name, about, [](debugger::TypeLister& types) { return types.FieldsOf<R>(); },
           [](Reader& reader) -> Request {
             R request;
             Fields(reader, request);
@@ -365,7 +319,7 @@ constexpr Row RowOf(std::string_view name, std::string_view about) {
             const R* const mine = std::get_if<R>(&request);
             if (mine == nullptr) return false;
             R copy = *mine;
-            Writer writer{json};
+            debugger::FieldWriter writer(json);
             Fields(writer, copy);
             return true;
           }};
@@ -425,8 +379,14 @@ static_assert(std::size(kRows) == std::variant_size_v<Request>);
 }  // namespace
 
 std::vector<RequestInfo> RequestInfos() {
+  debugger::TypeLister types;
   std::vector<RequestInfo> infos;
-  for (const Row& row : kRows) infos.push_back({row.name, row.about, row.list()});
+  for (const Row& row : kRows) {
+    RequestInfo& info = infos.emplace_back(RequestInfo{row.name, row.about, {}});
+    for (debugger::TypeField& field : row.list(types))
+      info.fields.push_back(
+          {field.name, std::move(field.type.words), std::move(field.type.script), field.about, field.is_needed});
+  }
   return infos;
 }
 

@@ -17,7 +17,8 @@ using debugger::Json;
 
 struct RequestField {
   std::string_view name;
-  std::string type;  ///< "text", "number", "true or false", or the allowed words.
+  std::string type;    ///< "text", "number", "true or false", or the allowed words.
+  std::string script;  ///< The type in TypeScript: "string", "number".
   std::string_view about;
   bool is_needed = false;  ///< Other fields may be omitted.
 };

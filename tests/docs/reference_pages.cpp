@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// Writes the pages of docs/ that are generated from tables of the source, and the page's tables of panels and of
-// commands of the run.
+// Writes the pages of docs/ that are generated from tables of the source, the page's types of contents, and its tables
+// of panels and of commands of the run.
 //
 //   reference_pages FOLDER           writes them into the folder, usually docs
 //   reference_pages --check FOLDER   fails if one of the folder's pages differs
@@ -31,6 +31,8 @@ int main(int argc, char** argv) {
   pages.push_back({"commands.md", soarbox::vocabulary::CommandReference()});
   pages.push_back({"soar_commands.md", soarbox::cli::CommandReference()});
   pages.push_back({"workbench.md", soarbox::workbench::WorkbenchReference()});
+  pages.push_back({"../web/src/document/nodes.ts", soarbox::workbench::DocumentTypes()});
+  pages.push_back({"../web/src/run/contents.ts", soarbox::workbench::ContentTypes()});
   pages.push_back({"../web/src/panels/panel_table.ts", soarbox::workbench::PanelTable()});
   pages.push_back({"../web/src/app/flow_table.ts", soarbox::workbench::FlowTable()});
   const std::filesystem::path folder = argv[argc - 1];
