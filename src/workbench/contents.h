@@ -105,6 +105,7 @@ struct EditContents {
   std::string text;
   std::vector<Diagnostic> problems;  ///< Of the text that was last checked or applied.
   std::string notice;                ///< The result of the last request: "3 rules changed".
+  std::uint64_t reload_count = 0;    ///< Incremented when the run has reloaded the text.
   bool is_changed = false, is_unsaved = false;
   int go_to_line = 0;             ///< The line to scroll to; 0: none.
   std::uint64_t go_to_count = 0;  ///< Incremented by each request to scroll.

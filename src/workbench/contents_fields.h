@@ -134,6 +134,7 @@ void Fields(auto& visit, const EditContents& edit) {
   visit("text", edit.text, "its text");
   visit("problems", edit.problems, "of the text that was last checked or applied");
   visit("notice", edit.notice, "the result of the last request");
+  visit("reload_count", edit.reload_count, "grows when the run has reloaded the text");
   visit("is_changed", edit.is_changed, "whether it differs from what runs");
   visit("is_unsaved", edit.is_unsaved, "whether it differs from the file on the disk");
   visit("go_to_line", edit.go_to_line, "the line to scroll to; 0: none");

@@ -73,6 +73,7 @@ void FileDesk::Apply(Open& file) {
         : file.edit.is_scenario() ? "No errors. Save it and begin again: a world is built from this file only once."
                                   : "Reloaded: it takes effect in the next tick.";
     if (sim::HasError(file.contents.problems) || file.edit.is_scenario()) return;
+    ++file.contents.reload_count;
     common_.forget_problems(file.contents.file);
     has_applied_ |= world == common_.Live();
   } else {

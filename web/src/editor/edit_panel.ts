@@ -14,8 +14,6 @@ import { changesOf, edited } from "./text_edits";
 const SIGNS = ["(", ")", "<", ">", "^", ".", "-->", "{", "}", "|", "*", "+", "-", "="] as const;
 const RESTARTS = "soarbox.restarts";
 const ANSWERED_AFTER_MS = 500;
-/** The run's message after it has reloaded changed rules. */
-const RELOADED = /^Reloaded/;
 
 function problemView(context: PanelContext, one: Problem): View {
   const place = one.file === undefined ? "" : `${one.file.split("/").at(-1) ?? ""}${one.line === undefined ? "" : `:${one.line}`}${one.column === undefined ? "" : `:${one.column}`}`;
@@ -42,6 +40,8 @@ export class EditPanel implements Panel {
   private what = "";
   /** Rules were sent to be applied, and the run has not answered yet. */
   private isApplying = false;
+  /** How often the run had reloaded the text before that. */
+  private reloads = 0;
   private wanted = "";
   private tellsAgain = false;
   private offered: { file: string; text: string } | null = null;
@@ -270,10 +270,9 @@ export class EditPanel implements Panel {
         void this.client.tell(text);
         if (!this.context.run.ask("edit-text", { what: "save", text })) return;
         this.isApplying = true;
+        this.reloads = this.context.run.contents.edit?.edit.reload_count ?? 0;
         this.context.run.ask("edit-text", { what: "apply", text });
         this.moveStops();
-        // Unchanged contents are not sent again.
-        setTimeout(() => this.noteApplied(), ANSWERED_AFTER_MS);
       },
     }, this.client);
     this.editor.setReadOnly(!this.mayType);
@@ -345,7 +344,7 @@ export class EditPanel implements Panel {
   }
 
   private noteApplied(): void {
-    if (!this.isApplying || !RELOADED.test(this.context.run.contents.edit?.edit.notice ?? "")) return;
+    if (!this.isApplying || (this.context.run.contents.edit?.edit.reload_count ?? 0) === this.reloads) return;
     this.isApplying = false;
     this.applied();
   }

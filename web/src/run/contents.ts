@@ -124,6 +124,8 @@ export interface EditText {
   readonly problems: readonly Problem[];
   /** the result of the last request */
   readonly notice: string;
+  /** grows when the run has reloaded the text */
+  readonly reload_count: number;
   /** whether it differs from what runs */
   readonly is_changed: boolean;
   /** whether it differs from the file on the disk */
