@@ -38,7 +38,9 @@ std::string LineOf(const sim::RunEvent& event) {
   std::string text = (is_warning ? "warning" : std::string(sim::EventName(event.kind))) + ":";
   for (const std::string* more : {&event.news, &event.text, &event.parameters})
     if (!more->empty()) text += " " + *more;
-  for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
+  // The text of an outcome contains its reason.
+  if (event.kind != sim::EventKind::kOutcome)
+    for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
   if (event.diagnostic.message.empty()) return text;
   text += " ";
   if (!event.diagnostic.file.empty())

@@ -41,7 +41,9 @@ Json OfEvent(const sim::RunEvent& event) {
   if (!event.agent.empty()) json["agent"] = event.agent;
   if (!event.news.empty()) json["news"] = event.news;
   if (!event.text.empty()) json["text"] = event.text;
-  for (const explain::Reason& reason : event.reasons) json["reasons"].push_back(reason.text);
+  // The text of an outcome contains its reason.
+  if (event.kind != sim::EventKind::kOutcome)
+    for (const explain::Reason& reason : event.reasons) json["reasons"].push_back(reason.text);
   if (!event.parameters.empty()) json["parameters"] = event.parameters;
   if (!event.diagnostic.message.empty()) json["diagnostic"] = Format(event.diagnostic);
   return json;

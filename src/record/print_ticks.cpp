@@ -47,7 +47,7 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
         if (!text->empty()) out << ' ' << *text;
       out << '\n';
       for (const explain::Reason& reason : event.reasons)
-        if (!reason.text.empty()) out << "        " << reason.text << '\n';
+        if (!reason.text.empty() && event.kind != sim::EventKind::kOutcome) out << "        " << reason.text << '\n';
       if (!event.diagnostic.message.empty()) out << Format(event.diagnostic);
     }
   });

@@ -165,6 +165,7 @@ void Actor::Begin(const vocabulary::SaidCommand& command) {
   if (vocabulary::CommandFault fault = vocabulary::CheckCommand(command); !fault.ok()) {
     End(started, Outcome::Status::kError, fault.reason, fault.text);
     outcomes_.back().parameter = fault.parameter;
+    outcomes_.back().brief = fault.brief;
     return;
   }
   const vocabulary::BodyPart part = started.row->part;

@@ -59,7 +59,8 @@ struct Outcome {
   std::uint64_t tag = 0;
   std::string command;
   std::string reason, parameter;
-  std::string text;  ///< The problem in words for users; empty if there is none.
+  std::string text;        ///< The problem in words for users; empty if there is none.
+  std::string brief = {};  ///< As CommandFault::brief.
   float progress = 0;
 };
 

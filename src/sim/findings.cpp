@@ -11,31 +11,6 @@ namespace {
 /// Maximum number of different diagnostics that are kept.
 constexpr std::size_t kMostReported = 500;
 
-/// The sentence of an outcome about the wrong form of a command, without the name of the reason; empty if the form was
-/// correct.
-std::string RefusedText(const std::string& outcome) {
-  for (const std::string_view reason : {"bad-value", "unknown-parameter", "missing-parameter", "unknown-command"}) {
-    const std::string start = "error " + std::string(reason) + ": ";
-    if (outcome.starts_with(start)) return outcome.substr(start.size());
-  }
-  return {};
-}
-
-/// Removes the contents of an object, which do not help if a word was expected.
-std::string WithoutContents(std::string text) {
-  const std::size_t begin = text.find('('), end = text.rfind(')');
-  if (begin != std::string::npos && end != std::string::npos && end > begin)
-    text.replace(begin, end + 1 - begin, "an object, not its name");
-  return text;
-}
-
-/// Explains the failure of a command because a parameter is an identifier; empty for other reasons.
-std::string IdentifierText(const explain::Reason& reason) {
-  if (reason.kind != explain::Reason::Kind::kRefused || reason.text.find(" is an identifier") == std::string::npos)
-    return {};
-  return reason.text + ". Either no condition binds the variable that the rule gives it, or it is bound to an object";
-}
-
 bool IsDiagnostic(const RunEvent& event) {
   return event.kind == EventKind::kDiagnostic || event.kind == EventKind::kAgentFailed ||
          event.kind == EventKind::kMindFailed;
@@ -92,8 +67,6 @@ void EventFindings::SeeIdle(const RunEvent& event) {
   idle.time_s = event.time_s;
   idle.symptom = "At " + SecondsText(event.time_s) + " " + event.agent + " has nothing to do: " + event.text;
   for (const explain::Reason& reason : event.reasons) {
-    if (const std::string text = IdentifierText(reason); !text.empty())
-      refused_.try_emplace(event.agent, Finding{Cause::kRefused, text, event.agent, event.tick, event.time_s});
     // Percepts contain no information about the rules.
     if (reason.kind != explain::Reason::Kind::kPercepts) idle.reasons.push_back(reason);
   }
@@ -102,12 +75,11 @@ void EventFindings::SeeIdle(const RunEvent& event) {
 void EventFindings::See(const EventList& events) {
   for (const RunEvent& event : events) {
     if (event.kind == EventKind::kGap) SeeIdle(event);
-    if (event.kind == EventKind::kOutcome) {
-      if (const std::string text = RefusedText(event.text); !text.empty())
-        refused_.try_emplace(event.agent, Finding{Cause::kRefused,
-                                                  "At " + SecondsText(event.time_s) + " the world refused " +
-                                                      event.news + " of " + event.agent + ": " + WithoutContents(text),
-                                                  event.agent, event.tick, event.time_s});
+    if (event.kind == EventKind::kOutcome && !event.reasons.empty()) {
+      std::string text = "At " + SecondsText(event.time_s) + " the world refused " + event.news + " of " + event.agent +
+                         ": " + event.reasons.front().text;
+      refused_.try_emplace(event.agent,
+                           Finding{Cause::kRefused, std::move(text), event.agent, event.tick, event.time_s});
     }
     if (!IsDiagnostic(event) || event.diagnostic.severity == Severity::kNote || reported_.size() >= kMostReported)
       continue;

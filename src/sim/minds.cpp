@@ -9,6 +9,7 @@
 #include "explain/reasons.h"
 #include "sim/directions.h"
 #include "sim/senses.h"
+#include "vocabulary/command_check.h"
 #include "wording/sentences.h"
 
 namespace soarbox::sim {
@@ -461,6 +462,8 @@ void Minds::TellOutcome(Mind& mind, const Outcome& outcome, bool is_news) {
   event.agent = world_.FindAgent(mind.agent)->name();
   event.news = outcome.command;
   event.text = (is_error ? "error " + outcome.reason : "complete") + text;
+  if (is_error && vocabulary::IsFaultOfForm(outcome.reason) && !outcome.text.empty())
+    event.reasons.push_back({outcome.brief.empty() ? outcome.text : outcome.brief, explain::Reason::Kind::kRefused});
   event.position = world_.FindAgent(mind.agent)->Position();
   report_(std::move(event));
 }

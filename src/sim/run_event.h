@@ -42,7 +42,7 @@ struct RunEvent {
   std::string text;
   std::string news = {};  ///< kNews, kOutcome: one word. kAnswer, and kDiagnostic of a failed command:
                           ///< the command line.
-  std::vector<explain::Reason> reasons = {};  ///< kGap: reasons, the most informative first.
+  std::vector<explain::Reason> reasons = {};  ///< kGap: the most informative first. kOutcome: a fault of its form.
   std::string parameters = {};                ///< kCommand: the parameters of the command.
   bool has_perceived = true;                  ///< kCommand: whether `perceived` is set.
   Diagnostic diagnostic;                      ///< kDiagnostic, kAgentFailed and kMindFailed.

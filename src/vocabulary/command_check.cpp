@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "diagnostics/diagnostic.h"
 
@@ -54,7 +55,23 @@ std::string UnknownParameter(const CommandRow& row, const std::string& name) {
   return text;
 }
 
+/// A fault with a text about some values of the command.
+template <typename TextOf>
+CommandFault BadValue(const std::string& parameter, std::initializer_list<const Percept*> values, TextOf&& text_of) {
+  const auto brief = [](const Percept& value) {
+    return value.IsObject() ? std::string("an object, not its name") : DescribeValue(value);
+  };
+  CommandFault fault{"bad-value", parameter, text_of(DescribeValue)};
+  if (std::ranges::any_of(values, [](const Percept* value) { return value->IsObject(); })) fault.brief = text_of(brief);
+  return fault;
+}
+
 }  // namespace
+
+bool IsFaultOfForm(std::string_view reason) {
+  return reason == "bad-value" || reason == "unknown-parameter" || reason == "missing-parameter" ||
+         reason == "unknown-command";
+}
 
 CommandFault CheckCommand(const SaidCommand& command) {
   const CommandRow* row = FindCommand(command.name);
@@ -87,15 +104,17 @@ CommandFault CheckCommand(const SaidCommand& command) {
       return {"unknown-parameter", given.attribute, UnknownParameter(*row, given.attribute)};
     }
     if (const Percept* other = OtherValue(command.parameters, given); other != nullptr) {
-      return {"bad-value", given.attribute,
-              "^" + given.attribute + " of " + command.name + " has two values, " + DescribeValue(given) + " and " +
-                  DescribeValue(*other) + ": it takes one; a sum is (+ 1 2), and ^name <n> - removes the old value"};
+      return BadValue(given.attribute, {&given, other}, [&](auto&& described) {
+        return "^" + given.attribute + " of " + command.name + " has two values, " + described(given) + " and " +
+               described(*other) + ": it takes one; a sum is (+ 1 2), and ^name <n> - removes the old value";
+      });
     }
     if (!IsGood(*parameter, given)) {
       const std::string range = DescribeRange(parameter->unit, parameter->min, parameter->max, parameter->words);
-      return {"bad-value", given.attribute,
-              "^" + given.attribute + " of " + command.name + " is " + DescribeValue(given) + ": it takes a " +
-                  std::string(NameOf(parameter->type)) + (range.empty() ? "" : " (" + range + ")")};
+      return BadValue(given.attribute, {&given}, [&](auto&& described) {
+        return "^" + given.attribute + " of " + command.name + " is " + described(given) + ": it takes a " +
+               std::string(NameOf(parameter->type)) + (range.empty() ? "" : " (" + range + ")");
+      });
     }
     for (const ParameterRow& place : PlaceParameters()) has_place |= &place == parameter;
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "vocabulary/percept.h"
 #include "vocabulary/vocabulary.h"
@@ -24,8 +25,15 @@ struct CommandFault {
   std::string parameter;
   std::string text;  ///< For users, with what to do: "^within of seek is 500: it takes a number (m, 0.1 to 100)".
 
+  std::string brief = {};  ///< The same, without the contents of an object that is given instead of a name; empty if
+                           ///< there is no such object.
+
   bool ok() const { return reason.empty(); }
 };
+
+/// Whether the reason of a failure is the form of the command, which CheckCommand finds, and not the state of the
+/// world.
+bool IsFaultOfForm(std::string_view reason);
 
 /// Checks the name and the parameters of a command against the table.
 CommandFault CheckCommand(const SaidCommand& command);
