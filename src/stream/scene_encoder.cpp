@@ -2,11 +2,14 @@
 #include "stream/scene_encoder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "bytes/byte_stream.h"
 #include "stream/deflate.h"
 #include "stream/quantise.h"
+#include "stream/scene_layout.h"
 #include "world/animation/rig.h"
 #include "world/body_meshes.h"
 
@@ -83,6 +86,66 @@ class SceneEncoder::Out : public ByteWriter {
   }
 };
 
+/// Writes the values of a record (scene_layout.h).
+class SceneEncoder::RecordWriter {
+ public:
+  /// `last`: the point before, for records with points.
+  RecordWriter(SceneEncoder& encoder, Out& out, Triple* last = nullptr) : encoder_(encoder), out_(out), last_(last) {}
+
+  template <typename Record>
+  void Write(const Record& record) {
+    Layout(*this, record);
+  }
+
+  void Type(std::string_view, std::string_view) {}
+  void Number(std::string_view, std::uint64_t value) { out_.Number(value); }
+  void Steps(std::string_view, float value, double per_unit) { out_.Signed(stream::Steps(value, per_unit)); }
+  void Share(std::string_view, double share, double per_unit) {
+    out_.Byte(static_cast<std::uint8_t>(std::lround(per_unit * std::fmin(std::fmax(share, 0.0), 1.0))));
+  }
+  void Float(std::string_view, float value) { out_.Float(Finite(value)); }
+  void Floats(std::string_view, const Vec3& value) { out_.Floats(value); }
+  void Flag(std::string_view, bool value) { out_.Byte(value ? 1 : 0); }
+  void IsZero(std::string_view, std::uint8_t value) { out_.Byte(value); }
+  void Flags(FlagList flags) {
+    unsigned bits = 0, bit = 1;
+    for (const stream::Flag& flag : flags) {
+      if (flag.second) bits |= bit;
+      bit *= 2;
+    }
+    out_.Byte(static_cast<std::uint8_t>(bits));
+  }
+  void Words(std::string_view, std::uint8_t value, std::span<const std::string_view>) { out_.Byte(value); }
+  void Color(std::string_view, const world::Color& value) { out_.Color(value); }
+  void Word(std::string_view, std::string_view value) { out_.Number(encoder_.TextIndex(value)); }
+  void Turn(std::string_view, const world::Quat& value) { out_.Whole(TurnVector(value), kPerRadian); }
+  void Place(std::string_view, const Vec3& value, double per_unit) { out_.Whole(value, per_unit); }
+  void PlaceIf(bool is_there, std::string_view, const Vec3& value) {
+    out_.Byte(is_there ? 1 : 0);
+    if (is_there) out_.Whole(value);
+  }
+  void Point(std::string_view, const Vec3& value) {
+    const Triple now = stream::Steps(value, kPerMetre);
+    out_.Difference(now, *last_);
+    *last_ = now;
+  }
+  /// The moment, because the age would change in each block.
+  void Moment(std::string_view, double age_s) { out_.Signed(std::lround((encoder_.time_s_ - age_s) * 100)); }
+
+ private:
+  SceneEncoder& encoder_;
+  Out& out_;
+  Triple* last_;
+};
+
+/// Writes the number of the records, and the records.
+template <typename Records>
+void SceneEncoder::WriteRecords(Out& out, const Records& records) {
+  out.Number(records.size());
+  RecordWriter writer(*this, out);
+  for (const auto& record : records) writer.Write(record);
+}
+
 /// Writes the ids of objects that no longer exist, and removes them from `known`. Then appends the changes. Empty if
 /// there are neither.
 template <typename Known>
@@ -138,28 +201,14 @@ std::string SceneEncoder::Surroundings(const world::SceneSnapshot& scene) {
   out.Number(TextIndex(scene.sky));
   out.Floats(scene.sky_rotation_deg);
   for (const world::Color& color : scene.markup_palette) out.Color(color);
-  out.Number(scene.lights.size());
-  for (const world::LightSnapshot& light : scene.lights) {
-    out.Number(light.id);
-    out.Byte(static_cast<std::uint8_t>(light.kind));
-    out.Byte(light.casts_shadows ? 1 : 0);
-    out.Floats(light.position);
-    out.Floats(light.direction);
-    out.Floats(light.diffuse);
-    out.Floats(light.specular);
-    out.Float(Finite(light.range_m));
-    for (const float part : light.attenuation) out.Float(Finite(part));
-  }
+  WriteRecords(out, scene.lights);
   return bytes;
 }
 
 std::string SceneEncoder::Camera(const world::SceneSnapshot& scene) {
   std::string bytes;
   Out out(bytes);
-  out.Number(scene.camera_moves);
-  out.Whole(scene.camera.position);
-  out.Whole(TurnVector(scene.camera.orientation), kPerRadian);
-  out.Float(Finite(scene.camera.vertical_fov_deg));
+  RecordWriter(*this, out).Write(MovedCamera{scene.camera_moves, scene.camera});
   return bytes;
 }
 
@@ -299,15 +348,8 @@ std::string SceneEncoder::People(const world::SceneSnapshot& scene) {
     person.seen = blocks_;
     std::string description, state;
     Out told(description), stated(state);
-    told.Number(TextIndex(agent->name));
-    told.Number(TextIndex(agent->kind));
-    told.Number(TextIndex(agent->script));
-    told.Number(TextIndex(agent->team));
-    told.Float(Finite(agent->radius_m));
-    told.Float(Finite(agent->height_m));
-    stated.Signed(Steps(agent->health, 10));
-    stated.Byte(static_cast<std::uint8_t>((agent->alive ? 1 : 0) | (agent->failed ? 2 : 0)));
-    stated.Number(TextIndex(agent->last_command));
+    RecordWriter(*this, told).Write(AgentLooks{*agent});
+    RecordWriter(*this, stated).Write(AgentState{*agent});
     const Triple place = Steps(agent->position, kPerMetre), forward = Steps(agent->forward, kPerDirection);
     std::uint8_t parts = 0;
     if (is_new || description != person.description) parts |= kDescription;
@@ -364,29 +406,14 @@ std::string SceneEncoder::Components(const world::SceneSnapshot& scene) {
 std::string SceneEncoder::Particles(const world::SceneSnapshot& scene) {
   std::string bytes;
   Out out(bytes);
-  out.Number(scene.particles.size());
-  for (const world::ParticleSnapshot& p : scene.particles) {
-    out.Number(p.id);
-    out.Number(TextIndex(p.effect));
-    out.Byte(static_cast<std::uint8_t>((p.visible ? 1 : 0) | (p.has_direction ? 2 : 0)));
-    out.Number(p.restarts);
-    out.Whole(p.position);
-    out.Whole(p.has_direction ? p.direction : world::Rotate(p.orientation, {0, 0, 1}), kPerDirection);
-  }
+  WriteRecords(out, scene.particles);
   return bytes;
 }
 
 std::string SceneEncoder::Sounds(const world::SceneSnapshot& scene) {
   std::string bytes;
   Out out(bytes);
-  out.Number(scene.sounds.size());
-  for (const world::SoundSnapshot& sound : scene.sounds) {
-    out.Number(sound.id);
-    out.Number(TextIndex(sound.file));
-    out.Float(Finite(sound.volume));
-    out.Byte(sound.in_world ? 1 : 0);
-    if (sound.in_world) out.Whole(sound.position);
-  }
+  WriteRecords(out, scene.sounds);
   return bytes;
 }
 
@@ -397,31 +424,15 @@ std::string SceneEncoder::Lines(const std::vector<world::LineSnapshot>& lines,
   std::string bytes;
   Out out(bytes);
   Triple last{};
-  const auto point = [&](Vec3 at) {
-    const Triple now = Steps(at, kPerMetre);
-    out.Difference(now, last);
-    last = now;
+  RecordWriter writer(*this, out, &last);
+  const auto write = [&](const auto& records) {
+    const std::size_t count = std::min(records.size(), settings_.most_lines);
+    out.Number(count);
+    for (std::size_t i = 0; i < count; ++i) writer.Write(records[i]);
   };
-  const auto most = [this](std::size_t count) { return std::min(count, settings_.most_lines); };
-  out.Number(most(lines.size()));
-  for (std::size_t i = 0; i < most(lines.size()); ++i) {
-    point(lines[i].from);
-    point(lines[i].to);
-    out.Color(lines[i].color);
-  }
-  out.Number(most(circles.size()));
-  for (std::size_t i = 0; i < most(circles.size()); ++i) {
-    point(circles[i].center);
-    out.Signed(Steps(circles[i].radius_m, kPerMetre));
-    out.Color(circles[i].color);
-  }
-  out.Number(most(triangles.size()));
-  for (std::size_t i = 0; i < most(triangles.size()); ++i) {
-    point(triangles[i].a);
-    point(triangles[i].b);
-    point(triangles[i].c);
-    out.Color(triangles[i].color);
-  }
+  write(lines);
+  write(circles);
+  write(triangles);
   return bytes;
 }
 
@@ -454,7 +465,7 @@ Block SceneEncoder::Encode(const world::SceneSnapshot& scene, const world::Overl
   if (!scene.sounds.empty() || sections_.contains(kSounds)) WriteIfChanged(sections, kSounds, Sounds(scene));
   if (overlay != nullptr) {
     if (const std::string bytes = Minds(*overlay); !bytes.empty()) WriteSection(sections, kMinds, bytes);
-    WriteIfChanged(sections, kShotsAndSpeech, ShotsAndSpeech(*overlay, scene.time_s));
+    WriteIfChanged(sections, kShotsAndSpeech, ShotsAndSpeech(*overlay));
     WriteIfChanged(sections, kPlaces, Places(*overlay));
     WriteIfChanged(sections, kPushes, Pushes(*overlay));
     WriteIfChanged(sections, kOverlayLines, Lines(overlay->lines, {}, overlay->triangles));
@@ -490,33 +501,23 @@ std::string SceneEncoder::OneMind(const world::AgentOverlay& agent) {
   out.Number(TextIndex(agent.doing));
   out.Byte(static_cast<std::uint8_t>((agent.has_senses ? 1 : 0) | (agent.measured ? 2 : 0) | (agent.goal ? 4 : 0) |
                                      (agent.path_is_whole ? 8 : 0)));
-  // A precision of decimetres is enough for marks on the ground, and they change less often.
-  constexpr double kSign = 10;
   if (agent.has_senses) {
-    out.Signed(Steps(agent.sight_m, kSign));
+    out.Signed(Steps(agent.sight_m, kPerSign));
     out.Signed(Steps(agent.view_deg, 1));
-    out.Signed(Steps(agent.hearing_m, kSign));
+    out.Signed(Steps(agent.hearing_m, kPerSign));
   }
-  if (agent.measured) out.Whole(*agent.measured, kSign);
-  if (agent.goal) out.Whole(*agent.goal, kSign);
+  if (agent.measured) out.Whole(*agent.measured, kPerSign);
+  if (agent.goal) out.Whole(*agent.goal, kPerSign);
   out.Number(agent.target_id);
   out.Number(agent.leader_id);
   out.Number(agent.path.size());
   Triple last{};
   for (const Vec3 corner : agent.path) {
-    const Triple now = Steps(corner, kSign);
+    const Triple now = Steps(corner, kPerSign);
     out.Difference(now, last);
     last = now;
   }
-  out.Number(agent.contacts.size());
-  for (const world::ContactSnapshot& contact : agent.contacts) {
-    out.Number(contact.agent_id);
-    out.Whole(contact.position, kSign);
-    out.Byte(static_cast<std::uint8_t>((contact.visible ? 1 : 0) | (contact.heard ? 2 : 0) | (contact.alive ? 4 : 0)));
-    // The forgotten fraction in twentieths, 0 to 20.
-    const double share = contact.memory_s > 0 ? contact.age_s / contact.memory_s : 1;
-    out.Byte(static_cast<std::uint8_t>(std::lround(20 * std::fmin(std::fmax(share, 0.0), 1.0))));
-  }
+  WriteRecords(out, agent.contacts);
   return bytes;
 }
 
@@ -536,51 +537,25 @@ std::string SceneEncoder::Minds(const world::OverlaySnapshot& overlay) {
   return GoneAndChanged(minds_, changed);
 }
 
-/// Writes the times of events. Their ages would change in each block.
-std::string SceneEncoder::ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s) {
+std::string SceneEncoder::ShotsAndSpeech(const world::OverlaySnapshot& overlay) {
   std::string bytes;
   Out out(bytes);
-  const auto moment = [&](double age_s) { out.Signed(std::lround((time_s - age_s) * 100)); };
-  out.Number(overlay.shots.size());
-  for (const world::ShotSnapshot& shot : overlay.shots) {
-    out.Whole(shot.from);
-    out.Whole(shot.to);
-    out.Number(shot.shooter_id);
-    out.Number(shot.hit_agent_id);
-    moment(shot.age_s);
-  }
-  out.Number(overlay.speech.size());
-  for (const world::SpeechSnapshot& speech : overlay.speech) {
-    out.Number(speech.from_id);
-    out.Number(speech.to_id);
-    out.Number(TextIndex(speech.text));
-    moment(speech.age_s);
-  }
+  WriteRecords(out, overlay.shots);
+  WriteRecords(out, overlay.speech);
   return bytes;
 }
 
 std::string SceneEncoder::Places(const world::OverlaySnapshot& overlay) {
   std::string bytes;
   Out out(bytes);
-  out.Number(overlay.places.size());
-  for (const world::PlaceSnapshot& place : overlay.places) {
-    out.Byte(static_cast<std::uint8_t>(place.kind));
-    out.Number(TextIndex(place.name));
-    out.Whole(place.position, 100);
-  }
+  WriteRecords(out, overlay.places);
   return bytes;
 }
 
 std::string SceneEncoder::Pushes(const world::OverlaySnapshot& overlay) {
   std::string bytes;
   Out out(bytes);
-  out.Number(overlay.pushes.size());
-  for (const world::PushSnapshot& push : overlay.pushes) {
-    out.Number(push.owner_id);
-    out.Whole(push.position);
-    out.Floats(push.force_n);
-    out.Float(Finite(push.mass_kg));
-  }
+  WriteRecords(out, overlay.pushes);
   return bytes;
 }
 

@@ -74,9 +74,12 @@ class SceneEncoder {
     std::uint64_t seen = 0;
   };
   class Out;
+  class RecordWriter;
 
   void Begin();
   std::uint64_t TextIndex(std::string_view text);
+  template <typename Records>
+  void WriteRecords(Out& out, const Records& records);
   void WriteSection(std::string& payload, std::uint8_t tag, const std::string& bytes);
   void WriteIfChanged(std::string& payload, std::uint8_t tag, const std::string& bytes);
   std::string Surroundings(const world::SceneSnapshot& scene);
@@ -94,7 +97,7 @@ class SceneEncoder {
   template <typename Known>
   std::string GoneAndChanged(std::map<std::uint32_t, Known>& known, const std::string& changed);
   std::string OneMind(const world::AgentOverlay& agent);
-  std::string ShotsAndSpeech(const world::OverlaySnapshot& overlay, double time_s);
+  std::string ShotsAndSpeech(const world::OverlaySnapshot& overlay);
   std::string Places(const world::OverlaySnapshot& overlay);
   std::string Pushes(const world::OverlaySnapshot& overlay);
 

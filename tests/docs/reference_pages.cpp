@@ -15,6 +15,7 @@
 #include "cli/help.h"
 #include "diagnostics/read_text.h"
 #include "script/api_reference.h"
+#include "stream/scene_layout.h"
 #include "vocabulary/vocabulary.h"
 #include "workbench/contents_json.h"
 #include "workbench/flow_info.h"
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   pages.push_back({"commands.md", soarbox::vocabulary::CommandReference()});
   pages.push_back({"soar_commands.md", soarbox::cli::CommandReference()});
   pages.push_back({"workbench.md", soarbox::workbench::WorkbenchReference()});
+  pages.push_back({"../web/src/format/scene_records.ts", soarbox::stream::SceneRecords()});
   pages.push_back({"../web/src/document/nodes.ts", soarbox::workbench::DocumentTypes()});
   pages.push_back({"../web/src/run/contents.ts", soarbox::workbench::ContentTypes()});
   pages.push_back({"../web/src/panels/panel_table.ts", soarbox::workbench::PanelTable()});

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import type { Drawables } from "./drawables";
+import type { AgentLooks, AgentState, Camera, Circle, Contact, Light, Line, NamedPlace, Particle, Push, Shot, Sound, Speech, Triangle } from "./scene_records";
+import type { Color, Quat, Vec3 } from "./scene_values";
 
 /** The visible scene at one moment, as in the scene stream. Metres, radians and seconds unless a name says otherwise. */
 
-export type Vec3 = readonly [number, number, number];
-/** Red, green, blue, alpha: 0 to 1. */
-export type Color = readonly [number, number, number, number];
-/** x, y, z, w. */
-export type Quat = readonly [number, number, number, number];
+export type { Color, Quat, Vec3 } from "./scene_values";
+export type { Camera, Circle, Contact, Light, Line, NamedPlace, Particle, Push, Shot, Sound, Speech, Triangle } from "./scene_records";
 
 export enum Shape { Mesh, Box, Capsule, Cylinder, Plane, Sphere }
 
@@ -39,40 +38,10 @@ export interface Drawable extends Description {
   movements?: readonly Movement[];
 }
 
-export interface Agent {
-  name: string;
-  kind: string;
-  script: string;
-  team: string;
-  radius: number;
-  height: number;
-  place: Vec3;
-  forward: Vec3;
-  health: number;
-  alive: boolean;
-  failed: boolean;
-  lastCommand: string;
-}
-
-export interface Light {
-  id: number;
-  directional: boolean;
-  castsShadows: boolean;
-  place: Vec3;
-  direction: Vec3;
-  diffuse: Vec3;
-  specular: Vec3;
-  range: number;
-  attenuation: Vec3;
-}
+export interface Agent extends AgentLooks, AgentState { readonly place: Vec3; readonly forward: Vec3 }
 
 export interface Surroundings { ambient: Vec3; sky: string; skyTurnDeg: Vec3; palette: readonly Color[]; lights: readonly Light[] }
-export interface Camera { moves: number; place: Vec3; turn: Quat; fovDeg: number }
-export interface Line { from: Vec3; to: Vec3; color: Color }
-export interface Circle { center: Vec3; radius: number; color: Color }
-export interface Triangle { a: Vec3; b: Vec3; c: Vec3; color: Color }
 export interface Lines { lines: readonly Line[]; circles: readonly Circle[]; triangles: readonly Triangle[] }
-export interface Contact { agent: number; place: Vec3; visible: boolean; heard: boolean; alive: boolean; forgotten: number }
 export interface Mind {
   operator: string;
   doing: string;
@@ -85,11 +54,6 @@ export interface Mind {
   path: readonly Vec3[];
   contacts: readonly Contact[];
 }
-export interface Shot { from: Vec3; to: Vec3; shooter: number; hit: number; time: number }
-export interface Speech { from: number; to: number; text: string; time: number }
-export interface Particle { id: number; effect: string; visible: boolean; directed: boolean; restarts: number; place: Vec3; direction: Vec3 }
-/** A sound that began in the last second. */
-export interface Sound { id: number; file: string; volume: number; place: Vec3 | null }
 export enum Font { Small, SmallMono, Medium, MediumMono, Large, LargeMono }
 
 /** A box of text that a script shows: on the screen in pixels, or in the world. */
@@ -120,9 +84,6 @@ export interface Component {
   /** Position of the top left corner in the world, where 1 px is 5 mm; null: the box is on the screen. */
   world: null | { place: Vec3; turn: Quat };
 }
-/** A force that a script or a command applied to a body in the last step. */
-export interface Push { owner: number; place: Vec3; force: Vec3; mass: number }
-export interface NamedPlace { kind: "waypoint" | "region" | "item" | "thing"; name: string; place: Vec3 }
 
 export interface Scene {
   tick: number;
