@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "diagnostics/read_text.h"
 #include "explain/command_text.h"
 #include "explain/former_soar.h"
+#include "explain/kernel_error.h"
 #include "explain/odd_characters.h"
 #include "explain/rule_text.h"
 
@@ -81,14 +83,6 @@ int EndOfRule(const SourceFile& source, int line) {
   return at;
 }
 
-std::string Between(const std::string& text, std::string_view begin, std::string_view end) {
-  const std::size_t from = text.find(begin);
-  if (from == kNowhere) return {};
-  const std::size_t start = from + begin.size();
-  const std::size_t to = text.find(end, start);
-  return to == kNowhere ? std::string() : text.substr(start, to - start);
-}
-
 void PointAt(Diagnostic& problem, const SourceFile& source, int line, std::size_t column, std::size_t length) {
   problem.line = line;
   problem.column = static_cast<int>(column) + 1;
@@ -115,50 +109,54 @@ void ClarifyUnclosed(Diagnostic& problem, const SourceFile& source) {
                                        : "put } at its end";
 }
 
-/// Clarifies the error for a line outside rules that is not a command.
-void ClarifyCommand(Diagnostic& problem, const SourceFile& source) {
+/// Clarifies the error for a line outside rules that is not a command. Returns whether the line belongs to a rule, so
+/// that the same mistake causes errors in the lines after it.
+bool ClarifyCommand(Diagnostic& problem, const SourceFile& source, const KernelError& error) {
   const std::string line = Trimmed(source.Line(problem.line));
   const std::string word = line.substr(0, line.find_first_of(" \t{"));
   for (const char* mark : {"//", ";", "--", "/*", "%"}) {
     if (!line.starts_with(mark) || line.starts_with("-->")) continue;
     problem.message = std::string(mark) + " does not start a comment";
     problem.hint = "comments start with #";
-    return PointAt(problem, source, problem.line, source.Line(problem.line).find(mark), std::string_view(mark).size());
+    PointAt(problem, source, problem.line, source.Line(problem.line).find(mark), std::string_view(mark).size());
+    return false;
   }
   if (line.starts_with('(') || line.starts_with("-->") || line.starts_with('}') || line.starts_with('^') ||
       line.starts_with("-(") || line.starts_with("-{")) {
     problem.message = "this line is outside any rule";
     problem.hint = "a rule is written sp {name conditions --> actions}; look at the brackets before this line";
-    return;
+    return true;
   }
   if (line.starts_with("sp{") || line.starts_with("gp{")) {
     problem.message = "a blank is missing between " + word + " and {";
     problem.hint = "write " + word + " " + line.substr(2);
     const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
-    return PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, 3);
+    PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, 3);
+    return true;
   }
   if (line.find('{') != kNowhere && word != "sp" && word != "gp" && word.size() <= 6) {
     problem.message = "expected sp { here" + (word.empty() ? std::string() : ", found '" + word + "'");
     problem.hint = "a rule starts with sp {";
     const std::size_t at = source.Line(problem.line).find_first_not_of(" \t");
     PointAt(problem, source, problem.line, at == kNowhere ? 0 : at, std::max<std::size_t>(word.size(), 1));
-    return;
+    return false;
   }
   // The error for the line `quit` is "no such command 'exit'", because an alias is reported by its expansion.
-  for (const std::string& name : {word, Between(problem.message, "no such command '", "'")}) {
+  for (const std::string& name : {word, error.subject}) {
     const std::string now = FormerCommandHint(name);
     if (now.empty()) continue;
     problem.message = "Soar no longer has a command '" + word + "'";
     problem.hint = now;
-    return;
+    return false;
   }
   if (word == "indiff") {
     problem.message = "Soar no longer has a command 'indiff'";
     problem.hint = "it is indifferent-selection now: write indifferent-selection" + line.substr(word.size());
-    return;
+    return false;
   }
   const bool is_other_language = word == "if" || word == "when" || word == "then" || word == "rule";
   if (problem.hint.empty() || is_other_language) problem.hint = "a rule starts with sp {, a comment with #";
+  return false;
 }
 
 /// Clarifies the error for "sp NAME" without a brace. Returns false if the line does not have this mistake. Kernels
@@ -333,7 +331,7 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
     const std::size_t column = find(source.Code(at));
     if (column == kNowhere) continue;
     OddCharacter odd = describe(source.Code(at), column);
-    if (odd.hint.ends_with("blank")) continue;  // Parsers read it as a blank, so it causes no error.
+    if (odd.is_blank) continue;  // Parsers read it as a blank, so it causes no error.
     problem.message = "rule " + NameOfRule(source, begin) + std::string(verdict) + odd.message;
     problem.hint = std::move(odd.hint);
     const std::string_view character = std::string_view(source.Code(at)).substr(column, odd.length);
@@ -345,20 +343,21 @@ bool ClarifyCharacter(Diagnostic& problem, const SourceFile& source, std::size_t
 }
 
 /// Adds a hint to "expected ... but found ...": for common mistakes, and for syntax of other languages.
-void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
-  const std::string found = Between(problem.message, "found '", "'");
-  if (problem.message.ends_with("but the rule ends here") && problem.message.find("-->") != kNowhere)
+void ClarifyFound(Diagnostic& problem, const SourceFile& source, const KernelError& error) {
+  using Expected = KernelError::Expected;
+  const std::string& found = error.found;
+  if (error.at_end && error.Expects(Expected::kConditionOrArrow))
     problem.hint = "write --> between the conditions and the actions";
   if (found.empty()) return;
-  if (problem.message.find("expected ( to begin a condition") != kNowhere) {
+  if (error.Expects(Expected::kCondition)) {
     if (const std::string name = NameOfWords(source, problem, found); !name.empty())
       problem.hint = "a rule's name has no blanks: sp {" + name;
   }
-  if (problem.message.starts_with("expected the rule's name")) problem.hint = "give it one: sp {scout*propose*go";
+  if (error.Expects(Expected::kName)) problem.hint = "give it one: sp {scout*propose*go";
   const std::string& line = source.Code(problem.line);
   const std::size_t column = static_cast<std::size_t>(std::max(problem.column, 1)) - 1;
   const char before = column > 0 && column <= line.size() ? line[column - 1] : ' ';
-  if (problem.message.find("or --> before the actions") != kNowhere) {
+  if (error.Expects(Expected::kConditionOrArrow)) {
     if (found.size() > 1 && found.find_first_not_of("-=>") == kNowhere)
       problem.hint = "write --> between the conditions and the actions";
     if (before == '[' || found.front() == '[') problem.hint = "write conditions between ( and )";
@@ -366,35 +365,30 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     if (found == "^")
       problem.hint = "write attributes between ( and ), after the object that has them: (<w> ^attribute value)";
   }
-  if (problem.message.find("expected ^attribute") != kNowhere &&
-      std::isalpha(static_cast<unsigned char>(found[0])) != 0)
+  if (error.ExpectsAttribute() && std::isalpha(static_cast<unsigned char>(found[0])) != 0)
     problem.hint = "did you mean ^" + found + "?";
-  if (found == ")" && problem.message.find("expected a value") != kNowhere)
-    problem.hint = "write a value after each ^attribute";
+  if (found == ")" && error.Expects(Expected::kValue)) problem.hint = "write a value after each ^attribute";
   const std::string head = line.substr(0, std::min(column, line.size()));
   const std::string tail = line.substr(std::min(column + found.size(), line.size()));
   std::string hint;
-  if (problem.message.find("expected ( to begin an action") != kNowhere) hint = HintForAction(found);
-  if (problem.message.find("expected a value") != kNowhere) hint = HintForValue(found, head);
-  if (problem.message.find("or --> before the actions") != kNowhere) hint = HintForJoin(found, false);
-  if (problem.message.find("expected ^attribute") != kNowhere) hint = HintForJoin(found, true);
+  if (error.Expects(Expected::kAction)) hint = HintForAction(found);
+  if (error.Expects(Expected::kValue)) hint = HintForValue(found, head);
+  if (error.Expects(Expected::kConditionOrArrow)) hint = HintForJoin(found, false);
+  if (error.ExpectsAttribute()) hint = HintForJoin(found, true);
   // (state <s> ^danger -)
-  if (const std::string before = Trimmed(head);
-      found == ")" && before.ends_with(" -") && problem.message.find("expected ^attribute") != kNowhere) {
+  if (const std::string before = Trimmed(head); found == ")" && before.ends_with(" -") && error.ExpectsAttribute()) {
     const std::size_t caret = before.rfind('^');
     if (caret != kNowhere) {
       const std::string attribute = before.substr(caret, before.find(' ', caret) - caret);
       hint = "a condition that must not hold has the minus before it: -" + attribute;
     }
   }
-  if (found == "-" && problem.message.find("expected ^attribute or ) in an action") != kNowhere)
-    hint = HintForAction(found);
-  if (found == "state" && problem.message.find("expected ( to begin a condition") != kNowhere)
+  if (found == "-" && error.Expects(Expected::kAttributeOfAction)) hint = HintForAction(found);
+  if (found == "state" && error.Expects(Expected::kCondition))
     hint = "write each condition between ( and ): (state <s> ...)";
-  if (problem.message.find("expected a constant") != kNowhere) hint = HintForTest(found, head, tail);
+  if (error.Expects(Expected::kTest)) hint = HintForTest(found, head, tail);
   const bool is_comment = BeginsComment(found) || Trimmed(head).ends_with(';');  // The parser skips a semicolon.
-  if (problem.message.find("or --> before the actions") != kNowhere && is_comment &&
-      Trimmed(line).find_first_not_of("-> ") != kNowhere)
+  if (error.Expects(Expected::kConditionOrArrow) && is_comment && Trimmed(line).find_first_not_of("-> ") != kNowhere)
     hint = "comments start with #";
   if (!hint.empty()) {
     problem.hint = std::move(hint);
@@ -424,8 +418,7 @@ void ClarifyFound(Diagnostic& problem, const SourceFile& source) {
     const std::size_t last = text.find_last_not_of(" \t", at == problem.line && open > 0 ? open - 1 : kNowhere);
     if (last == kNowhere || (at == problem.line && (open == 0 || last >= open))) continue;
     if (text[last] == ')' || text.substr(0, last + 1).ends_with("-->")) return;
-    problem.message =
-        problem.message.substr(0, problem.message.find("expected")) + "a ) is missing at the end of this line";
+    problem.message = error.rule + "a ) is missing at the end of this line";
     problem.hint = "close each ( with a )";
     return PointAt(problem, source, at, last, 1);
   }
@@ -441,9 +434,9 @@ bool LacksArrow(const Diagnostic& problem, const SourceFile& source) {
 }
 
 /// "constant sate is used where only a variable can match": `state` is missing or misspelt.
-void ClarifyState(Diagnostic& problem) {
-  const std::string word = Between(problem.message, "constant ", " is used where");
-  if (word.empty()) return;
+void ClarifyState(Diagnostic& problem, const KernelError& error) {
+  const std::string& word = error.subject;
+  if (error.kind != KernelError::Kind::kConstantAsId || word.empty()) return;
   const std::size_t bracket = word.find('<');
   if (bracket != kNowhere && bracket > 0) {
     problem.hint = "a blank is missing: " + word.substr(0, bracket) + " " + word.substr(bracket);
@@ -456,14 +449,20 @@ void ClarifyState(Diagnostic& problem) {
   }
 }
 
+/// The likely reason of an unbound variable.
+enum class Unbound : std::uint8_t {
+  kOther,
+  kNoFirstCondition,  ///< The rule has no condition on a state.
+  kNotBound,          ///< No reason is known.
+};
+
 /// "the action (<op> ^name go +) uses a variable that no condition binds": adds which variable, where, and a similar
 /// one.
-void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
-  const std::string action = Between(problem.message, "the action (", ")");
-  const std::vector<std::string> used = VariablesIn(action);
-  if (used.empty()) return;
+Unbound ClarifyUnbound(Diagnostic& problem, const SourceFile& source, const KernelError& error) {
+  const std::vector<std::string> used = VariablesIn(error.subject);
+  if (used.empty()) return Unbound::kOther;
   const int begin = BeginOfRule(source, problem.line);
-  if (begin == 0) return;
+  if (begin == 0) return Unbound::kOther;
   const std::string name = NameOfRule(source, begin);
   std::string conditions;
   std::set<std::string> others;
@@ -489,16 +488,20 @@ void ClarifyUnbound(Diagnostic& problem, const SourceFile& source) {
     const std::string id = open == kNowhere ? "" : text.substr(open + 1, text.find_first_of(" \t)", open) - open - 1);
     if (!IsIdentifier(id)) continue;
     problem.hint = id + " is the name of one object in one run: write a variable that a condition binds, such as <s>";
-    return PointAt(problem, source, at, open + 1, id.size());
+    PointAt(problem, source, at, open + 1, id.size());
+    return Unbound::kOther;
   }
   const std::string_view near = Suggest(variable, {others.begin(), others.end()});
   if (conditions.find("(state " + variable) == kNowhere && conditions.find("(state") == kNowhere) {
     problem.hint = "the rule's first condition is missing: (state " + variable + " ^superstate nil ...)";
-  } else if (!near.empty()) {
-    problem.hint = "did you mean " + std::string(near) + "?";
-  } else {
-    problem.hint = "bind it in a condition, or let another action lead to it: (<s> ^attribute " + variable + ")";
+    return Unbound::kNoFirstCondition;
   }
+  if (!near.empty()) {
+    problem.hint = "did you mean " + std::string(near) + "?";
+    return Unbound::kOther;
+  }
+  problem.hint = "bind it in a condition, or let another action lead to it: (<s> ^attribute " + variable + ")";
+  return Unbound::kNotBound;
 }
 
 }  // namespace
@@ -509,12 +512,17 @@ void ClarifyErrors(std::vector<Diagnostic>& problems) {
 
 void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of) {
   std::map<std::string, SourceFile> files;
+  using Kind = KernelError::Kind;
   std::vector<Diagnostic> kept;
+  Kind last = Kind::kOther;  // Of the last problem that was kept.
+  Unbound last_unbound = Unbound::kOther;
   bool outside = false;  // The last problem was text outside rules. Such a problem after it is not reported.
   std::set<std::string> unbound_rules;
   for (Diagnostic& problem : problems) {
     if (problem.file.empty() || problem.line == 0) {
       kept.push_back(std::move(problem));
+      last = Kind::kOther;
+      last_unbound = Unbound::kOther;
       continue;
     }
     const auto [at, is_new] = files.try_emplace(problem.file);
@@ -525,56 +533,64 @@ void ClarifyErrors(std::vector<Diagnostic>& problems, const TextOfFile& text_of)
     const std::size_t first = problem.excerpt.find_first_not_of(' ');
     if (first != kNowhere && first <= line.size() && line.substr(first).starts_with(problem.excerpt.substr(first)))
       problem.excerpt = line;
-    const std::string& text = problem.message;
-    const std::string word = Between(text + " ", "", " is read as a string");
+    const KernelError error = ReadKernelError(problem.message);
     // Skips the parser's second error about the same word.
-    if (!word.empty() && !kept.empty() && kept.back().severity == Severity::kError &&
-        kept.back().line == problem.line && kept.back().file == problem.file)
+    if (error.kind == Kind::kReadAsString && !error.subject.empty() && !kept.empty() &&
+        kept.back().severity == Severity::kError && kept.back().line == problem.line &&
+        kept.back().file == problem.file)
       continue;
     // Skips the parser's error about an unclosed text that was already reported.
-    constexpr std::string_view kNotClosed = "this bar or quote is not closed";
-    if (!kept.empty() && kept.back().message == kNotClosed && kept.back().file == problem.file &&
+    if (!kept.empty() && last == Kind::kNotClosed && kept.back().file == problem.file &&
         kept.back().line == problem.line && kept.back().column == problem.column)
       continue;
-    if (text == kNotClosed && problem.column > 0 && static_cast<std::size_t>(problem.column) <= line.size() &&
+    const Unbound unbound_before = std::exchange(last_unbound, Unbound::kOther);
+    if (error.kind == Kind::kNotClosed && problem.column > 0 &&
+        static_cast<std::size_t>(problem.column) <= line.size() &&
         line[static_cast<std::size_t>(problem.column) - 1] == '"') {
       problem.hint = "write text between bars: |I am going|";
       kept.push_back(std::move(problem));
+      last = error.kind;
       continue;
     }
     const bool was_outside = std::exchange(outside, false);
-    if (text.starts_with("unexpected eof")) {
+    Kind reported = error.kind;
+    if (error.kind == Kind::kUnexpectedEnd) {
       ClarifyUnclosed(problem, source);
-    } else if (text.starts_with("no such command") || text.find("argument allowed when printing") != kNowhere) {
-      ClarifyCommand(problem, source);
-      outside = text.find("outside any rule") != kNowhere || text.starts_with("a blank is missing between");
+    } else if (error.kind == Kind::kNoSuchCommand || error.kind == Kind::kTooManyToPrint) {
+      outside = ClarifyCommand(problem, source, error);
       if (outside && was_outside) continue;
     } else if (const std::string now = FormerOptionHint(source.Code(problem.line));
-               text.starts_with("No such option") && !now.empty()) {
+               error.kind == Kind::kNoSuchOption && !now.empty()) {
       problem.hint = now;
-    } else if (text.starts_with("Failed to open file")) {
+    } else if (error.kind == Kind::kNoFile) {
       const std::string& code = source.Code(problem.line);
       problem.hint = code.find('\'') != kNowhere   ? "write the name without quotes"
                      : code.find('\\') != kNowhere ? "write / between folders, not \\"
                                                    : "the name is relative to the folder of the file that sources it";
-    } else if (text.starts_with("Syntax: sp {") && BeginsRule(source.Code(problem.line))) {
+    } else if (error.kind == Kind::kNotARule && BeginsRule(source.Code(problem.line))) {
       ClarifyTail(problem, source);
     } else if (ClarifyMissingBrace(problem, source)) {
       outside = true;
-    } else if (text.find("uses a variable that no condition binds") != kNowhere) {
+      reported = Kind::kOther;
+    } else if (error.kind == Kind::kUnboundAction) {
       const int begin = BeginOfRule(source, problem.line);
-      ClarifyUnbound(problem, source);
-      if (!unbound_rules.insert(problem.file + ":" + std::to_string(begin)).second &&
-          problem.hint.starts_with("the rule's"))
+      last_unbound = ClarifyUnbound(problem, source, error);
+      const bool is_new_rule = unbound_rules.insert(problem.file + ":" + std::to_string(begin)).second;
+      if ((!is_new_rule && last_unbound == Unbound::kNoFirstCondition) ||
+          (last_unbound == Unbound::kNotBound && unbound_before == Unbound::kNoFirstCondition)) {
+        last_unbound = unbound_before;
         continue;
-      if (problem.hint.starts_with("bind it") && !kept.empty() && kept.back().hint.starts_with("the rule's")) continue;
-    } else if (!ClarifyCharacter(problem, source, FindPasted, DescribePasted, " cannot be read: ") &&
-               !ClarifyCharacter(problem, source, FindOddCharacter, DescribeOddCharacter, ": ")) {
-      ClarifyState(problem);
-      ClarifyFound(problem, source);
+      }
+    } else if (ClarifyCharacter(problem, source, FindPasted, DescribePasted, " cannot be read: ") ||
+               ClarifyCharacter(problem, source, FindOddCharacter, DescribeOddCharacter, ": ")) {
+      reported = Kind::kOther;
+    } else {
+      ClarifyState(problem, error);
+      ClarifyFound(problem, source, error);
       if (LacksArrow(problem, source)) problem.hint = "write --> between the conditions and the actions";
     }
     kept.push_back(std::move(problem));
+    last = reported;
   }
   problems = std::move(kept);
 }

@@ -5,23 +5,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
 namespace soarbox::explain {
 namespace {
 
+/// How a character looks.
+enum class Look : std::uint8_t { kSeen, kBlank, kUnseen };
+
 struct LookAlike {
   std::string_view character, name, hint;
+  Look look = Look::kSeen;
 };
 
 constexpr std::array kLookAlikes = {
-    LookAlike{"\u00a0", "a no-break space", "replace it with a plain blank"},
-    LookAlike{"\u202f", "a no-break space", "replace it with a plain blank"},
-    LookAlike{"\u2007", "a no-break space", "replace it with a plain blank"},
-    LookAlike{"\u3000", "a wide blank", "replace it with a plain blank"},
-    LookAlike{"\u200b", "a blank without width", "remove it"},
-    LookAlike{"\ufeff", "a byte order mark", "remove it"},
+    LookAlike{"\u00a0", "a no-break space", "replace it with a plain blank", Look::kBlank},
+    LookAlike{"\u202f", "a no-break space", "replace it with a plain blank", Look::kBlank},
+    LookAlike{"\u2007", "a no-break space", "replace it with a plain blank", Look::kBlank},
+    LookAlike{"\u3000", "a wide blank", "replace it with a plain blank", Look::kBlank},
+    LookAlike{"\u200b", "a blank without width", "remove it", Look::kUnseen},
+    LookAlike{"\ufeff", "a byte order mark", "remove it", Look::kUnseen},
     LookAlike{"\u201c", "a typographic quote", "write text between bars: |hello|"},
     LookAlike{"\u201d", "a typographic quote", "write text between bars: |hello|"},
     LookAlike{"\u201e", "a typographic quote", "write text between bars: |hello|"},
@@ -88,10 +93,10 @@ OddCharacter DescribeOddCharacter(std::string_view line, std::size_t at) {
   const std::string character(line.substr(at, length));
   for (const LookAlike& each : kLookAlikes) {
     if (each.character != character) continue;
-    const bool is_seen = each.name.find("blank") == std::string_view::npos &&
-                         each.name.find("space") == std::string_view::npos && each.character != "\ufeff";
-    return {length, std::string(each.name) + (is_seen ? " " + character : "") + " is skipped, as if it were not there",
-            std::string(each.hint)};
+    return {length,
+            std::string(each.name) + (each.look == Look::kSeen ? " " + character : "") +
+                " is skipped, as if it were not there",
+            std::string(each.hint), each.look == Look::kBlank};
   }
   const std::size_t before = line.find_last_of(kEnds, at);
   const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;

@@ -15,6 +15,7 @@ namespace soarbox::explain {
 struct OddCharacter {
   std::size_t length = 0;  ///< In bytes.
   std::string message, hint;
+  bool is_blank = false;  ///< It looks like a blank, and parsers read it as one.
 };
 
 /// Position of the first character outside bars that is not ASCII; npos if there is none. Parsers of rules skip it.
