@@ -32,6 +32,11 @@ TEST(ReadWords, CirclesOfVariablesEnd) {
   EXPECT_EQ(WordOf("sp {a (state <s> ^n <a>) (<a> ^n <b>) (<b> ^n <a> ^m 1) -->}", "m").path, "n.n.m");
 }
 
+TEST(ReadWords, AnArrowEndsAnOpenClause) {
+  const RuleWords rule = ReadWords("sp {a (state <s> ( --> <o> ^x y)}");
+  EXPECT_EQ(rule.heads.size(), 1u) << "only <s>";
+}
+
 TEST(ReadWords, AnyTextGivesWords) {
   for (const char* text :
        {"", "sp {", "sp {a (", "sp {a (state", "sp {a (state <s> ^", "sp {a (state <s> ^a.", "^^..^<", "((^a|"})

@@ -77,6 +77,7 @@ class Reader {
       case TokenKind::kArrow:
         rule_.arrow = token.begin;
         clauses_.clear();
+        opened_ = false;
         return;
       case TokenKind::kKeyword:
         if (text == "state" || text == "impasse") opens_state_ = true;
