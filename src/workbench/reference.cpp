@@ -154,8 +154,8 @@ std::string WorkbenchReference() {
     }
   }
   text +=
-      "\n### Types\n\nThe objects in these contents. Fields in brackets are left out if there is nothing to say. "
-      "JSON is what\n`soarbox inspect --json` prints.\n";
+      "\n### Types\n\nThe objects in these contents. Fields in brackets are left out if they have no value. "
+      "A field of the type JSON has the form\nthat `soarbox inspect --json` prints.\n";
   text += TypeTables(types);
   debugger::TypeLister nodes;
   ListNodes(nodes);
