@@ -32,6 +32,7 @@ void Fields(auto& visit, const Moment& at) {
   visit("resume_refusal", at.resume_refusal, "why it cannot; empty if it can");
   visit("branch_tick", at.branch_tick, "the tick at which the run last left its old future");
   visit("branches", at.branches, "how often it went back and continued from there");
+  visit("changed_tick", at.changed_tick, "the tick at which the user last changed rules; null: never");
 }
 
 void Fields(auto& visit, const ProblemRow& row) {
@@ -107,6 +108,7 @@ void Fields(auto& visit, const LessonContents& lesson) {
   visit("new_panels", lesson.new_panels, "the panels that it is about");
   visit("hints", lesson.hints, "hints that were asked for");
   visit("hint_count", lesson.hint_count, "number of all hints");
+  visit("is_tried", lesson.is_tried, "whether the learner has changed something, or had it graded");
   visit("is_passed", lesson.is_passed, "whether it is solved");
   visit("is_graded", lesson.is_graded, "whether it is being graded");
   visit("grade", lesson.grade, "the result, line by line");

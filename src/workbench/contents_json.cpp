@@ -249,6 +249,8 @@ Json PageJson(const Contents& contents, std::string_view name) {
   if (!panel || !document::HasDocument(*panel)) return ToJson(contents, name);
   Json json{{"document", document::ToJson(document::DocumentOf(*panel, contents))}};
   if (const std::string badge = document::BadgeOf(*panel, contents); !badge.empty()) json["badge"] = badge;
+  // A page also selects an agent by the checks, and shows the lessons on its start page.
+  if (*panel == PanelId::kMission) json.update(ToJson(contents, name));
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include "workbench/arrangement.h"
 #include "workbench/contents_json.h"
 #include "workbench/document/panels.h"
+#include "workbench/empty_panels.h"
 #include "workbench/flow_info.h"
 #include "workbench/requests_json.h"
 
@@ -77,6 +78,9 @@ std::string PanelTable() {
     }
     text += "  },\n";
   }
+  text += "} as const;\n\n/** The texts of empty panels that no document describes. */\nexport const EMPTY = {\n";
+  for (const auto& [word, empty] : {std::pair{"timeline", kEmptyTimeline}, std::pair{"edit", kEmptyEdit}})
+    text += "  " + std::string(word) + ": " + quoted(std::string(empty.what) + " " + std::string(empty.advice)) + ",\n";
   return text + "} as const;\n";
 }
 
@@ -95,12 +99,14 @@ std::string FlowTable() {
   return text +
          "} as const;\n\n/** The button that continues a run from the moment that is shown. */\nexport const RESUME "
          "= " +
-         quoted(kResumeButton) + ";\n";
+         quoted(kResumeButton) + ";\n/** A return to the present. */\nexport const LIVE = " + quoted(kLiveTitle) +
+         ";\n";
 }
 
 const char* const kDocuments =
     "\n## Documents\n\n"
-    "Most panels are described by a **document** (`src/workbench/document/`): what they show, without colors, sizes "
+    "Nearly all panels are described by a **document** (`src/workbench/document/`): what they show, without colors, "
+    "sizes "
     "and "
     "positions. It is built from\nthe contents. The window draws it with ImGui (`viewer/panels/document_panel.cpp`), "
     "pages and "

@@ -14,10 +14,10 @@
 namespace soarbox::workbench {
 namespace {
 
-/// Pages get the contents of panels without a document, reports those of Imagery, too.
+/// Pages get the contents of panels without a document, and those of Mission. Reports get those of Imagery, too.
 bool IsReadByPages(std::string_view content) {
   const std::optional<PanelId> panel = FindPanel(content);
-  return !panel || !document::HasDocument(*panel) || *panel == PanelId::kImagery;
+  return !panel || !document::HasDocument(*panel) || *panel == PanelId::kMission || *panel == PanelId::kImagery;
 }
 
 std::string Capitalized(std::string_view word) {
@@ -62,7 +62,7 @@ std::string DocumentTypes() {
   std::string text =
       "// SPDX-License-Identifier: BSD-2-Clause\n"
       "// Written by reference_pages from src/workbench/document/document_fields.h.\n"
-      "import type { Action, Spans } from \"./document\";\n\nexport type DocumentNode =";
+      "import type { Action, Span, Spans } from \"./document\";\n\nexport type DocumentNode =";
   for (const std::string& name : ListNodes(lister)) text += "\n  | " + name;
   return text + ";\n\nexport type Cell = Spans | CellValue;\n" + TypesText(lister);
 }
@@ -89,7 +89,12 @@ std::string ContentTypes() {
   for (const std::string_view content : ContentNames()) {
     const std::optional<PanelId> panel = FindPanel(content);
     const bool has_document = panel && document::HasDocument(*panel);
-    text += "  " + std::string(content) + "?: " + (has_document ? "DocumentContent" : Capitalized(content)) + ";\n";
+    const std::string name = Capitalized(content);
+    text += "  " + std::string(content) + "?: " +
+            (!has_document                 ? name
+             : *panel == PanelId::kMission ? "DocumentContent & " + name
+                                           : "DocumentContent") +
+            ";\n";
   }
   return text + "}\nexport type ContentName = keyof Contents;\n";
 }

@@ -31,7 +31,14 @@ struct CodePart {
 /// The pieces of a code with tokens; none if it has no tokens.
 std::vector<CodePart> PartsOf(const Code& code);
 
+/// The lines of a transcript that pages get.
+struct NewestSpans {
+  Spans lines;
+};
+NewestSpans NewestLines(const Transcript& transcript);
+
 Json ToJson(const Spans& spans);
+Json ToJson(const NewestSpans& newest);
 Json ToJson(const Action& action);
 Json ToJson(const Cell& cell);
 Json ToJson(const BodySign& sign);
@@ -39,6 +46,9 @@ Json ToJson(const CodePart& part);
 
 inline debugger::FieldType ScriptTypeOf(const Spans*) {
   return {"Spans", "spans"};
+}
+inline debugger::FieldType ScriptTypeOf(const NewestSpans*) {
+  return {"readonly Span[]", "list of spans"};
 }
 inline debugger::FieldType ScriptTypeOf(const Action*) {
   return {"Action", "action"};
@@ -86,9 +96,19 @@ void Fields(auto& visit, const Button& button) {
   visit.Known("copies", button.copies, "or the text that it copies to the clipboard");
   visit.Known("on", button.is_on, "it is a toggle, and whether it is on");
   visit.Known("off", !button.is_enabled, "it cannot be pressed");
+  visit.Known("main", button.is_main, "it is the most likely next thing to do");
 }
 
-inline constexpr std::string_view kFormFieldKinds[] = {"line", "choice", "check", "suggested"};
+void Fields(auto& visit, const CommandLine& command) {
+  visit.Type("CommandLine", "What a command line needs. Its requests get the typed text as `line`.");
+  visit("complete", command.complete, "asks for completions");
+  visit("keep", command.keep, "stores a text that is not sent");
+  visit("completed_line", command.completed_line, "the line for which completions were last requested");
+  visit("begin", command.found.begin, "where the completed word begins in that line");
+  visit("words", command.found.words, "its completions");
+  visit("common", command.found.common, "what all of them begin with");
+}
+inline constexpr std::string_view kFormFieldKinds[] = {"line", "choice", "check", "suggested", "command"};
 void Fields(auto& visit, const Field& field) {
   visit.Type("Field", "A field of a form.");
   visit("kind", field.kind, kFormFieldKinds, "how it is filled in");
@@ -98,6 +118,7 @@ void Fields(auto& visit, const Field& field) {
   visit.Known("value", field.value, "initial value");
   visit.Known("options", field.options, "values and labels; of `check`: off, then on; of `suggested`: suggestions");
   visit.Known("needed", field.is_needed, "the form is not sent while it is empty");
+  visit.Known("command", field.command, "of `command`: it has a history (arrow keys) and completion (Tab)");
 }
 void Fields(auto& visit, const Form& form) {
   visit.Type("Form", "Fields that are sent together.");
@@ -116,6 +137,7 @@ void Fields(auto& visit, const RowAction& action) {
   visit("do", action.action, "what it does");
   visit("field", action.field, "the field of the request that becomes the row's key, or its argument");
   visit.Known("argument", action.argument, "its number, from 1; absent: the key");
+  visit.Known("hint", action.hint, "tooltip of rows of a tree");
 }
 
 void Fields(auto& visit, const Column& column) {
@@ -159,6 +181,7 @@ void Fields(auto& visit, const Table& table) {
   visit.Known("filter", table.filter, "label of a field that filters rows");
   visit.Known("press", table.press, "what a click on a row does");
   visit.Known("groups", table.groups, "the user chooses one of them; initially the first");
+  visit.If(!table.groups.empty(), "groups_hint", table.groups_hint, "tooltip of this choice");
   visit.If(!table.none_fits.first.empty(), "none", table.none_fits, "what is shown if no row passes the filter");
   visit.Known("sorts", table.is_sortable, "the user can sort it");
   visit.Known("headless", !table.has_heads, "titles of columns are not shown");
@@ -212,6 +235,45 @@ void Fields(auto& visit, const Strip& strip) {
   visit("press", strip.press, "what a click on a number does");
 }
 
+inline constexpr std::string_view kCheckResults[] = {"open", "passed", "failed"};
+void Fields(auto& visit, const Checklist::Item& item) {
+  visit.Type("ChecklistItem", "A requirement.");
+  visit("k", item.key, "its key");
+  visit("result", item.result, kCheckResults, "its present result");
+  visit("says", item.says, "the result in words");
+  visit("s", item.spans, "its text");
+  visit.Known("below", item.below, "a text in a line of its own");
+  visit.Known("hint", item.hint, "tooltip");
+}
+void Fields(auto& visit, const Checklist& list) {
+  visit.Type("Checklist", "Requirements, each with its present result.");
+  visit.Is("checklist");
+  visit("items", list.items, "the requirements");
+}
+
+void Fields(auto& visit, const Progress& progress) {
+  visit.Type("Progress", "A text with a bar.");
+  visit.Is("progress");
+  visit("text", progress.text, "the text");
+  visit("value", progress.value, "so many are done");
+  visit("of", progress.of, "of so many");
+}
+
+void Fields(auto& visit, const Transcript& transcript) {
+  visit.Type("Transcript", "Lines that are appended. The newest is visible, unless the user has scrolled back.");
+  visit.Is("transcript");
+  visit("key", transcript.key, "stays the same from one document to the next");
+  visit("label", transcript.label, "what it shows");
+  visit("lines", NewestLines(transcript), "the newest 500 lines, a span for each");
+  visit("count", transcript.count, "changes when a line is appended");
+}
+
+void Fields(auto& visit, const Actions& actions) {
+  visit.Type("Actions", "A line at the lower edge that does not scroll; the last node of a document.");
+  visit.Is("actions");
+  visit("nodes", actions.nodes, "one after another");
+}
+
 void Fields(auto& visit, const Section& section) {
   visit.Type("Section", "A part with a heading.");
   visit.Is("section");
@@ -220,6 +282,9 @@ void Fields(auto& visit, const Section& section) {
   visit("nodes", section.nodes, "what it contains");
   visit.Known("open", section.unfolds, "it folds, and whether it is initially open");
   visit.Known("story", section.is_story, "it shows all about one thing");
+  visit.If(section.box.has_value(), "box", WordOf(section.box.value_or(Role::kPlain)),
+           "it is set off in the colour of this role");
+  visit.Known("news", section.news, "if this changes, the panel comes to the front and scrolls to it");
 }
 
 void Fields(auto& visit, const Tabs::Page& page) {

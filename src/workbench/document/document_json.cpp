@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // The JSON form of a document for pages. document_fields.h has the fields of its parts.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "workbench/document/document_fields.h"
@@ -38,6 +40,18 @@ Json ToJson(const Spans& spans) {
   }
   Json json = Json::array();
   for (const Span& span : spans) json.push_back(SpanJson(span));
+  return json;
+}
+
+NewestSpans NewestLines(const Transcript& transcript) {
+  constexpr std::ptrdiff_t kMost = 500;
+  const auto end = transcript.lines.end();
+  return {{end - std::min(std::ssize(transcript.lines), kMost), end}};
+}
+
+Json ToJson(const NewestSpans& newest) {
+  Json json = Json::array();
+  for (const Span& span : newest.lines) json.push_back(SpanJson(span));
   return json;
 }
 
@@ -79,6 +93,10 @@ Json ToJson(const CodePart& part) {
 
 std::string_view WordOf(Role role) {
   return kRoles[static_cast<std::size_t>(role)];
+}
+
+std::string_view WordOf(CheckResult result) {
+  return kCheckResults[static_cast<std::size_t>(result)];
 }
 
 Json ToJson(const Nodes& nodes) {

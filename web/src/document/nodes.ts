@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Written by reference_pages from src/workbench/document/document_fields.h.
-import type { Action, Spans } from "./document";
+import type { Action, Span, Spans } from "./document";
 
 export type DocumentNode =
   | Paragraph
@@ -12,7 +12,11 @@ export type DocumentNode =
   | Tree
   | Plot
   | Strip
+  | Checklist
+  | Progress
+  | Transcript
   | Section
+  | Actions
   | Tabs
   | Columns
   | Facts;
@@ -63,6 +67,8 @@ export interface Button {
   readonly on?: boolean;
   /** it cannot be pressed */
   readonly off?: boolean;
+  /** it is the most likely next thing to do */
+  readonly main?: boolean;
 }
 
 /** Fields that are sent together. */
@@ -88,7 +94,7 @@ export interface Form {
 /** A field of a form. */
 export interface Field {
   /** how it is filled in */
-  readonly kind: "line" | "choice" | "check" | "suggested";
+  readonly kind: "line" | "choice" | "check" | "suggested" | "command";
   /** in the request */
   readonly name: string;
   /** its label */
@@ -101,6 +107,24 @@ export interface Field {
   readonly options?: readonly (readonly [string, string])[];
   /** the form is not sent while it is empty */
   readonly needed?: boolean;
+  /** of `command`: it has a history (arrow keys) and completion (Tab) */
+  readonly command?: CommandLine;
+}
+
+/** What a command line needs. Its requests get the typed text as `line`. */
+export interface CommandLine {
+  /** asks for completions */
+  readonly complete: Action;
+  /** stores a text that is not sent */
+  readonly keep: Action;
+  /** the line for which completions were last requested */
+  readonly completed_line: string;
+  /** where the completed word begins in that line */
+  readonly begin: number;
+  /** its completions */
+  readonly words: readonly string[];
+  /** what all of them begin with */
+  readonly common: string;
 }
 
 /** A table. */
@@ -121,6 +145,8 @@ export interface Table {
   readonly press?: RowAction;
   /** the user chooses one of them; initially the first */
   readonly groups?: readonly string[];
+  /** tooltip of this choice */
+  readonly groups_hint?: string;
   /** what is shown if no row passes the filter */
   readonly none?: readonly [string, string];
   /** the user can sort it */
@@ -173,6 +199,8 @@ export interface RowAction {
   readonly field: string;
   /** its number, from 1; absent: the key */
   readonly argument?: number;
+  /** tooltip of rows of a tree */
+  readonly hint?: string;
 }
 
 /** A tree. */
@@ -255,6 +283,56 @@ export interface Strip {
   readonly press: RowAction;
 }
 
+/** Requirements, each with its present result. */
+export interface Checklist {
+  /** what it is */
+  readonly is: "checklist";
+  /** the requirements */
+  readonly items: readonly ChecklistItem[];
+}
+
+/** A requirement. */
+export interface ChecklistItem {
+  /** its key */
+  readonly k: string;
+  /** its present result */
+  readonly result: "open" | "passed" | "failed";
+  /** the result in words */
+  readonly says: string;
+  /** its text */
+  readonly s: Spans;
+  /** a text in a line of its own */
+  readonly below?: Spans;
+  /** tooltip */
+  readonly hint?: string;
+}
+
+/** A text with a bar. */
+export interface Progress {
+  /** what it is */
+  readonly is: "progress";
+  /** the text */
+  readonly text: string;
+  /** so many are done */
+  readonly value: number;
+  /** of so many */
+  readonly of: number;
+}
+
+/** Lines that are appended. The newest is visible, unless the user has scrolled back. */
+export interface Transcript {
+  /** what it is */
+  readonly is: "transcript";
+  /** stays the same from one document to the next */
+  readonly key: string;
+  /** what it shows */
+  readonly label: string;
+  /** the newest 500 lines, a span for each */
+  readonly lines: readonly Span[];
+  /** changes when a line is appended */
+  readonly count: number;
+}
+
 /** A part with a heading. */
 export interface Section {
   /** what it is */
@@ -269,6 +347,18 @@ export interface Section {
   readonly open?: boolean;
   /** it shows all about one thing */
   readonly story?: boolean;
+  /** it is set off in the colour of this role */
+  readonly box?: string;
+  /** if this changes, the panel comes to the front and scrolls to it */
+  readonly news?: string;
+}
+
+/** A line at the lower edge that does not scroll; the last node of a document. */
+export interface Actions {
+  /** what it is */
+  readonly is: "actions";
+  /** one after another */
+  readonly nodes: readonly DocumentNode[];
 }
 
 /** Several pages, of which one is shown. */

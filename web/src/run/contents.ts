@@ -28,6 +28,8 @@ export interface Time {
   readonly branch_tick: number | null;
   /** how often it went back and continued from there */
   readonly branches: number;
+  /** the tick at which the user last changed rules; null: never */
+  readonly changed_tick: number | null;
 }
 
 /** What an agent did in some ticks. */
@@ -66,26 +68,6 @@ export interface Mark {
   readonly kind: string;
   /** what happened */
   readonly text: string;
-}
-
-/** A line of a console. */
-export interface ConsoleLine {
-  /** when it was printed */
-  readonly tick: number;
-  /** what it is */
-  readonly kind: "input" | "output" | "error" | "hint";
-  /** without its line end */
-  readonly text: string;
-}
-
-/** Completions of the last word of a line. */
-export interface Completion {
-  /** where that word begins */
-  readonly begin: number;
-  /** possible words */
-  readonly words: readonly string[];
-  /** their common beginning */
-  readonly common: string;
 }
 
 /** A file that an agent was made from. */
@@ -218,6 +200,8 @@ export interface Lesson {
   readonly hints: readonly string[];
   /** number of all hints */
   readonly hint_count: number;
+  /** whether the learner has changed something, or had it graded */
+  readonly is_tried: boolean;
   /** whether it is solved */
   readonly is_passed: boolean;
   /** whether it is being graded */
@@ -432,17 +416,6 @@ export interface Timeline {
   readonly timeline: readonly Track[] | null;
 }
 
-export interface Console {
-  /** the newest lines of the selected agent's console */
-  readonly lines: readonly ConsoleLine[];
-  /** the line that `complete` asked for last */
-  readonly completed_line: string;
-  /** possible completions of its last word */
-  readonly completion: Completion;
-  /** a line that was typed and not sent */
-  readonly begun_line: string;
-}
-
 export interface Edit {
   /** what the selected agent was made from */
   readonly files: readonly AgentFile[];
@@ -513,7 +486,7 @@ export interface Contents {
   timeline?: Timeline;
   trace?: DocumentContent;
   plots?: DocumentContent;
-  console?: Console;
+  console?: DocumentContent;
   edit?: Edit;
   breakpoints?: DocumentContent;
   script?: DocumentContent;
@@ -521,7 +494,7 @@ export interface Contents {
   problems?: DocumentContent;
   watch?: DocumentContent;
   minds?: DocumentContent;
-  mission?: Mission;
+  mission?: DocumentContent & Mission;
   longterm?: DocumentContent;
   learning?: DocumentContent;
   exercise?: DocumentContent;
