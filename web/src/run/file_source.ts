@@ -198,7 +198,7 @@ export class FileSource implements RunSource {
     const { first_tick, last_tick, step_s, turn_ticks = 1, minds } = this.run;
     const moment: Moment = {
       agent: this.agent, has_mind: minds.includes(this.agent), not_available: "", past_note: "", not_recorded: "",
-      time: { first_tick, shown_tick: this.tick, last_tick, step_s, turn_ticks, is_recording: true, is_live: false, can_go_back: true, can_resume: false, resume_refusal: "", branch_tick: null, branches: 0 },
+      time: { first_tick, shown_tick: this.tick, last_tick, step_s, turn_ticks, is_recording: true, is_live: false, can_go_back: true, can_resume: false, resume_refusal: "", branch_tick: null, changed_tick: null, branches: 0 },
     };
     const now: Record<string, unknown> = { moment };
     for (const each of this.contents) {
