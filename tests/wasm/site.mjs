@@ -3,7 +3,7 @@
 // moment of the same experiment, and the site works without a network. run_site.py starts these tests. SOARBOX_PAGE is the
 // address of the site.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { after, test } from "node:test";
 import { apply, closeBrowser, openLesson, openPage, openWorld, picture, show, typeRules, until } from "../../web/e2e/browser.mjs";
 
@@ -149,5 +149,107 @@ test("after the first visit the site works without a network", { skip: SITE.star
   await openWorld(page, "soar_flee");
   await until(async () => !/^0:00\b/.test(await page.locator(".scrubber .moment").innerText()), "the world runs");
   assert.deepEqual(troubles, []);
+  await close();
+});
+
+// A browser without a screen has no dialog for folders, so a folder of the origin's private file system takes the place of what a user
+// would choose. Its handles are the same class. They need no permission, so `folderPermission` replaces the browser's answer.
+const FOLDER_PICKER = () => {
+  window.showDirectoryPicker = async () => (await navigator.storage.getDirectory()).getDirectoryHandle("My burrow", { create: true });
+  const answer = () => localStorage.getItem("folderPermission") ?? "granted";
+  FileSystemHandle.prototype.queryPermission = async () => (answer() === "granted" ? "granted" : "prompt");
+  FileSystemHandle.prototype.requestPermission = async () => {
+    if (answer() === "prompt") localStorage.setItem("folderPermission", "granted");
+    return answer();
+  };
+};
+
+/** Writes a file of that folder as another program would; returns the texts of all its files. */
+async function inFolder(page, path = "", text = "") {
+  return page.evaluate(async ({ name, contents }) => {
+    const root = await (await navigator.storage.getDirectory()).getDirectoryHandle("My burrow", { create: true }), texts = {};
+    if (name !== "") {
+      const out = await (await root.getFileHandle(name, { create: true })).createWritable();
+      await out.write(contents);
+      await out.close();
+    }
+    for await (const one of root.values()) if (one.kind === "file") texts[one.name] = await (await one.getFile()).text();
+    return texts;
+  }, { name: path, contents: text });
+}
+const remark = (page, text) => page.waitForSelector(`.remark:has-text('${text}')`);
+const NOTE = (name) => `\nsp {rabbit*note*${name}\n   (state <s> ^superstate nil)\n-->\n   (<s> ^${name} yes)\n}\n`;
+
+test("a folder of the disk: its world runs, saved edits are written to it, and another program's changes run", { skip: SITE.startsWith("file:") && "the page of a file has no private file system" }, async () => {
+  const rules = textOf("scenarios/soar_flee/rabbit.soar");
+  const { page, troubles, close } = await openPage(SITE, { draws: false, size: [1600, 900], script: FOLDER_PICKER });
+  const open = page.locator("button", { hasText: "Open a folder of your disk" });
+  // A folder without a world is refused.
+  await inFolder(page, "notes.txt", "Nothing\n");
+  await open.click();
+  await remark(page, "My burrow is not the folder of a world");
+  for (const name of readdirSync(new URL("../../scenarios/soar_flee", import.meta.url))) await inFolder(page, name, textOf(`scenarios/soar_flee/${name}`));
+  await open.click();
+  await page.waitForSelector(".pill.folder:has-text('Folder My burrow')");
+  await until(async () => !/^0:00\b/.test(await page.locator(".scrubber .moment").innerText()), "the world runs");
+  await page.locator(".agents button", { hasText: "rabbit" }).click();
+  await page.locator("#tab-edit").click();
+  await page.locator(".panel.edit select").selectOption({ label: "rabbit.soar" });
+  await until(async () => (await inEditor(page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
+  await typeRules(page, rules + NOTE("here"));
+  await apply(page);
+  await until(async () => (await inFolder(page))["rabbit.soar"] === rules + NOTE("here"), "the edit is in the folder");
+  await picture(page, "site_folder");
+
+  // Another program changes the file.
+  await inFolder(page, "rabbit.soar", rules + NOTE("there"));
+  await remark(page, "Another program has changed rabbit.soar");
+  await until(async () => (await inEditor(page)).includes("rabbit*note*there"), "the editor has the other program's text");
+  await show(page, "Rules");
+  await page.waitForSelector(".panel.rules :has-text('rabbit*note*there')");
+  await page.locator("#tab-edit").click();
+
+  // Both change it before the page looks: both texts are kept.
+  await page.evaluate(() => Object.defineProperty(document, "visibilityState", { configurable: true, value: "hidden" }));
+  await page.waitForTimeout(2500);
+  await inFolder(page, "rabbit.soar", rules + NOTE("elsewhere"));
+  await typeRules(page, rules + NOTE("mine"));
+  await apply(page);
+  await remark(page, "rabbit.soar was changed here and by another program");
+  const both = await inFolder(page);
+  assert.equal(both["rabbit.soar"], rules + NOTE("elsewhere"));
+  assert.equal(both["rabbit.soar.mine"], rules + NOTE("mine"));
+
+  // After a reload the browser has to be asked again, and may refuse.
+  await page.evaluate(() => localStorage.setItem("folderPermission", "denied"));
+  await page.reload();
+  await page.waitForSelector(".pill.folder:has-text('is not connected')");
+  await page.locator("button[aria-label='Connect the folder My burrow']").click();
+  await remark(page, "The browser does not let this page read and change My burrow");
+  await page.evaluate(() => localStorage.setItem("folderPermission", "prompt"));
+  await inFolder(page, "rabbit.soar", rules + NOTE("meanwhile"));
+  await page.locator("button[aria-label='Connect the folder My burrow']").click();
+  await page.waitForSelector(".pill.folder:has-text('Folder My burrow'):not(:has-text('not'))");
+  await page.locator("#tab-edit").click();
+  await until(async () => (await inEditor(page)).includes("rabbit*note*meanwhile"), "what was changed meanwhile is in the editor");
+
+  // The folder is removed.
+  await page.evaluate(async () => (await navigator.storage.getDirectory()).removeEntry("My burrow", { recursive: true }));
+  await remark(page, "My burrow is no longer where it was");
+  await page.waitForSelector(".pill.folder.lost");
+  await page.locator("button.home").click();
+  await page.waitForSelector(".folders li");
+  await picture(page, "site_folders");
+  await page.locator("button", { hasText: "Forget" }).click();
+  await until(async () => (await page.locator(".folders li").count()) === 0, "the folder is forgotten");
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
+test("without File System Access there is no button for folders", async () => {
+  const { page, close } = await openPage(SITE, { draws: false, script: () => delete window.showDirectoryPicker });
+  await page.waitForSelector(".start h1");
+  assert.equal(await page.locator("button", { hasText: "Open a folder of your disk" }).count(), 0);
+  await page.waitForSelector("label:has-text('Upload a folder (zip)')");
   await close();
 });

@@ -29,11 +29,12 @@ export async function closeBrowser() {
   browsers.clear();
 }
 
-/** A new page and its errors. `size`: width and height in pixels; `passed`: a pattern of expected errors. */
-export async function openPage(path = "/", { size = [1280, 800], zoom = 1, scheme = "light", touch = false, draws = true, passed = /^$/ } = {}) {
+/** A new page and its errors. `size`: width and height in pixels; `passed`: a pattern of expected errors; `script`: runs in the page first. */
+export async function openPage(path = "/", { size = [1280, 800], zoom = 1, scheme = "light", touch = false, draws = true, passed = /^$/, script = null } = {}) {
   const context = await (await openBrowser({ draws })).newContext({ viewport: { width: size[0], height: size[1] }, deviceScaleFactor: zoom, colorScheme: scheme, hasTouch: touch });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
+  if (script !== null) await page.addInitScript(script);
   const troubles = [], isExpected = (text) => passed.test(text) || (!draws && /WebGL/.test(text));
   page.on("console", (message) => message.type() === "error" && !isExpected(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(String(error.stack ?? error)));

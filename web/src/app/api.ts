@@ -2,6 +2,7 @@
 import { SocketSource } from "../run/socket_source";
 import type { ChangedFiles } from "./address";
 import type { RunSource } from "../run/source";
+import type { UserFolders } from "../local/user_folders";
 
 /** The name of the place of a page without a server. */
 export const LOCAL_PLACE = "local";
@@ -93,6 +94,9 @@ export function takeToken(location: Location, history: History, storage: Storage
 }
 
 export class Api {
+  /** Folders of the user's disk, in a page without a server. */
+  readonly folders: UserFolders | null = null;
+
   constructor(private readonly token: string) {}
 
   async json<T>(path: string, options: RequestInit = {}): Promise<T> {

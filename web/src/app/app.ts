@@ -11,6 +11,7 @@ import { clock } from "../panels/parts";
 import { keysDialog, linkDialog, type Link } from "./dialogs";
 import { icon } from "./icons";
 import { isTyping } from "./keys";
+import { folderPill, folderSection } from "./folder_views";
 import { formatAddress, NOWHERE, packFiles, packText, type Address, type ChangedFiles } from "./address";
 import { Navigator } from "./navigator";
 import { Reach } from "./reach";
@@ -24,6 +25,9 @@ const HOME = "/place/home/";
 /** Key prefix in the browser's storage: the lesson or world that was last opened in a place. */
 const LAST = "soarbox.last.";
 const REMARK_MS = 7000, MOST_REMARKS = 4;
+
+/** The name of a world that runs; "": it is something else. */
+const worldOf = (what: string): string => /^scenario:(.*)$/.exec(what)?.[1] ?? "";
 
 /** The mode of a page that is not the place's own. */
 export interface Guest {
@@ -109,6 +113,7 @@ export class App {
       if (names.includes("edit") && this.watches) this.draw();
       this.noteWhere();
     });
+    void api.folders?.start({ changed: () => this.draw(), say: (text, hint, isError) => this.say({ text, hint, isError }) });
     document.addEventListener("keydown", (event) => this.key(event));
     addEventListener("soarbox-theme", () => this.draw());
     this.draw();
@@ -179,6 +184,7 @@ export class App {
       return;
     }
     this.isSeeding = false;
+    this.api.folders?.show(worldOf(what));
     if (!this.watches && !isExperiment) localStorage.setItem(LAST + this.info.place, what);
     if (address.what === what) {
       this.isHome = false;
@@ -330,6 +336,7 @@ export class App {
       !this.isHome && title !== "" && h("h1.run-title", null, title), hello !== null && !this.isHome && hello.seed > 0 && h("span.quiet.seed", null, `seed ${hello.seed}`),
       this.guest.experiment !== undefined && h("span.pill", { attributes: { title: "It is in a place of its own, which is not kept" } }, "An experiment from a link"),
       this.watches && this.watchBar(), hello?.is_recording === true && !this.isHome && h("span.pill", null, "Recording"),
+      this.api.folders !== null && !this.isHome && hello !== null && folderPill(this.api.folders, worldOf(hello.what), () => void this.api.folders?.connect(worldOf(hello.what), true)),
       this.run.state === "busy" && h("span.pill.busy", { attributes: { role: "status" } }, "Working …"),
       h("span.space"), this.connectionView(),
       this.desk !== null && this.desk.handButton(),
@@ -392,7 +399,7 @@ export class App {
     if (this.watches) return h("main.start", null, h("div.empty", null, h("p", null, `${this.info.learner === "" ? "The person" : this.info.learner} has no world open now. It is shown here as soon as there is one.`)));
     const { hello } = this.run, running = hello !== null && this.run.state !== "ended" ? { what: hello.what, title: this.titleOfRun() } : null;
     const folder = `/api/p/${this.info.place}`;
-    return startPage(this.info, this.filter, running, localStorage.getItem(LAST + this.info.place) ?? "", this.maps, this.arena !== null && learnersArena(this.arena, this.info.files, (game, file) => this.handIn(game, file), { replay: (match) => this.open(`match:${match}`) }), {
+    return startPage(this.info, this.filter, running, localStorage.getItem(LAST + this.info.place) ?? "", this.maps, this.arena !== null && learnersArena(this.arena, this.info.files, (game, file) => this.handIn(game, file), { replay: (match) => this.open(`match:${match}`) }), this.folders(), {
       open: (what) => this.open(what),
       goOn: () => {
         this.isHome = false;
@@ -408,6 +415,18 @@ export class App {
     }, (text) => {
       this.filter = text;
       this.draw();
+    });
+  }
+
+  private folders(): Child {
+    const { folders } = this.api;
+    if (folders === null) return null;
+    // Names of worlds, which folders may not have: the program's, and those in the place.
+    const taken = [...this.info.scenarios.map((one) => one.name), ...this.info.files.map((one) => /^worlds\/([^/]+)\//.exec(one.path)?.[1] ?? "")];
+    return folderSection(folders, {
+      choose: () => void folders.choose(taken).then((world) => world !== null && this.open(`scenario:${world}`)),
+      open: (world) => void folders.connect(world, true).then((isGood) => isGood && this.open(`scenario:${world}`)),
+      forget: (world) => void folders.forget(world).then(() => this.fetchInfo(), (error: unknown) => this.fail(error)),
     });
   }
 

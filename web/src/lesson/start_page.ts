@@ -48,7 +48,7 @@ function titleOfCourse(course: string): string {
 }
 
 /** The start page: lessons with progress, worlds, recordings, and the user's files. */
-export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, maps: WorldMaps, arena: Child, events: StartEvents, setFilter: (text: string) => void): Child {
+export function startPage(info: PlaceInfo, filter: string, running: { what: string; title: string } | null, last: string, maps: WorldMaps, arena: Child, folders: Child, events: StartEvents, setFilter: (text: string) => void): Child {
   const things = nextThings(info, running, last), next = things.find((one) => one.what.startsWith("lesson:"))?.what.slice("lesson:".length) ?? nextLesson(info);
   const worlds = info.scenarios.filter((one) => `${one.name} ${one.about}`.toLowerCase().includes(filter.toLowerCase()));
   return h("main.start", null,
@@ -61,6 +61,7 @@ export function startPage(info: PlaceInfo, filter: string, running: { what: stri
     info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
       value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
     })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button([worldMap(maps[one.name]), h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about))], () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
+    folders,
     h("section.kept", { attributes: { "aria-label": "Your place" } }, h("h2", null, "Your place"),
       info.place === LOCAL_PLACE ? h("p.quiet", null, "Your files, lessons and recordings are kept by this browser, on this machine. Nothing is sent anywhere. Save them now and then: a browser deletes what a page keeps when its data is cleared.")
         : h("p.quiet", null, `Your files, lessons and recordings are kept under this page's link. Keep the link: everybody who has it can work here. ${info.kept_days > 0 ? `Nobody needs to log in; what is not used for ${info.kept_days} days is deleted.` : ""}`),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { changedFiles, filesBelow, writeExperiment, writeFiles } from "./experiment";
-import type { EngineFiles, FromWorker, KeptFile, LoadedEngine, ToWorker } from "./messages";
+import { CHANGES_NOTHING, type EngineFiles, type FromWorker, type KeptFile, type LoadedEngine, type ToWorker } from "./messages";
 
 /** The part of the engine's module (src/app/worker) that is used. */
 export interface EngineModule {
@@ -50,8 +50,6 @@ export interface Surroundings {
 const KEPT_AFTER_MS = 1000;
 /** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
-/** Requests that change no file. */
-const CHANGES_NOTHING = new Set(["look", "flow", "overlays", "scene", "input", "language", "presence", "select"]);
 /** The files that grading uses, and the file that records passed lessons. */
 const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
 
@@ -92,6 +90,8 @@ export class EngineWorker {
         return this.keep();
       case "changes":
         return this.guarded(() => this.say({ kind: "changes", call: message.call, changes: changedFiles(this.engine.FS, message.what) }));
+      case "files":
+        return this.guarded(() => this.say({ kind: "files", call: message.call, files: filesBelow(this.engine.FS, message.folder) }));
       case "graded":
         return this.guarded(() => this.graded(message.text, message.isOver, message.files));
     }

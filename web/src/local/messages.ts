@@ -11,6 +11,9 @@ export interface KeptFile { path: string; bytes: Uint8Array }
 /** The lesson or world of a link, and the files in the link. */
 export interface Experiment { what: string; files: Readonly<Record<string, string>> }
 
+/** Requests to a run that change no file. */
+export const CHANGES_NOTHING: ReadonlySet<string> = new Set(["look", "flow", "overlays", "scene", "input", "language", "presence", "select"]);
+
 /** Messages from the page to the worker that runs its engine. */
 export type ToWorker =
   // With an experiment, the place contains only the experiment's files.
@@ -20,6 +23,8 @@ export type ToWorker =
   | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
   | { kind: "keep" }
   | { kind: "changes"; call: number; what: string }
+  // All files below a folder of the place, such as "/place/home/worlds/NAME".
+  | { kind: "files"; call: number; folder: string }
   // The only message to a worker that only grades; it answers with `graded`.
   | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   /** The new output of that worker; `files`: its changed files, when it is done. */
@@ -34,6 +39,7 @@ export type FromWorker =
   | { kind: "refused"; error: string; hint: string; id?: number }
   | { kind: "ended"; text: string }
   | { kind: "changes"; call: number; changes: ChangedFiles }
+  | { kind: "files"; call: number; files: readonly KeptFile[] }
   | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array }
   | { kind: "grade"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   | { kind: "stop-grading" }

@@ -3,7 +3,8 @@ import type { Listener, Request, RunMessage, RunSource } from "../run/source";
 import { readMessage } from "../run/socket_source";
 import type { ChangedFiles } from "../app/address";
 import { Api, Refused } from "../app/api";
-import type { EngineFiles, Experiment, FromWorker, ToWorker } from "./messages";
+import { CHANGES_NOTHING, type EngineFiles, type Experiment, type FromWorker, type KeptFile, type ToWorker } from "./messages";
+import type { UserFolders } from "./user_folders";
 
 const BUSY_AFTER_MS = 200, HANGS_AFTER_MS = 60_000;
 const NOT_LOADED = "The engine of this page cannot be loaded.";
@@ -26,6 +27,9 @@ export class LocalPlace implements RunSource {
   private hasRun = false;
   private readonly waiting = new Map<number, { resolve: (response: Response) => void; reject: (error: unknown) => void }>();
   private readonly waitingForChanges = new Map<number, { resolve: (changes: ChangedFiles) => void; reject: (error: unknown) => void }>();
+  private readonly waitingForFiles = new Map<number, { resolve: (files: readonly KeptFile[]) => void; reject: (error: unknown) => void }>();
+  /** Called after a request that may have changed files of the place. */
+  mayHaveChanged: () => void = () => undefined;
   private nextCall = 1;
   private isReady = false;
   private early: ToWorker[] = [];
@@ -52,6 +56,7 @@ export class LocalPlace implements RunSource {
     } else if (request.request !== "take-over" && this.hasRun) {
       this.post({ kind: "request", text: JSON.stringify(request) });
       this.awaitAnswer();
+      if (!CHANGES_NOTHING.has(request.request)) this.mayHaveChanged();
     }
     return true;
   }
@@ -79,6 +84,17 @@ export class LocalPlace implements RunSource {
     return new Promise((resolve, reject) => {
       this.waiting.set(call, { resolve, reject });
       this.post({ kind: "answer", call, method, path, body });
+      if (method !== "GET") this.mayHaveChanged();
+    });
+  }
+
+  /** All files below a folder of the place. */
+  async files(folder: string): Promise<readonly KeptFile[]> {
+    this.connect();
+    const call = this.nextCall++;
+    return new Promise((resolve, reject) => {
+      this.waitingForFiles.set(call, { resolve, reject });
+      this.post({ kind: "files", call, folder });
     });
   }
 
@@ -152,6 +168,10 @@ export class LocalPlace implements RunSource {
         this.waitingForChanges.get(message.call)?.resolve(message.changes);
         this.waitingForChanges.delete(message.call);
         return;
+      case "files":
+        this.waitingForFiles.get(message.call)?.resolve(message.files);
+        this.waitingForFiles.delete(message.call);
+        return;
       case "grade":
         return this.grade({ ...message, kind: "grade-here" });
       case "stop-grading":
@@ -217,9 +237,10 @@ export class LocalPlace implements RunSource {
     this.hasRun = false;
     this.early = [];
     this.noLongerBusy();
-    for (const { reject } of [...this.waiting.values(), ...this.waitingForChanges.values()]) reject(new Refused(what, text, 500));
+    for (const { reject } of [...this.waiting.values(), ...this.waitingForChanges.values(), ...this.waitingForFiles.values()]) reject(new Refused(what, text, 500));
     this.waiting.clear();
     this.waitingForChanges.clear();
+    this.waitingForFiles.clear();
     this.listener?.message({ message: "ended", text: `${what} (${text})`, can_open_again: true });
   }
 
@@ -244,7 +265,8 @@ const BEFORE = /^\/api\/p\/[^/]+\/?/;
 
 /** Answers a page's requests to its server from the place in the worker. */
 export class LocalApi extends Api {
-  constructor(private readonly place: LocalPlace) {
+  /** `folders`: folders of the user's disk; null: this browser or place has none. */
+  constructor(private readonly place: LocalPlace, override readonly folders: UserFolders | null = null) {
     super("");
   }
 
