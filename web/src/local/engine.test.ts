@@ -212,6 +212,7 @@ test("the place answers the same requests as a server", async () => {
   const response = await api.fetch("/api/p/local/files/a.soar", { method: "PUT", body: "sp {}" });
   assert.equal(await response.text(), "PUT files/a.soar sp {}");
   assert.equal(await (await api.fetch("/api/p/local")).text(), "GET  ");
+  assert.equal(await (await api.fetch("/api/p/local/files/my%20rules.soar")).text(), "GET files/my rules.soar ", "names are decoded, as a server does");
   page.place.close();
 });
 

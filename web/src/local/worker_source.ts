@@ -289,7 +289,7 @@ export class LocalApi extends Api {
 
   override async fetch(path: string, options: RequestInit = {}): Promise<Response> {
     const body = options.body === undefined || options.body === null ? new Uint8Array() : new Uint8Array(await new Response(options.body).arrayBuffer());
-    const response = await this.place.answer(options.method ?? "GET", path.replace(BEFORE, ""), body);
+    const response = await this.place.answer(options.method ?? "GET", decodeURIComponent(path.replace(BEFORE, "")), body);
     if (response.ok) return response;
     const told = (await response.json()) as { error?: string; hint?: string };
     throw new Refused(told.error ?? `The answer was ${response.status}.`, told.hint ?? "", response.status);
