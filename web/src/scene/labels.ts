@@ -25,6 +25,13 @@ const NAME_EDGES_PX = 20;
 const LEAST_THREAD_PX = 12, THREAD_INSET_PX = 8;
 /** Longer speech is wrapped. */
 const SPEECH_PX = 210;
+const FADES_S = 0.6, LEAST_OPACITY = 0.35;
+
+/** The opacity of a text that was said some seconds ago. 0: it is not shown, because it would be too faint to be read, for example as long as the world is paused. */
+export function speechOpacity(age_s: number): number {
+  const opacity = Math.min(1, (SPEECH_S - age_s) / FADES_S);
+  return opacity < LEAST_OPACITY ? 0 : opacity;
+}
 const PLACE_SIGNS: Readonly<Record<NamedPlace["kind"], string>> = { waypoint: "○", region: "□", thing: "■", item: "◆" };
 
 export function healthColor(share: number): Rgb {
@@ -151,15 +158,15 @@ export class Labels {
     const shown: Child[] = [], said = [...view.scene.speech, ...view.printed].filter((one) => view.time - one.time < SPEECH_S && view.time - one.time > -SPEECH_S).slice(-MOST_SPEECH);
     for (const one of said.reverse()) {
       const speaker = view.placed.get(one.from), text = shortened(one.text, 90);
-      if (speaker === undefined || text === "") continue;
+      const opacity = speechOpacity(view.time - one.time);
+      if (speaker === undefined || text === "" || opacity === 0) continue;
       const point = this.project([speaker.place[0], speaker.place[1] + speaker.agent.height / 2 + 0.3, speaker.place[2]], view);
       const wide = textWidth(text, SPEECH_FONT) * 1.04, room = Math.min(wide, SPEECH_PX), lines = Math.ceil((wide / room) * (wide > room ? 1.15 : 1)), box = point === null ? null : layout.place(point.x + 30, point.y - 50, room + 24, lines * 16 + 12);
       if (box === null || point === null) continue;
-      const fade = Math.min(1, (SPEECH_S - (view.time - one.time)) / 0.6);
       const key = `${one.from}/${one.time}/${one.text}`;
       shown.push(
         h("div.thread.speaking", { key: `u${key}`, style: threadStyle(...threadFrom(box, point), point.x, point.y) }),
-        h("div.speech", { key: `s${key}`, style: { ...position(box), opacity: String(Math.max(0, fade)) } }, text));
+        h("div.speech", { key: `s${key}`, style: { ...position(box), opacity: String(opacity) } }, text));
     }
     return shown;
   }

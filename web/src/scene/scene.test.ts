@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Shape, type Agent, type Drawable } from "../format/scene";
 import { LabelLayout } from "./label_layout";
-import { threadFrom } from "./labels";
+import { SPEECH_S, speechOpacity, threadFrom } from "./labels";
 import { kindColor, lookOf, teamColor } from "./looks";
 import { looksLikeABody, readShape, shapeKey, ShapeLibrary, withoutSmall } from "./shape_library";
 import { parseMarkup } from "./script_ui";
@@ -120,4 +120,11 @@ test("the line from a label to its agent begins at the edge that faces the agent
   assert.deepEqual(threadFrom(box, { x: 10, y: 120 }), [100, 120]);
   assert.deepEqual(threadFrom(box, { x: 300, y: 120 }), [180, 120]);
   assert.deepEqual(threadFrom(box, { x: 300, y: 300 }), [172, 140]);
+});
+
+test("what an agent has said fades, and is gone before it is too faint to be read", () => {
+  assert.equal(speechOpacity(0), 1);
+  assert.ok(Math.abs(speechOpacity(SPEECH_S - 0.3) - 0.5) < 1e-9);
+  assert.equal(speechOpacity(SPEECH_S - 0.1), 0);
+  assert.equal(speechOpacity(SPEECH_S + 1), 0);
 });
