@@ -3,10 +3,11 @@
 """Takes the pictures for the documents from the current program.
 
 usage: pictures.py SOARBOX [NAME...]     (./dev pictures [NAME...] builds the program and calls this)
+       pictures.py --shrink FILE...      reduces pictures that another script has taken
 
-Without a name it takes all pictures, on a virtual display (Xvfb). They are reduced to 256 colours to make the files small. Two pictures
-need a browser and have other scripts: `SOARBOX_PICTURES=FOLDER npm run e2e` in web/ writes report_docs.png, which is report.png here,
-and web/side_by_side.mjs writes side_by_side.png.
+Without a name it takes all pictures, on a virtual display (Xvfb). They are reduced to 256 colours to make the files small. Some pictures
+need a browser and have other scripts: site_pictures.mjs takes those of the site (./dev pictures site), `SOARBOX_PICTURES=FOLDER npm run
+e2e` in web/ writes report_docs.png, which is report.png here, and web/side_by_side.mjs writes side_by_side.png.
 """
 import collections
 import os
@@ -192,6 +193,10 @@ def shrink(file):
 
 
 def main(arguments):
+    if arguments[:1] == ["--shrink"]:
+        for file in arguments[1:]:
+            shrink(pathlib.Path(file))
+        return 0
     if not arguments or arguments[0].startswith("-"):
         print(__doc__)
         return 2
