@@ -223,7 +223,7 @@ test("a folder of the disk: its world runs, saved edits are written to it, and a
   // After a reload the browser has to be asked again, and may refuse.
   await page.evaluate(() => localStorage.setItem("folderPermission", "denied"));
   await page.reload();
-  await page.waitForSelector(".pill.folder:has-text('is not connected')");
+  await page.waitForSelector(".pill.folder:has-text('Folder not connected')");
   await page.locator("button[aria-label='Connect the folder My burrow']").click();
   await remark(page, "The browser does not let this page read and change My burrow");
   await page.evaluate(() => localStorage.setItem("folderPermission", "prompt"));

@@ -25,7 +25,7 @@ export function folderPill(folders: UserFolders, world: string, connect: () => v
   const folder = folders.stateOf(world);
   if (folder === null) return null;
   const { title, state, problem } = folder;
-  if (state === "connected") return h("span.pill.folder", { key: "folder", attributes: { title: `What you save is written to the folder ${title}` } }, `Folder ${title}`);
-  return h(`span.pill.folder${state === "trouble" ? ".lost" : ""}`, { key: "folder", attributes: { role: "status", title: problem === null ? "The browser has to be asked again after a page was loaded" : `${problem.message} ${problem.hint}` } },
-    state === "trouble" ? `Not equal to the folder ${title}. ` : `Folder ${title} is not connected. `, button("Connect", connect, { attributes: { "aria-label": `Connect the folder ${title}` } }, "button.link"));
+  if (state === "connected") return h("span.pill.folder", { key: "folder", attributes: { title: `What you save is written to the folder ${title}` } }, h("span", null, `Folder ${title}`));
+  return h(`span.pill.folder${state === "trouble" ? ".lost" : ""}`, { key: "folder", attributes: { role: "status", title: problem === null ? `The browser must be asked again before the page may change the folder ${title}` : `${problem.message} ${problem.hint}` } },
+    h("span", null, state === "trouble" ? "Folder not written" : "Folder not connected"), button("Connect", connect, { attributes: { "aria-label": `Connect the folder ${title}` } }, "button.link"));
 }
