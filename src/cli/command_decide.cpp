@@ -57,9 +57,15 @@ bool DecideOverview(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kNumericOptions[] = {
+    {'a', "avg", OptionArgument::kNone, "numeric preferences count by their mean"},
+    {'a', "average"},
+    {'s', "sum", OptionArgument::kNone, "numeric preferences count by their sum"},
+};
+
 bool NumericMode(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kDecideSubcommands[0].options, parsed)) return false;
+  if (!call.Parse(kNumericOptions, parsed)) return false;
   ExplorationSettings& settings = call.agent().mutable_exploration();
   if (!parsed.arguments.empty()) return call.Fail("Too many arguments.");
   if (!parsed.options.empty()) {
@@ -151,9 +157,23 @@ void Stats(CommandCall& call) {
   show("temperature", settings.temperature);
 }
 
+constexpr OptionSpec kIndifferentOptions[] = {
+    {'b', "boltzmann", OptionArgument::kNone, "chances by exp(value / temperature)"},
+    {'g', "epsilon-greedy", OptionArgument::kNone, "the best one, or with chance epsilon any"},
+    {'f', "first", OptionArgument::kNone, "the first candidate; of those proposed in the same elaboration, the newest"},
+    {'l', "last", OptionArgument::kNone, "the last candidate; of those proposed in the same elaboration, the oldest"},
+    {'x', "softmax", OptionArgument::kNone, "chances in proportion to values"},
+    {'e', "epsilon", OptionArgument::kNone, "show or set epsilon"},
+    {'t', "temperature", OptionArgument::kNone, "show or set the temperature"},
+    {'p', "reduction-policy", OptionArgument::kNone, "how a parameter shrinks"},
+    {'r', "reduction-rate", OptionArgument::kNone, "how fast a parameter shrinks"},
+    {'a', "auto-reduce", OptionArgument::kNone, "whether parameters shrink after each decision"},
+    {'s', "stats", OptionArgument::kNone, "show all settings"},
+};
+
 bool Indifferent(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kDecideSubcommands[1].options, parsed)) return false;
+  if (!call.Parse(kIndifferentOptions, parsed)) return false;
   ExplorationSettings& settings = call.agent().mutable_exploration();
   if (parsed.options.empty()) {
     if (!parsed.arguments.empty()) return call.Fail("Too many args.");
@@ -255,25 +275,6 @@ bool DecideHelp(CommandCall& call) {
   call.Out("\nFor a detailed explanation of sub-commands:    help decide\n");
   return call.FailPrinted();
 }
-
-constexpr OptionSpec kNumericOptions[] = {
-    {'a', "avg", OptionArgument::kNone, "numeric preferences count by their mean"},
-    {'a', "average"},
-    {'s', "sum", OptionArgument::kNone, "numeric preferences count by their sum"},
-};
-constexpr OptionSpec kIndifferentOptions[] = {
-    {'b', "boltzmann", OptionArgument::kNone, "chances by exp(value / temperature)"},
-    {'g', "epsilon-greedy", OptionArgument::kNone, "the best one, or with chance epsilon any"},
-    {'f', "first", OptionArgument::kNone, "the first candidate; of those proposed in the same elaboration, the newest"},
-    {'l', "last", OptionArgument::kNone, "the last candidate; of those proposed in the same elaboration, the oldest"},
-    {'x', "softmax", OptionArgument::kNone, "chances in proportion to values"},
-    {'e', "epsilon", OptionArgument::kNone, "show or set epsilon"},
-    {'t', "temperature", OptionArgument::kNone, "show or set the temperature"},
-    {'p', "reduction-policy", OptionArgument::kNone, "how a parameter shrinks"},
-    {'r', "reduction-rate", OptionArgument::kNone, "how fast a parameter shrinks"},
-    {'a', "auto-reduce", OptionArgument::kNone, "whether parameters shrink after each decision"},
-    {'s', "stats", OptionArgument::kNone, "show all settings"},
-};
 
 constexpr SubcommandInfo kDecideSubcommandList[] = {
     {"numeric-indifferent-mode", "[--avg | --sum]", "how several numbers for one operator count", kNumericOptions,

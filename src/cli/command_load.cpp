@@ -222,9 +222,15 @@ bool MayOpen(CommandCall& call, SourceRun& run, const std::string& path) {
   return false;
 }
 
+constexpr OptionSpec kFileOptions[] = {
+    {'a', "all", OptionArgument::kNone, "count the rules of each file"},
+    {'d', "disable", OptionArgument::kNone, "leave the total out"},
+    {'v', "verbose", OptionArgument::kNone, "name the rules that were replaced"},
+};
+
 bool LoadFile(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kLoadSubcommands[0].options, parsed)) return false;
+  if (!call.Parse(kFileOptions, parsed)) return false;
   if (parsed.arguments.empty()) {
     return call.Fail("Syntax: load file [--all | --disable | --verbose] <filename>");
   }
@@ -280,9 +286,13 @@ bool LoadLibrary(CommandCall& call) {
   return call.Fail("load library failed: Library not found.");
 }
 
+constexpr OptionSpec kReteOptions[] = {{'l', "load", OptionArgument::kRequired, "the file"},
+                                       {'r', "restore", OptionArgument::kRequired, "the file"},
+                                       {'s', "save", OptionArgument::kRequired, "write the image instead"}};
+
 bool LoadRete(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kLoadSubcommands[2].options, parsed)) return false;
+  if (!call.Parse(kReteOptions, parsed)) return false;
   // Older scripts use `rete-net -s FILE`, which also comes here.
   const auto save = parsed.Argument('s');
   if (save && parsed.arguments.empty()) return SaveRuleImage(call, *save);
@@ -292,9 +302,12 @@ bool LoadRete(CommandCall& call) {
   return LoadRuleImage(call, *file);
 }
 
+constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequired, "the file"},
+                                           {'c', "close", OptionArgument::kNone, "end the replay"}};
+
 bool LoadPercepts(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kLoadSubcommands[3].options, parsed)) return false;
+  if (!call.Parse(kPerceptsOptions, parsed)) return false;
   if (!parsed.arguments.empty()) return call.Fail("Syntax: load percepts [--open <filename> | --close]");
   std::unique_ptr<PerceptPlayer>& player = call.session.percept_player();
   const bool playing = player && player->playing();
@@ -355,17 +368,6 @@ bool LoadHelp(CommandCall& call) {
       "For a detailed explanation of sub-commands:        help load\n");
   return call.FailPrinted();
 }
-
-constexpr OptionSpec kFileOptions[] = {
-    {'a', "all", OptionArgument::kNone, "count the rules of each file"},
-    {'d', "disable", OptionArgument::kNone, "leave the total out"},
-    {'v', "verbose", OptionArgument::kNone, "name the rules that were replaced"},
-};
-constexpr OptionSpec kReteOptions[] = {{'l', "load", OptionArgument::kRequired, "the file"},
-                                       {'r', "restore", OptionArgument::kRequired, "the file"},
-                                       {'s', "save", OptionArgument::kRequired, "write the image instead"}};
-constexpr OptionSpec kPerceptsOptions[] = {{'o', "open", OptionArgument::kRequired, "the file"},
-                                           {'c', "close", OptionArgument::kNone, "end the replay"}};
 
 constexpr SubcommandInfo kLoadSubcommandList[] = {
     {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},

@@ -80,10 +80,17 @@ bool EchoCommands(CommandCall& call) {
   return Switch(call, "echo-commands", output.echo_commands, [&](bool on) { output.echo_commands = on; });
 }
 
+constexpr OptionSpec kWarningOptions[] = {
+    {'e', "on"},
+    {'e', "enable", OptionArgument::kNone, "switch on"},
+    {'d', "off"},
+    {'d', "disable", OptionArgument::kNone, "switch off"},
+};
+
 bool Warnings(CommandCall& call) {
   OutputSettings& output = call.session.output();
   ParsedWords parsed;
-  if (!call.Parse(kOutputSubcommands[8].options, parsed)) return false;
+  if (!call.Parse(kWarningOptions, parsed)) return false;
   if (!parsed.options.empty()) {
     output.warnings = parsed.Has('e');
     call.agent().mutable_settings().warn_of_mixed_support = output.warnings;
@@ -131,10 +138,18 @@ bool PrintDepth(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kLogOptions[] = {
+    {'a', "add", OptionArgument::kNone, "add the words that follow to the file"},
+    {'A', "append", OptionArgument::kNone, "append to an existing file"},
+    {'e', "existing", OptionArgument::kNone, "append to an existing file"},
+    {'c', "close", OptionArgument::kNone, "close the file"},
+    {'c', "off"},
+};
+
 bool Log(CommandCall& call) {
   constexpr std::string_view kUsage = "\nUse 'output ?' and 'help output' to learn more about the output command.";
   ParsedWords parsed;
-  if (!call.Parse(kOutputSubcommands[6].options, parsed)) return false;
+  if (!call.Parse(kLogOptions, parsed)) return false;
   Session& session = call.session;
   if (parsed.Has('a')) {
     if (!session.log_open()) return call.Fail("Log is not open." + std::string(kUsage));
@@ -224,19 +239,6 @@ bool OutputHelp(CommandCall& call) {
   return true;
 }
 
-constexpr OptionSpec kLogOptions[] = {
-    {'a', "add", OptionArgument::kNone, "add the words that follow to the file"},
-    {'A', "append", OptionArgument::kNone, "append to an existing file"},
-    {'e', "existing", OptionArgument::kNone, "append to an existing file"},
-    {'c', "close", OptionArgument::kNone, "close the file"},
-    {'c', "off"},
-};
-constexpr OptionSpec kWarningOptions[] = {
-    {'e', "on"},
-    {'e', "enable", OptionArgument::kNone, "switch on"},
-    {'d', "off"},
-    {'d', "disable", OptionArgument::kNone, "switch off"},
-};
 constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone, "no newline at the end"}};
 
 constexpr SubcommandInfo kOutputSubcommandList[] = {

@@ -25,6 +25,8 @@ using kernel::Production;
 using kernel::ProductionId;
 using kernel::ProductionType;
 
+constexpr auto kNone = OptionArgument::kNone;
+
 bool ProductionOverview(CommandCall& call) {
   const kernel::Agent& agent = call.agent();
   std::uint32_t total = 0;
@@ -72,9 +74,20 @@ std::vector<ProductionId> Selected(CommandCall& call, const ParsedWords& parsed)
   return rules;
 }
 
+constexpr OptionSpec kExciseOptions[] = {
+    {'a', "all", kNone, "all rules"},
+    {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"},
+    {'n', "never-fired", kNone, "rules that never fired"},
+    {'r', "rl", kNone, "reinforcement learning's"},
+    {'t', "task", kNone, "user and default rules"},
+    {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
+};
+
 bool Excise(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[1].options, parsed)) return false;
+  if (!call.Parse(kExciseOptions, parsed)) return false;
   kernel::Agent& agent = call.agent();
   std::vector<ProductionId> rules;
   if (parsed.options.empty()) {
@@ -132,9 +145,14 @@ bool Excise(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kWatchOptions[] = {
+    {'e', "on", kNone, "show firings of the rule"},
+    {'d', "off", kNone, "no longer show them"},
+};
+
 bool Watch(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[7].options, parsed)) return false;
+  if (!call.Parse(kWatchOptions, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Too many parameters");
   std::vector<std::string>& watched = call.session.watched_rules();
   if (parsed.arguments.empty()) {
@@ -167,9 +185,15 @@ bool Watch(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kBreakOptions[] = {
+    {'s', "set", kNone, "stop when this rule matches"},
+    {'c', "clear", kNone, "no longer stop at this rule"},
+    {'p', "print", kNone, "list the rules at which runs stop"},
+};
+
 bool Break(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[0].options, parsed)) return false;
+  if (!call.Parse(kBreakOptions, parsed)) return false;
   kernel::Agent& agent = call.agent();
   if ((parsed.Has('s') || parsed.Has('c')) && parsed.arguments.size() != 1) {
     return call.Fail("pbreak --set/--clear takes exactly one argument.");
@@ -193,9 +217,17 @@ bool Break(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kFindOptions[] = {
+    {'l', "lhs", kNone, "search conditions"},
+    {'r', "rhs", kNone, "search actions"},
+    {'s', "show-bindings", kNone, "show the values of the pattern's variables"},
+    {'c', "chunks", kNone, "learned rules only"},
+    {'n', "nochunks", kNone, "no learned rules"},
+};
+
 bool Find(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[2].options, parsed)) return false;
+  if (!call.Parse(kFindOptions, parsed)) return false;
   if (parsed.arguments.empty()) return call.Fail("No pattern specified.");
   std::string pattern;
   for (const Word& word : parsed.arguments) pattern += (pattern.empty() ? "" : " ") + word.text;
@@ -256,9 +288,20 @@ void SortCounts(std::vector<Counted>& lines, std::size_t limit) {
   if (limit > 0 && lines.size() > limit) lines.resize(limit);
 }
 
+constexpr OptionSpec kCountOptions[] = {
+    {'a', "all", kNone, "all rules"},
+    {'c', "chunks", kNone, "learned rules"},
+    {'d', "default", kNone, "default rules"},
+    {'j', "justifications", kNone, "justifications"},
+    {'r', "rl", kNone, "reinforcement learning's"},
+    {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
+    {'f', "fired", kNone, "only rules that fired"},
+};
+
 bool FiringCounts(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[3].options, parsed)) return false;
+  if (!call.Parse(kCountOptions, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Too many parameters.");
   const auto count = [&](ProductionId id) { return call.agent().FiringCount(id); };
   std::size_t limit = 0;
@@ -332,9 +375,15 @@ std::string CrowdText(const kernel::Agent& agent, ProductionId id) {
                              "that have many values");
 }
 
+constexpr OptionSpec kMemoryOptions[] = {
+    {'c', "chunks", kNone, "learned rules"},          {'d', "default", kNone, "default rules"},
+    {'j', "justifications", kNone, "justifications"}, {'T', "templates", kNone, "templates"},
+    {'u', "user", kNone, "ordinary rules"},
+};
+
 bool MemoryUsage(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[5].options, parsed)) return false;
+  if (!call.Parse(kMemoryOptions, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Syntax: memories [options] [number]\nmemories production_name");
   const auto count = [&](ProductionId id) { return call.agent().rete().CountTokens(id, false); };
   std::size_t limit = 0;
@@ -383,9 +432,18 @@ bool MemoryUsage(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kMatchesOptions[] = {
+    {'a', "assertions", kNone, "rules about to fire"},
+    {'r', "retractions", kNone, "matches about to retract"},
+    {'n', "names", kNone, "names only"},
+    {'c', "count", kNone, "counts only"},
+    {'t', "timetags", kNone, "with time tags"},
+    {'w', "wmes", kNone, "with elements"},
+};
+
 bool Matches(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kProductionSubcommands[4].options, parsed)) return false;
+  if (!call.Parse(kMatchesOptions, parsed)) return false;
   if (parsed.arguments.size() > 1) return call.Fail("Error.");
   if (!parsed.arguments.empty() && (parsed.Has('a') || parsed.Has('r'))) return call.Fail("Error.");
   WmeDetail detail = WmeDetail::kNone;
@@ -452,57 +510,6 @@ bool ProductionHelp(CommandCall& call) {
   call.Out("\nFor a detailed explanation of sub-commands:    help production\n");
   return call.FailPrinted();
 }
-
-constexpr auto kNone = OptionArgument::kNone;
-constexpr OptionSpec kBreakOptions[] = {
-    {'s', "set", kNone, "stop when this rule matches"},
-    {'c', "clear", kNone, "no longer stop at this rule"},
-    {'p', "print", kNone, "list the rules at which runs stop"},
-};
-constexpr OptionSpec kExciseOptions[] = {
-    {'a', "all", kNone, "all rules"},
-    {'c', "chunks", kNone, "learned rules"},
-    {'d', "default", kNone, "default rules"},
-    {'n', "never-fired", kNone, "rules that never fired"},
-    {'r', "rl", kNone, "reinforcement learning's"},
-    {'t', "task", kNone, "user and default rules"},
-    {'T', "templates", kNone, "templates"},
-    {'u', "user", kNone, "ordinary rules"},
-};
-constexpr OptionSpec kFindOptions[] = {
-    {'l', "lhs", kNone, "search conditions"},
-    {'r', "rhs", kNone, "search actions"},
-    {'s', "show-bindings", kNone, "show the values of the pattern's variables"},
-    {'c', "chunks", kNone, "learned rules only"},
-    {'n', "nochunks", kNone, "no learned rules"},
-};
-constexpr OptionSpec kCountOptions[] = {
-    {'a', "all", kNone, "all rules"},
-    {'c', "chunks", kNone, "learned rules"},
-    {'d', "default", kNone, "default rules"},
-    {'j', "justifications", kNone, "justifications"},
-    {'r', "rl", kNone, "reinforcement learning's"},
-    {'T', "templates", kNone, "templates"},
-    {'u', "user", kNone, "ordinary rules"},
-    {'f', "fired", kNone, "only rules that fired"},
-};
-constexpr OptionSpec kMatchesOptions[] = {
-    {'a', "assertions", kNone, "rules about to fire"},
-    {'r', "retractions", kNone, "matches about to retract"},
-    {'n', "names", kNone, "names only"},
-    {'c', "count", kNone, "counts only"},
-    {'t', "timetags", kNone, "with time tags"},
-    {'w', "wmes", kNone, "with elements"},
-};
-constexpr OptionSpec kMemoryOptions[] = {
-    {'c', "chunks", kNone, "learned rules"},          {'d', "default", kNone, "default rules"},
-    {'j', "justifications", kNone, "justifications"}, {'T', "templates", kNone, "templates"},
-    {'u', "user", kNone, "ordinary rules"},
-};
-constexpr OptionSpec kWatchOptions[] = {
-    {'e', "on", kNone, "show firings of the rule"},
-    {'d', "off", kNone, "no longer show them"},
-};
 
 constexpr SubcommandInfo kProductionSubcommandList[] = {
     {"break", "[RULE]", "stops runs when a rule matches", kBreakOptions, Break},

@@ -121,9 +121,15 @@ bool SaveChunks(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kPerceptsOptions[] = {
+    {'o', "open", OptionArgument::kRequired, "the file"},
+    {'c', "close", OptionArgument::kNone, "end the recording"},
+    {'f', "flush", OptionArgument::kNone, "write out what is recorded"},
+};
+
 bool SavePercepts(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kSaveSubcommands[2].options, parsed)) return false;
+  if (!call.Parse(kPerceptsOptions, parsed)) return false;
   if (!parsed.arguments.empty()) return call.Fail("Syntax: save percepts [--open <filename> | --close | --flush]");
   std::unique_ptr<PerceptRecorder>& recorder = call.session.percept_recorder();
   if (parsed.Has('o')) {
@@ -159,9 +165,12 @@ bool SavePercepts(CommandCall& call) {
   return true;
 }
 
+constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"},
+                                       {'l', "load", OptionArgument::kRequired, "read an image instead"}};
+
 bool SaveRete(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kSaveSubcommands[3].options, parsed)) return false;
+  if (!call.Parse(kReteOptions, parsed)) return false;
   const std::optional<std::string> load = parsed.Argument('l'), file = parsed.Argument('s');
   if (load && parsed.arguments.empty()) return LoadRuleImage(call, *load);
   if (!file || !parsed.arguments.empty()) return call.Fail("Syntax: save rete-network --save <filename>");
@@ -181,14 +190,6 @@ bool SaveHelp(CommandCall& call) {
       "For a detailed explanation of sub-commands:  help save\n");
   return call.FailPrinted();
 }
-
-constexpr OptionSpec kPerceptsOptions[] = {
-    {'o', "open", OptionArgument::kRequired, "the file"},
-    {'c', "close", OptionArgument::kNone, "end the recording"},
-    {'f', "flush", OptionArgument::kNone, "write out what is recorded"},
-};
-constexpr OptionSpec kReteOptions[] = {{'s', "save", OptionArgument::kRequired, "the file"},
-                                       {'l', "load", OptionArgument::kRequired, "read an image instead"}};
 
 constexpr SubcommandInfo kSaveSubcommandList[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},

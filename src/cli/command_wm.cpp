@@ -115,10 +115,18 @@ bool ReadFilterField(CommandCall& call, const std::string& word, std::string& fi
   return static_cast<bool>(found);
 }
 
+constexpr OptionSpec kWatchOptions[] = {
+    {'a', "add-filter", OptionArgument::kNone, "trace only elements that fit"},
+    {'r', "remove-filter", OptionArgument::kNone, "remove a filter"},
+    {'l', "list-filter", OptionArgument::kNone, "list the filters"},
+    {'R', "reset-filter", OptionArgument::kNone, "remove all filters"},
+    {'t', "type", OptionArgument::kRequired, "adds, removes or both"},
+};
+
 bool Watch(CommandCall& call) {
   constexpr std::string_view kSyntax = "Syntax: wm watch -[a|r]  -t <type>  <pattern>\nwm watch -[l|R] [-t <type>]";
   ParsedWords parsed;
-  if (!call.Parse(kWmSubcommands[3].options, parsed)) return false;
+  if (!call.Parse(kWatchOptions, parsed)) return false;
   // The list begins with the newest filter.
   std::vector<WmeFilter>& filters = call.session.wme_filters();
   const std::optional<std::string> type = parsed.Argument('t');
@@ -241,9 +249,16 @@ bool ActivationHistory(CommandCall& call, const std::string& tag) {
   return true;
 }
 
+constexpr OptionSpec kActivationOptions[] = {
+    {'g', "get", OptionArgument::kOptional, "show a setting"},
+    {'s', "set", OptionArgument::kOptional, "change a setting"},
+    {'h', "history", OptionArgument::kOptional, "when an element was used"},
+    {'S', "stats", OptionArgument::kOptional, "what was forgotten"},
+};
+
 bool Activation(CommandCall& call) {
   ParsedWords parsed;
-  if (!call.Parse(kWmSubcommands[2].options, parsed)) return false;
+  if (!call.Parse(kActivationOptions, parsed)) return false;
   const SettingStore& store = call.session.settings();
   for (const char letter : {'g', 's', 'h'}) {
     if (parsed.Has(letter) && !parsed.Argument(letter)) return call.Fail("Too few arguments.");
@@ -302,20 +317,6 @@ bool WmHelp(CommandCall& call) {
       "For a detailed explanation of sub-commands:       help wm\n");
   return call.FailPrinted();
 }
-
-constexpr OptionSpec kActivationOptions[] = {
-    {'g', "get", OptionArgument::kOptional, "show a setting"},
-    {'s', "set", OptionArgument::kOptional, "change a setting"},
-    {'h', "history", OptionArgument::kOptional, "when an element was used"},
-    {'S', "stats", OptionArgument::kOptional, "what was forgotten"},
-};
-constexpr OptionSpec kWatchOptions[] = {
-    {'a', "add-filter", OptionArgument::kNone, "trace only elements that fit"},
-    {'r', "remove-filter", OptionArgument::kNone, "remove a filter"},
-    {'l', "list-filter", OptionArgument::kNone, "list the filters"},
-    {'R', "reset-filter", OptionArgument::kNone, "remove all filters"},
-    {'t', "type", OptionArgument::kRequired, "adds, removes or both"},
-};
 
 constexpr SubcommandInfo kWmSubcommandList[] = {
     {"add", "ID [^]ATTRIBUTE VALUE [+]", "adds an element to working memory, as input", {}, Add},
