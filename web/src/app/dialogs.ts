@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
+import { correction, generate, type Bitmap2D } from "lean-qr/nano";
 import { button, h, type Child, type View } from "../dom/view";
-import { qrCode } from "../dom/qr";
 import { KEYS } from "./keys";
 
 function dialog(title: string, close: () => void, ...body: Child[]): View {
@@ -40,11 +40,20 @@ export function keysDialog(close: () => void): View {
     h("p.quiet", null, h("a", { attributes: { href: licencesAddress(), target: "_blank" } }, "Licences of the programs that this page contains")));
 }
 
-/** A QR code as one path. */
+/** The light edge around a QR code that readers require. */
+const EDGE = 4;
+
+/** A QR code as one path; null if the text is too long. */
 export function qrView(text: string): View | null {
-  const code = qrCode(text);
-  if (code === null) return null;
-  const path = code.dark.flatMap((row, y) => row.map((isDark, x) => (isDark ? `M${x + 4} ${y + 4}h1v1h-1z` : ""))).join(""), size = code.size + 8;
+  let code: Bitmap2D;
+  try {
+    code = generate(text, { minCorrectionLevel: correction.M });
+  } catch {
+    return null;
+  }
+  const size = code.size + 2 * EDGE;
+  let path = "";
+  for (let y = 0; y < code.size; ++y) for (let x = 0; x < code.size; ++x) if (code.get(x, y)) path += `M${x + EDGE} ${y + EDGE}h1v1h-1z`;
   return h("svg.qr", { attributes: { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": "QR code of the link" } }, h("rect", { attributes: { width: size, height: size, fill: "#fff" } }), h("path", { attributes: { d: path, fill: "#000" } }));
 }
 
