@@ -235,13 +235,8 @@ void AddSweep(CLI::App& program, SweepOptions& options) {
       ->check(NumberIn(1, 100000));
   sweep->add_option("--task", options.task, "Make only this part of the runs, 0 to tasks - 1, and no tables")
       ->check(NumberIn(0, 100000));
-  sweep->add_option("--partition", options.partition, "Passed on to sbatch");
-  sweep->add_option("--qos", options.qos, "Passed on to sbatch");
-  sweep->add_option("--mem", options.memory, "Memory of a task, passed on to sbatch: 4G");
-  sweep->add_option("--cpus-per-task", options.processors, "Processors of a task, passed on to sbatch");
-  sweep->add_option("--sbatch", options.sbatch, "A further argument of sbatch, such as --sbatch=--constraint=fast");
-  sweep->add_option("--account", options.account, "Passed on to sbatch");
-  sweep->add_option("--time", options.time, "Passed on to sbatch");
+  sweep->add_option("--sbatch", options.sbatch,
+                    "An argument of sbatch, such as --sbatch=--partition=short (may be repeated)");
   sweep->add_flag("--cancel", options.cancel, "End the sweep's job on Slurm");
   sweep->add_flag("--mix", options.mix, "Continue even if another build of the program made the existing rows");
   sweep->add_flag("--retry", options.retry, "Repeat runs that crashed or hung three times");

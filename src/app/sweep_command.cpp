@@ -158,13 +158,7 @@ int Sweep(const SweepOptions& asked) {
     if (options.mix) settings.task_command.emplace_back("--mix");
     if (options.retry) settings.task_command.emplace_back("--retry");
     settings.tasks = options.tasks;
-    settings.partition = options.partition;
-    settings.account = options.account;
-    settings.time = options.time;
-    settings.qos = options.qos;
-    settings.memory = options.memory;
-    settings.processors = options.processors;
-    settings.more = options.sbatch;
+    settings.sbatch = options.sbatch;
     // If nodes fail, some runs are missing at the end. These are submitted again.
     const auto made = [&] {
       std::vector<Diagnostic> found;

@@ -16,9 +16,7 @@ struct SweepOptions {
   std::string on = "here";  ///< Or "slurm".
   int tasks = 1;            ///< Of a job array.
   int task = -1;  ///< Executes only this part of the runs, as a task of many; -1: all, with tables at the end.
-  std::string partition, account, time, qos, memory;
-  int processors = 0;
-  std::vector<std::string> sbatch;  ///< Additional arguments of sbatch.
+  std::vector<std::string> sbatch;  ///< Arguments of sbatch.
   bool cancel = false;
   bool mix = false;    ///< Rows of other builds are used, too.
   bool retry = false;  ///< Crashed and hung runs are repeated.

@@ -150,13 +150,7 @@ Result<void> RunOnSlurm(const fs::path& folder, const SlurmSettings& settings,
                                       "--job-name=soarbox-sweep",
                                       "--array=0-" + std::to_string(tasks - 1),
                                       "--output=" + fs::absolute(folder / "slurm", error).string() + "/%A_%a.log"};
-    if (!settings.partition.empty()) words.push_back("--partition=" + settings.partition);
-    if (!settings.account.empty()) words.push_back("--account=" + settings.account);
-    if (!settings.time.empty()) words.push_back("--time=" + settings.time);
-    if (!settings.qos.empty()) words.push_back("--qos=" + settings.qos);
-    if (!settings.memory.empty()) words.push_back("--mem=" + settings.memory);
-    if (settings.processors > 0) words.push_back("--cpus-per-task=" + std::to_string(settings.processors));
-    words.insert(words.end(), settings.more.begin(), settings.more.end());
+    words.insert(words.end(), settings.sbatch.begin(), settings.sbatch.end());
     words.push_back(script.string());
     const Answer submitted = Ask(words);
     job = submitted.text.substr(0, submitted.text.find_first_of(";\n"));

@@ -15,10 +15,7 @@ struct SlurmSettings {
   std::vector<std::string> task_command;  ///< The command of a task, to which "--task N" is added. It must work on each
                                           ///< node.
   int tasks = 1;                          ///< Number of tasks in the job array.
-  std::string partition, account, time;   ///< Passed to sbatch; empty: the cluster's default.
-  std::string qos, memory;                ///< --qos and --mem of sbatch; empty: the cluster's default.
-  int processors = 0;                     ///< Processors per task; 0: the cluster's default.
-  std::vector<std::string> more;          ///< Further arguments of sbatch, unchanged.
+  std::vector<std::string> sbatch;        ///< Further arguments of sbatch, unchanged.
 };
 
 /// Says what is missing if Slurm's commands are not installed here; empty if they are.

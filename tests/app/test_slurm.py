@@ -226,11 +226,11 @@ class OnSlurm(SlurmCase):
     def test_what_a_task_needs_is_passed_on(self):
         there, kept = self.folder / "there", self.folder / "comment"
         # Slurm uses the last of two equal options, so the output file shows that this one was passed on.
-        run = Run("sweep", self.sweep_of("1..2"), "--folder", there, "--on", "slurm", "--cpus-per-task", "1", "--mem", "200M",
-                  "--time", "5", f"--sbatch=--output={kept}", code=0)
+        run = Run("sweep", self.sweep_of("1..2"), "--folder", there, "--on", "slurm", "--sbatch=--cpus-per-task=1",
+                  "--sbatch=--mem=200M", "--sbatch=--time=5", f"--sbatch=--output={kept}", code=0)
         self.assertTrue(kept.is_file(), run.err)
         self.assertIn("4 runs made", kept.read_text(encoding="utf-8"))
-        wrong = Run("sweep", self.sweep_of("1..2"), "--folder", self.folder / "other", "--on", "slurm", "--qos", "nosuch", "--mem", "much", code=3)
+        wrong = Run("sweep", self.sweep_of("1..2"), "--folder", self.folder / "other", "--on", "slurm", "--sbatch=--mem=much", code=3)
         self.assertIn("Slurm did not accept the job", wrong.err)
 
     def test_who_waits_for_a_job_that_is_cancelled_is_told_and_continues_later(self):
