@@ -269,12 +269,12 @@ void AddLearn(CLI::App& program, LearnOptions& options) {
 }
 
 void AddNew(CLI::App& program, NewOptions& options) {
-  CLI::App* made = program.add_subcommand("new", "Write a commented starter scenario with a test into a new folder");
+  CLI::App* made = program.add_subcommand("new",
+                                          "Write a commented starter scenario with a test into a new folder: one "
+                                          "agent made of Soar rules, or another kind");
   made->add_option("name", options.name, "The folder to create; its last part is the scenario's name")->required();
-  CLI::Option* of_soar = made->add_flag("--soar", options.soar, "One agent made of Soar rules alone (the default)");
   CLI::Option* of_lua = made->add_flag("--lua", options.lua, "A world made by a Lua script, with a body of its own");
   CLI::Option* of_team = made->add_flag("--team", options.team, "Two teams of Soar agents");
-  of_soar->excludes(of_lua, of_team);
   of_lua->excludes(of_team);
 }
 

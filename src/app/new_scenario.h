@@ -5,10 +5,9 @@
 
 namespace soarbox::app {
 
-/// Options of `soarbox new`.
+/// Options of `soarbox new`. The default kind is one agent with Soar rules only.
 struct NewOptions {
   std::string name;
-  bool soar = false;  ///< One agent with Soar rules only; also the default.
   bool lua = false;   ///< A world that a Lua script creates.
   bool team = false;  ///< Two teams of two.
 };

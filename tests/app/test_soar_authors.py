@@ -299,9 +299,9 @@ class Starters(ScenarioCase):
     def test_pass_their_own_tests(self):
         environment = dict(os.environ, PATH=str(pathlib.Path(COMMAND).parent) + ":" + os.environ["PATH"])
         environment.pop("DISPLAY", None)
-        for kind in ("--soar", "--lua", "--team"):
-            folder = self.folder / ("my" + kind)
-            Run("new", folder, kind, code=0)
+        for kind in ((), ("--lua",), ("--team",)):
+            folder = self.folder / ("my" + "".join(kind))
+            Run("new", folder, *kind, code=0)
             done = subprocess.run(["sh", str(folder / "test.sh")], capture_output=True, text=True, env=environment, check=False)
             self.assertEqual((done.returncode, done.stdout.strip()), (0, "passed"), done.stderr)
 
