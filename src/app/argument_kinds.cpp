@@ -67,7 +67,6 @@ constexpr Row kRows[] = {
     {"", "--ui-script", kFile},
     {"", "--input", kFile},
     {"", "--junit", kFile},
-    {"", "--tap", kFile},
     {"", "--class", kFile},
     {"", "--lti", kFile},
     {"", "--memory", kMegabytes},

@@ -205,7 +205,6 @@ void AddTest(CLI::App& program, TestOptions& options) {
   test->add_option("--rules", options.rules, "As for `soarbox run`");
   AddJobs(*test, options.jobs);
   test->add_option("--junit", options.junit, "Write the results to this file as JUnit XML, for continuous integration");
-  test->add_option("--tap", options.tap, "Write the results to this file in the Test Anything Protocol");
   test->add_flag("--json", options.json, "One line of JSON per run, then one per mission");
   test->add_flag("--watch", options.watch, "Test again whenever a file is saved");
   test->add_flag("--empty", options.empty,

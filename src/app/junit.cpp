@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/junit.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -59,11 +58,6 @@ std::string WhyOpen(const TestedMission& tested, std::size_t check) {
   const mission::MissionOutcome& outcome = tested.outcome;
   if (!outcome.IsInterrupted() || outcome.check_true[check] < outcome.runs.size()) return {};
   return "interrupted after " + std::to_string(outcome.runs.size()) + " of " + std::to_string(outcome.asked);
-}
-
-std::string OneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 Result<void> Save(const std::filesystem::path& file, const std::string& text) {
@@ -124,36 +118,6 @@ Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<Tes
   }
   out << "</testsuites>\n";
   return Save(file, out.str());
-}
-
-Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested) {
-  std::ostringstream body;
-  std::size_t number = 0;
-  for (const TestedMission& each : tested) {
-    const mission::Mission& mission = each.loaded.mission;
-    for (std::size_t i = 0; i < mission.checks.size(); ++i) {
-      if (mission.checks[i].marker) continue;
-      const std::string open = WhyOpen(each, i);
-      const bool is_good = open.empty() ? CheckPassed(each, i) : true;
-      std::string name = OneLine(mission.name + ": " + mission.checks[i].name);
-      std::replace(name.begin(), name.end(), '#', ' ');
-      body << (is_good ? "ok " : "not ok ") << ++number << " - " << name << (open.empty() ? "" : " # SKIP " + open)
-           << '\n';
-      if (is_good) continue;
-      for (const mission::RunResult& run : each.outcome.runs) {
-        if (run.outcome != "ok" || run.IsTrue(i)) continue;
-        body << "# seed " << run.seed << ", " << mission::SecondsText(run.checks[i].verdict.time_s) << ": "
-             << OneLine(run.checks[i].expected + "; " + run.checks[i].verdict.was) << '\n';
-      }
-    }
-    for (const mission::RunResult& run : each.outcome.runs) {
-      if (run.outcome == "ok" && !IsAtFault(each, run)) continue;
-      body << "not ok " << ++number << " - " << OneLine(mission.name) << ": seed " << run.seed << '\n';
-      if (!run.error.empty()) body << "# " << OneLine(run.error) << '\n';
-      for (const std::string& problem : run.problems) body << "# " << OneLine(problem) << '\n';
-    }
-  }
-  return Save(file, "TAP version 13\n1.." + std::to_string(number) + "\n" + body.str());
 }
 
 }  // namespace soarbox::app

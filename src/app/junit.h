@@ -20,10 +20,6 @@ struct TestedMission {
 /// check over all seeds.
 Result<void> WriteJunit(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
 
-/// Writes the results in the Test Anything Protocol: a line for each check over all seeds, and one for each run that
-/// crashed or hung.
-Result<void> WriteTap(const std::filesystem::path& file, const std::vector<TestedMission>& tested);
-
 /// Whether a check passed in all runs.
 bool CheckPassed(const TestedMission& tested, std::size_t check);
 

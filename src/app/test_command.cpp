@@ -281,12 +281,6 @@ class Tester {
         refused = true;
       }
     }
-    if (!options_.tap.empty()) {
-      if (const Result<void> written = WriteTap(options_.tap, tested); !written) {
-        std::cerr << Format(written.error());
-        refused = true;
-      }
-    }
     std::cout.flush();
     if (WasInterrupted()) return kTestInterrupted;
     if (refused) return kTestRefused;

@@ -13,7 +13,6 @@ struct TestOptions {
   std::string seeds;                         ///< "1..20"; empty: the missions' own.
   std::vector<std::string> rules;            ///< "NAME=FILE", as for `soarbox run`.
   int jobs = 0;                              ///< Number of processes; 0: one per processor.
-  std::filesystem::path tap;                 ///< Also writes the results in the Test Anything Protocol; empty: no.
   std::filesystem::path junit;               ///< A report for continuous integration; empty: none.
   bool json = false;
   bool watch = false;          ///< Repeats whenever a file of a mission is saved.
