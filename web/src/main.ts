@@ -4,7 +4,7 @@ import { parseAddress, unpackFiles } from "./app/address";
 import { App } from "./app/app";
 import { applyTheme, themeNow } from "./app/theme";
 import { ClassTable } from "./class/class_table";
-import { button, h, patch } from "./dom/view";
+import { button, clear, h, patch } from "./dom/view";
 import type { Port } from "./local/worker_source";
 
 const PLACE_KEY = "soarbox.place";
@@ -46,6 +46,7 @@ async function embeddedPlace(api: Api, what: string): Promise<PlaceInfo> {
  */
 function tell(root: HTMLElement, error: unknown, canMove = location.pathname !== "/", elsewhere = "/", itsName = "A new place"): void {
   const told = error as { message?: string; hint?: string };
+  clear(root);
   patch(root, [h("main.start", null, h("section.welcome", { attributes: { role: "alert" } }, h("div", null, h("h1", null, "This page cannot be shown"), h("p", null, told.message ?? String(error)), told.hint !== undefined && told.hint !== "" && h("p.quiet", null, told.hint),
     h("div.row", null, button("Try again", () => location.reload(), {}, "button.primary"), canMove && button(itsName, () => location.assign(elsewhere))))))]);
 }
@@ -77,7 +78,7 @@ async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
     });
     addEventListener("focus", () => folders?.lookNow());
     const info = await api.json<PlaceInfo>("/api/p/local");
-    root.replaceChildren();
+    clear(root);
     new App(root, api, info, brought === null ? {} : { experiment: { packed: rules, names: Object.keys(brought) } });
     // From the second visit on, the site works without a network, unless the browser does not support this (without TLS).
     if (engine !== "") void navigator.serviceWorker?.register(new URL("offline.js", document.baseURI)).catch(() => undefined);

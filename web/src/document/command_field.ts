@@ -35,7 +35,7 @@ export class CommandField {
     if (words.length > 0 && command.common.length > this.line.length - command.begin) this.take(command.begin, command.common);
     return [
       h("label", null, h("span.attribute", null, field.label), h("input.source", {
-        value: this.line, attributes: { type: "text", "aria-label": field.label, placeholder: field.placeholder, spellcheck: "false", autocomplete: "off", autocapitalize: "off" },
+        value: this.line, attributes: { type: "text", "aria-label": field.label, placeholder: field.placeholder, spellcheck: false, autocomplete: "off", autocapitalize: "off" },
         on: {
           input: (event) => (this.line = (event.target as HTMLInputElement).value),
           change: () => this.uses.ask(command.keep, this.line),

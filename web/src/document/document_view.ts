@@ -218,7 +218,7 @@ export class DocumentView {
     }
     const list = field.kind === "suggested" ? `${this.word}-${form.key}-${field.name}` : undefined;
     return [h("input", {
-      value: state.text, attributes: { type: form.button === undefined ? "search" : "text", "aria-label": field.label, title: field.label, placeholder: field.placeholder ?? field.label, list, spellcheck: "false", autocomplete: "off" },
+      value: state.text, attributes: { type: form.button === undefined ? "search" : "text", "aria-label": field.label, title: field.label, placeholder: field.placeholder ?? field.label, list, spellcheck: false, autocomplete: "off" },
       on: { input: (event) => set((event.target as HTMLInputElement).value) },
     }), list !== undefined && h("datalist", { attributes: { id: list } }, options.map(([value, label]) => h("option", { attributes: { value } }, label)))];
   }

@@ -143,7 +143,7 @@ export class EditPanel implements Panel {
       this.asks = null;
       this.context.redraw("edit");
       void (asks.what === "new" ? this.newFile(asks.name) : this.rename(asks)).catch((error: unknown) => this.fail(error));
-    } } }, h("input", { value: asks.name, attributes: { type: "text", "aria-label": label, placeholder: label, spellcheck: "false", autocomplete: "off" }, mounted: (element) => (element as HTMLInputElement).select(), on: { input: (event) => (asks.name = (event.target as HTMLInputElement).value) } }),
+    } } }, h("input", { value: asks.name, attributes: { type: "text", "aria-label": label, placeholder: label, spellcheck: false, autocomplete: "off" }, mounted: (element) => (element as HTMLInputElement).select(), on: { input: (event) => (asks.name = (event.target as HTMLInputElement).value) } }),
     h("button.primary", { attributes: { type: "submit" } }, asks.what === "new" ? "Create" : "Rename"), button("Cancel", () => this.ask(null)));
   }
 

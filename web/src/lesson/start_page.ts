@@ -59,7 +59,7 @@ export function startPage(info: PlaceInfo, filter: string, running: { what: stri
     [...new Set(info.lessons.map((one) => one.course ?? ""))].map((course) => courseSection(titleOfCourse(course), info.lessons.filter((one) => (one.course ?? "") === course), next, maps, events)),
     arena,
     info.scenarios.length > 0 && h("section", { attributes: { "aria-label": "Worlds" } }, h("div.row", null, h("h2", null, "Worlds"), h("input.filter", {
-      value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: "false" }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
+      value: filter, attributes: { type: "search", placeholder: "Search", "aria-label": "Search worlds", spellcheck: false }, on: { input: (event) => setFilter((event.target as HTMLInputElement).value) },
     })), worlds.length === 0 ? h("p.quiet", null, "No world has this text.") : h("ul.cards", null, worlds.map((one) => h("li", { key: one.name }, button([worldMap(maps[one.name]), h("span.words", null, h("b", null, one.name), h("span.quiet", null, one.about))], () => events.open(`scenario:${one.name}`), {}, "button.card"))))),
     folders,
     h("section.kept", { attributes: { "aria-label": "Your place" } }, h("h2", null, "Your place"),

@@ -43,7 +43,7 @@ export function toggle(label: Child, isOn: boolean, press: () => void, title?: s
 /** A field that filters as one types. */
 export function filterField(label: string, value: string, changed: (text: string) => void): View {
   return h("input.filter", {
-    value, attributes: { type: "search", placeholder: label, "aria-label": label, spellcheck: "false", autocomplete: "off" },
+    value, attributes: { type: "search", placeholder: label, "aria-label": label, spellcheck: false, autocomplete: "off" },
     on: { input: (event) => changed((event.target as HTMLInputElement).value) },
   });
 }

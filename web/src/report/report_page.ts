@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { icon } from "../app/icons";
 import { isDark, switchTheme } from "../app/theme";
-import { button, h, patch, type Child } from "../dom/view";
+import { button, clear, h, patch, type Child } from "../dom/view";
 import { seconds } from "./chart";
 import type { Report, RunReport } from "./data";
 import { runSections } from "./run_sections";
@@ -40,7 +40,7 @@ export class ReportPage {
     if (report === undefined) return;
     this.drawHead(index);
     this.time?.play(false);
-    this.main.replaceChildren();
+    clear(this.main);
     this.bar.hidden = report.kind === "sweep";
     if (report.kind === "sweep") return patch(this.main, [sweepSections(report)]);
     const time = this.scene?.time ?? new OwnTime(Math.max(report.seconds, 0.1));
@@ -63,7 +63,7 @@ export class ReportPage {
 
   /** The moment that all pictures of a run show. */
   private drawBar(run: RunReport, time: Time): void {
-    this.bar.replaceChildren();
+    clear(this.bar);
     this.bar.setAttribute("role", "group");
     this.bar.setAttribute("aria-label", `Moment of ${run.title}`);
     const draw = (): void => patch(this.bar, [
