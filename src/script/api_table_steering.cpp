@@ -72,13 +72,6 @@ local force = agent:ForceToStayOnPath(0.5))"},
      R"(agent:Push(agent:ForceToPosition(Vector.new(9, 0, 0)), 1 / 30)
 print(agent:GetForward().x > 0.99)  --> true)",
      true},
-    {"Agent.PushSmoothly", "agent: Agent, force: Vector, acceleration: Vector, time: number [s]", "",
-     "Like Push, but changes the velocity smoothly instead of applying a force. Pass the same vector as the "
-     "acceleration in each step: the function stores its state in it.",
-     R"(local acceleration = Vector.new()
-agent:PushSmoothly(Vector.new(0, 0, 3), acceleration, 1 / 30)
-print(acceleration.z > 0)  --> true)",
-     true},
     {"Agent.WalkTo",
      "agent: Agent, position: Vector [m], time: number [s], lookAhead: number 0.1..1000 [s] = 1.5, weight: number = 3",
      "",

@@ -38,16 +38,6 @@ int Push(lua_State* state) {
   return 0;
 }
 
-int PushSmoothly(lua_State* state) {
-  Agent& agent = AgentArgument(state, 1);
-  Vec3 acceleration = CheckVector(state, 3);
-  const double step_s = luaL_checknumber(state, 4);
-  const bool is_accepted = world::PushSmoothly(agent, FlattenedForce(state, agent), acceleration, step_s);
-  *ToVector(state, 3) = acceleration;
-  WarnUnless(state, is_accepted);
-  return 0;
-}
-
 int ClampSpeed(lua_State* state) {
   ClampHorizontalSpeed(AgentArgument(state, 1));
   return 0;
@@ -116,7 +106,6 @@ int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
 constexpr Binding kAgentStrideBindings[] = {
     {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError, PlainClampSpeed},
     {"Push", Push, 3, 3, WrongCount::kError, PlainPush},
-    {"PushSmoothly", PushSmoothly, 4, 4, WrongCount::kError},
     {"WalkTo", WalkTo, 3, 5, WrongCount::kError, PlainWalkTo},
     {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError, PlainWalkToTarget},
 };

@@ -11,10 +11,6 @@ namespace soarbox::world {
 /// turns the agent towards its motion. Does nothing if the agent has no mass. Returns false if the force is not finite.
 bool PushAlongGround(Agent& agent, Vec3 force, double step_s);
 
-/// Changes the velocity smoothly instead of applying a force. `acceleration` is kept between steps by the caller. Does
-/// nothing if the agent has no mass or the force is almost zero. Returns false if the force is not finite.
-bool PushSmoothly(Agent& agent, Vec3 force, Vec3& acceleration, double step_s);
-
 /// Limits the horizontal speed to MaxSpeed. Does not change the vertical speed, so that jumps and falls are not
 /// affected.
 void ClampHorizontalSpeed(Agent& agent);
