@@ -43,7 +43,7 @@ export class Editor {
           highlightActiveLine(), highlightSelectionMatches(), EditorView.lineWrapping, EditorState.tabSize.of(3),
           hoverWith(client), autocompletion({ override: [completeWith(client)], activateOnTyping: true }),
           this.language.of([soarLanguage, soarColors]), this.readOnly.of([]),
-          EditorView.contentAttributes.of({ "aria-label": "Rules", spellcheck: false, autocapitalize: "off", autocorrect: "off" }),
+          EditorView.contentAttributes.of({ "aria-label": "Rules", spellcheck: "false", autocapitalize: "off", autocorrect: "off" }),
           keymap.of([
             { key: "Mod-s", preventDefault: true, run: () => this.apply() }, { key: "Mod-Enter", run: () => this.apply() },
             { key: "Shift-Alt-f", preventDefault: true, run: () => this.command("format") }, { key: "F2", preventDefault: true, run: () => this.command("rename") }, { key: "F12", preventDefault: true, run: () => this.command("definition") },
