@@ -8,7 +8,7 @@
 namespace soarbox::sim {
 namespace {
 
-RunEvent Outcome(const std::string& text, std::vector<explain::Reason> reasons) {
+RunEvent OutcomeOf(const std::string& text, std::vector<explain::Reason> reasons) {
   RunEvent event;
   event.kind = EventKind::kOutcome;
   event.agent = "mouse";
@@ -20,9 +20,9 @@ RunEvent Outcome(const std::string& text, std::vector<explain::Reason> reasons) 
 
 TEST(EventFindings, AreAboutCommandsOfWrongFormOnly) {
   EventFindings findings;
-  findings.See({Outcome("error bad-value: this is not read", {})});
+  findings.See({OutcomeOf("error bad-value: this is not read", {})});
   EXPECT_TRUE(findings.refused().empty());
-  findings.See({Outcome(
+  findings.See({OutcomeOf(
       "error bad-value: ^waypoint of move-to is (^x 3): it takes a word",
       {{"^waypoint of move-to is an object, not its name: it takes a word", explain::Reason::Kind::kRefused}})});
   ASSERT_EQ(findings.refused().size(), 1u);
