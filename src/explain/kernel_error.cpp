@@ -7,14 +7,12 @@ namespace {
 using Kind = KernelError::Kind;
 using Expected = KernelError::Expected;
 
-constexpr std::size_t kNowhere = std::string_view::npos;
-
 /// The text between two texts; empty if they do not occur.
 std::string Between(std::string_view text, std::string_view begin, std::string_view end) {
   const std::size_t from = text.find(begin);
-  if (from == kNowhere) return {};
+  if (from == std::string_view::npos) return {};
   const std::size_t start = from + begin.size(), to = text.find(end, start);
-  return to == kNowhere ? std::string() : std::string(text.substr(start, to - start));
+  return to == std::string_view::npos ? std::string() : std::string(text.substr(start, to - start));
 }
 
 /// What the parser expected (kernel/rules/syntax_help.cpp).
@@ -60,7 +58,7 @@ KernelError ReadKernelError(std::string_view message) {
   error.rule = message.substr(0, message.find("expected"));
   error.at_end = message.ends_with("but the rule ends here");
   for (const ExpectedWords& each : kExpected) {
-    if (message.find(each.words) == kNowhere) continue;
+    if (message.find(each.words) == std::string_view::npos) continue;
     error.kind = Kind::kExpected;
     error.expected = each.expected;
     return error;
@@ -68,7 +66,7 @@ KernelError ReadKernelError(std::string_view message) {
   if (message == "this bar or quote is not closed") error.kind = Kind::kNotClosed;
   for (const KindWords& each : kKinds) {
     const std::size_t at = message.find(each.words);
-    if (at == kNowhere || (each.at_begin && at != 0)) continue;
+    if (at == std::string_view::npos || (each.at_begin && at != 0)) continue;
     error.kind = each.kind;
     if (!each.after.empty()) error.subject = Between(message, each.before, each.after);
     return error;

@@ -71,8 +71,8 @@ std::vector<ScriptWatchRow> ScriptWatchesOf(const Contents& c) {
 
 /// A field with a value that `kGet` returns: a member of Contents, or a function.
 template <auto kGet>
-constexpr ContentField Row(std::string_view content, std::string_view name, std::string_view view,
-                           std::string_view about) {
+constexpr ContentField FieldRow(std::string_view content, std::string_view name, std::string_view view,
+                                std::string_view about) {
   using Value = std::remove_cvref_t<std::invoke_result_t<decltype(kGet), const Contents&>>;
   return {content,
           name,
@@ -86,131 +86,137 @@ using C = Contents;
 
 /// All fields of all contents.
 constexpr ContentField kFields[] = {
-    Row<&C::agent>("moment", "agent", "", "the agent that most contents are about; empty: none is selected"),
-    Row<&C::has_mind>("moment", "has_mind", "", "whether it has a Soar mind"),
-    Row<&C::moment>("moment", "time", "", "the tick that is shown"),
-    Row<&C::not_available>("moment", "not_available", "",
-                           "why the mind's contents are not shown; empty: they are shown"),
-    Row<&C::past_note>("moment", "past_note", "",
-                       "the progress of simulating a recorded moment again, or why this is impossible"),
-    Row<&C::not_recorded>("moment", "not_recorded", "",
-                          "not empty: contents come from a recording, which does not hold the mind's memory"),
+    FieldRow<&C::agent>("moment", "agent", "", "the agent that most contents are about; empty: none is selected"),
+    FieldRow<&C::has_mind>("moment", "has_mind", "", "whether it has a Soar mind"),
+    FieldRow<&C::moment>("moment", "time", "", "the tick that is shown"),
+    FieldRow<&C::not_available>("moment", "not_available", "",
+                                "why the mind's contents are not shown; empty: they are shown"),
+    FieldRow<&C::past_note>("moment", "past_note", "",
+                            "the progress of simulating a recorded moment again, or why this is impossible"),
+    FieldRow<&C::not_recorded>("moment", "not_recorded", "",
+                               "not empty: contents come from a recording, which does not hold the mind's memory"),
 
-    Row<&C::agents>("agents", "agents", "agents", "all agents"),
-    Row<&C::activities>("agents", "activities", "", "what bodies do now, by the number of the agent: \"move-to gate\""),
+    FieldRow<&C::agents>("agents", "agents", "agents", "all agents"),
+    FieldRow<&C::activities>("agents", "activities", "",
+                             "what bodies do now, by the number of the agent: \"move-to gate\""),
 
-    Row<&C::stack>("mind", "stack", "stack", "the goal stack"),
-    Row<&C::operators>("mind", "operators", "operators", "candidates, preferences, and why the winner won"),
-    Row<&C::shown>("mind", "shown", "",
-                   "what the agent's script shows of its state: `rows`, each with `depth`, `name`, `value`, `active` "
-                   "and `since` (s)"),
+    FieldRow<&C::stack>("mind", "stack", "stack", "the goal stack"),
+    FieldRow<&C::operators>("mind", "operators", "operators", "candidates, preferences, and why the winner won"),
+    FieldRow<&C::shown>(
+        "mind", "shown", "",
+        "what the agent's script shows of its state: `rows`, each with `depth`, `name`, `value`, `active` "
+        "and `since` (s)"),
 
-    Row<&C::stack>("memory", "stack", "stack", "the goal stack: where the tree begins"),
-    Row<&C::objects>("memory", "objects", "",
-                     "objects that are unfolded, by identifier, each as `inspect --view \"memory ID\"` has it"),
-    Row<&C::story>("memory", "element", "", "the selected element, as `inspect --view \"memory TIMETAG\"` has it"),
-    Row<&C::found>("memory", "found", "", "elements with the text that is searched"),
+    FieldRow<&C::stack>("memory", "stack", "stack", "the goal stack: where the tree begins"),
+    FieldRow<&C::objects>("memory", "objects", "",
+                          "objects that are unfolded, by identifier, each as `inspect --view \"memory ID\"` has it"),
+    FieldRow<&C::story>("memory", "element", "", "the selected element, as `inspect --view \"memory TIMETAG\"` has it"),
+    FieldRow<&C::found>("memory", "found", "", "elements with the text that is searched"),
 
-    Row<[](const C& c) { return debugger::ToJson(c.rules); }>("rules", "rules", "rules",
-                                                              "all rules, with firings and matches"),
-    Row<&C::rule>("rules", "rule", "rule", "the selected rule: its source, and how far it matches"),
-    Row<&C::rule_text>("rules", "rule_text", "", "that rule as its author wrote it; empty if no file contains it"),
-    Row<&C::rule_file>("rules", "rule_file", "", "the file that contains it"),
-    Row<&C::rule_line>("rules", "rule_line", "", "and the line"),
-    Row<&C::coverage>("rules", "coverage", "coverage",
-                      "which rules fired, and where the others stop; after `coverage` was asked for"),
+    FieldRow<[](const C& c) { return debugger::ToJson(c.rules); }>("rules", "rules", "rules",
+                                                                   "all rules, with firings and matches"),
+    FieldRow<&C::rule>("rules", "rule", "rule", "the selected rule: its source, and how far it matches"),
+    FieldRow<&C::rule_text>("rules", "rule_text", "", "that rule as its author wrote it; empty if no file contains it"),
+    FieldRow<&C::rule_file>("rules", "rule_file", "", "the file that contains it"),
+    FieldRow<&C::rule_line>("rules", "rule_line", "", "and the line"),
+    FieldRow<&C::coverage>("rules", "coverage", "coverage",
+                           "which rules fired, and where the others stop; after `coverage` was asked for"),
 
-    Row<[](const C& c) { return c.why.question; }>("why", "question", "", "\"Why does scout do what it does?\""),
-    Row<[](const C& c) { return c.why.answer; }>("why", "answer", "why", "a tree of reasons; null: none"),
+    FieldRow<[](const C& c) { return c.why.question; }>("why", "question", "", "\"Why does scout do what it does?\""),
+    FieldRow<[](const C& c) { return c.why.answer; }>("why", "answer", "why", "a tree of reasons; null: none"),
 
-    Row<&C::io>("links", "io", "io", "input link, output link and commands"),
+    FieldRow<&C::io>("links", "io", "io", "input link, output link and commands"),
 
-    Row<[](const C& c) {
+    FieldRow<[](const C& c) {
       return c.messages == nullptr ? std::vector<debugger::MessageRow>() : Newest(c.messages->rows());
     }>("messages", "messages", "messages", "the newest messages"),
 
-    Row<&TracksOf>("timeline", "timeline", "timeline",
-                   "operators, impasses, commands and events of the last 900 ticks"),
+    FieldRow<&TracksOf>("timeline", "timeline", "timeline",
+                        "operators, impasses, commands and events of the last 900 ticks"),
 
-    Row<&TraceOf>("trace", "lines", "trace", "the newest lines of what happened"),
+    FieldRow<&TraceOf>("trace", "lines", "trace", "the newest lines of what happened"),
 
-    Row<[](const C& c) { return c.plots == nullptr ? std::vector<debugger::PlotSeries>() : *c.plots; }>(
+    FieldRow<[](const C& c) { return c.plots == nullptr ? std::vector<debugger::PlotSeries>() : *c.plots; }>(
         "plots", "plots", "plots", "numbers over ticks"),
-    Row<&C::plottable>("plots", "plottable", "", "what can be plotted of the selected agent"),
+    FieldRow<&C::plottable>("plots", "plottable", "", "what can be plotted of the selected agent"),
 
-    Row<[](const C& c) {
+    FieldRow<[](const C& c) {
       return c.console == nullptr ? std::vector<debugger::ConsoleLine>() : Newest(c.console->lines());
     }>("console", "lines", "console", "the newest lines of the selected agent's console"),
-    Row<&C::completed_line>("console", "completed_line", "", "the line that `complete` asked for last"),
-    Row<&C::completion>("console", "completion", "", "possible completions of its last word"),
-    Row<&C::begun_line>("console", "begun_line", "", "a line that was typed and not sent"),
+    FieldRow<&C::completed_line>("console", "completed_line", "", "the line that `complete` asked for last"),
+    FieldRow<&C::completion>("console", "completion", "", "possible completions of its last word"),
+    FieldRow<&C::begun_line>("console", "begun_line", "", "a line that was typed and not sent"),
 
-    Row<&C::files>("edit", "files", "", "what the selected agent was made from"),
-    Row<&C::open_files>("edit", "open_files", "", "files that were opened to be edited"),
-    Row<&C::edit>("edit", "edit", "", "the file that is shown"),
-    Row<&StoppedOf>("edit", "stopped", "", "the script that is stopped"),
+    FieldRow<&C::files>("edit", "files", "", "what the selected agent was made from"),
+    FieldRow<&C::open_files>("edit", "open_files", "", "files that were opened to be edited"),
+    FieldRow<&C::edit>("edit", "edit", "", "the file that is shown"),
+    FieldRow<&StoppedOf>("edit", "stopped", "", "the script that is stopped"),
 
-    Row<&C::breakpoints>("breakpoints", "breakpoints", "", "all breakpoints"),
-    Row<&C::hits>("breakpoints", "hits", "", "why the world is paused"),
+    FieldRow<&C::breakpoints>("breakpoints", "breakpoints", "", "all breakpoints"),
+    FieldRow<&C::hits>("breakpoints", "hits", "", "why the world is paused"),
 
-    Row<[](const C& c) { return c.script.stops; }>("script", "stops", "", "the lines at which scripts stop"),
-    Row<[](const C& c) { return c.script.at_errors; }>("script", "at_errors", "", "whether they stop at errors, too"),
-    Row<&StoppedOf>("script", "stopped", "", "as in `edit`"),
-    Row<[](const C& c) { return c.script.stopped ? c.script.stopped->calls : std::vector<script::ScriptFrame>(); }>(
-        "script", "calls", "", "its calls, the innermost first"),
-    Row<[](const C& c) { return c.script.stopped ? c.script.stopped->call : 0; }>(
+    FieldRow<[](const C& c) { return c.script.stops; }>("script", "stops", "", "the lines at which scripts stop"),
+    FieldRow<[](const C& c) { return c.script.at_errors; }>("script", "at_errors", "",
+                                                            "whether they stop at errors, too"),
+    FieldRow<&StoppedOf>("script", "stopped", "", "as in `edit`"),
+    FieldRow<[](const C& c) {
+      return c.script.stopped ? c.script.stopped->calls : std::vector<script::ScriptFrame>();
+    }>("script", "calls", "", "its calls, the innermost first"),
+    FieldRow<[](const C& c) { return c.script.stopped ? c.script.stopped->call : 0; }>(
         "script", "call", "", "the number of the call whose variables are shown"),
-    Row<&VariablesOf>("script", "variables", "", "the variables of that call"),
-    Row<&ScriptWatchesOf>("script", "watches", "", "watched expressions"),
+    FieldRow<&VariablesOf>("script", "variables", "", "the variables of that call"),
+    FieldRow<&ScriptWatchesOf>("script", "watches", "", "watched expressions"),
 
-    Row<&C::futures>("futures", "futures", "", "the old future next to the new one; null: the run never went back"),
+    FieldRow<&C::futures>("futures", "futures", "",
+                          "the old future next to the new one; null: the run never went back"),
 
-    Row<&C::problems>("problems", "problems", "", "what went wrong, the cause first"),
+    FieldRow<&C::problems>("problems", "problems", "", "what went wrong, the cause first"),
 
-    Row<&C::beside>("watch", "agents", "", "the agents with minds shown side by side"),
-    Row<&C::watches>("watch", "rows", "", "what is watched, and a cell for each agent"),
+    FieldRow<&C::beside>("watch", "agents", "", "the agents with minds shown side by side"),
+    FieldRow<&C::watches>("watch", "rows", "", "what is watched, and a cell for each agent"),
 
-    Row<&C::minds>("minds", "minds", "", "minds side by side"),
+    FieldRow<&C::minds>("minds", "minds", "", "minds side by side"),
 
-    Row<&C::checks>("mission", "checks", "", "checks of the run"),
-    Row<&C::lesson>("mission", "lesson", "", "the lesson that the world belongs to; null: none"),
-    Row<&C::lessons>("mission", "lessons", "", "all lessons"),
+    FieldRow<&C::checks>("mission", "checks", "", "checks of the run"),
+    FieldRow<&C::lesson>("mission", "lesson", "", "the lesson that the world belongs to; null: none"),
+    FieldRow<&C::lessons>("mission", "lessons", "", "all lessons"),
 
-    Row<&C::long_term>("longterm", "long_term", "longterm",
-                       "what the agent knows and remembers; `inspect` adds `recalls`"),
-    Row<&C::known_search>("longterm", "known_search", "", "the text that all objects in it have"),
-    Row<&C::episode>("longterm", "episode", "",
-                     "the selected episode, as `inspect --view \"longterm #EPISODE\"` has it"),
-    Row<[](const C& c) {
+    FieldRow<&C::long_term>("longterm", "long_term", "longterm",
+                            "what the agent knows and remembers; `inspect` adds `recalls`"),
+    FieldRow<&C::known_search>("longterm", "known_search", "", "the text that all objects in it have"),
+    FieldRow<&C::episode>("longterm", "episode", "",
+                          "the selected episode, as `inspect --view \"longterm #EPISODE\"` has it"),
+    FieldRow<[](const C& c) {
       return c.recalls == nullptr ? std::vector<debugger::Recall>() : Newest(c.recalls->recalls());
     }>("longterm", "recalls", "", "what was recalled last, and why"),
 
-    Row<&C::learning>("learning", "learning", "learning",
-                      "learned rules, and values learned from reward; `inspect` adds `episodes`"),
-    Row<[](const C& c) {
+    FieldRow<&C::learning>("learning", "learning", "learning",
+                           "learned rules, and values learned from reward; `inspect` adds `episodes`"),
+    FieldRow<[](const C& c) {
       return c.learning_log == nullptr ? Json::array() : debugger::ToJson(c.learning_log->episodes());
     }>("learning", "episodes", "", "what was earned in each episode that has ended, the newest last"),
-    Row<&C::learned_rule>("learning", "rule", "",
-                          "the selected learned rule, as `inspect --view \"learning #RULE\"` has it"),
-    Row<&C::learning_curves>("learning", "curves", "", "rules with learned values that are drawn"),
+    FieldRow<&C::learned_rule>("learning", "rule", "",
+                               "the selected learned rule, as `inspect --view \"learning #RULE\"` has it"),
+    FieldRow<&C::learning_curves>("learning", "curves", "", "rules with learned values that are drawn"),
 
-    Row<&C::exercise>("exercise", "exercise", "", "the exercise (DIS); null: none"),
+    FieldRow<&C::exercise>("exercise", "exercise", "", "the exercise (DIS); null: none"),
 
-    Row<&C::imagery>("imagery", "imagery", "imagery", "the scene of each state, what its rules ask, and the answers"),
-    Row<&C::imagined_state>(
+    FieldRow<&C::imagery>("imagery", "imagery", "imagery",
+                          "the scene of each state, what its rules ask, and the answers"),
+    FieldRow<&C::imagined_state>(
         "imagery", "state", "",
         "the state with the scene that is drawn over the world; empty: what the agent made up in any state"),
-    Row<&C::imagined_record>("imagery", "record", "", "the answer that is drawn; empty: none"),
+    FieldRow<&C::imagined_record>("imagery", "record", "", "the answer that is drawn; empty: none"),
 
-    Row<&C::scenarios>("offers", "scenarios", "", "worlds that can be opened"),
-    Row<&C::recent>("offers", "recent", "", "what was opened before, the newest first"),
-    Row<&C::all_files>("offers", "files", "", "all files that the world was made from"),
-    Row<&C::searched>("offers", "searched", "", "the text that is searched everywhere"),
-    Row<&C::places>("offers", "places", "", "where the text was found"),
+    FieldRow<&C::scenarios>("offers", "scenarios", "", "worlds that can be opened"),
+    FieldRow<&C::recent>("offers", "recent", "", "what was opened before, the newest first"),
+    FieldRow<&C::all_files>("offers", "files", "", "all files that the world was made from"),
+    FieldRow<&C::searched>("offers", "searched", "", "the text that is searched everywhere"),
+    FieldRow<&C::places>("offers", "places", "", "where the text was found"),
 
-    Row<&C::ghosts>("ghosts", "ghosts", "", "figures without a body"),
-    Row<&C::shapes>("ghosts", "shapes", "", "what the selected agent imagines"),
-    Row<&C::answer_lines>("ghosts", "answer", "", "what shows the reason of the selected answer"),
+    FieldRow<&C::ghosts>("ghosts", "ghosts", "", "figures without a body"),
+    FieldRow<&C::shapes>("ghosts", "shapes", "", "what the selected agent imagines"),
+    FieldRow<&C::answer_lines>("ghosts", "answer", "", "what shows the reason of the selected answer"),
 };
 
 }  // namespace
