@@ -150,15 +150,15 @@ void InputLink::ReleaseIfDone(std::uint32_t place) {
 // The input phase -----------------------------------------------------------------------------------------------------
 
 void InputLink::Apply(bool unheard) {
-  if (tap_ != nullptr) [[unlikely]] {
-    ApplyTapped();
-    return;
-  }
+  if (tap_ != nullptr) [[unlikely]]
+    tap_->OnInputPhase(*this);
   for (std::size_t n = 0; n < pending_.size(); ++n) {
     const Pending change = pending_[n];
     Element& element = elements_[change.element];
-    if (unheard && change.change == Change::kUpdate && element.wme != WmeId::kNone &&
-        changes_.Renew(element.wme, change.constant)) {
+    if (tap_ != nullptr) [[unlikely]] {
+      ApplyTapped(change);
+    } else if (unheard && change.change == Change::kUpdate && element.wme != WmeId::kNone &&
+               changes_.Renew(element.wme, change.constant)) {
       --element.buffered;
     } else {
       ApplyChange(change);
@@ -179,23 +179,14 @@ void InputLink::ApplyChange(const Pending& change) {
   ReleaseIfDone(change.element);
 }
 
-void InputLink::ApplyTapped() {
-  tap_->OnInputPhase(*this);
-  for (std::size_t n = 0; n < pending_.size(); ++n) {
-    const Pending change = pending_[n];
-    if (change.change == Change::kUpdate) {
-      // A removal and an addition.
-      ++elements_[change.element].buffered;
-      ApplyTapped({Change::kRemove, change.element, {}, InputObject::kNone});
-      ApplyTapped({Change::kAdd, change.element, change.constant, InputObject::kNone});
-    } else {
-      ApplyTapped(change);
-    }
-  }
-  pending_.clear();
-}
-
 void InputLink::ApplyTapped(const Pending& change) {
+  if (change.change == Change::kUpdate) {
+    // A removal and an addition.
+    ++elements_[change.element].buffered;
+    ApplyTapped({Change::kRemove, change.element, {}, InputObject::kNone});
+    ApplyTapped({Change::kAdd, change.element, change.constant, InputObject::kNone});
+    return;
+  }
   const auto describe = [this](WmeId wme, InputChange& told) {
     const kernel::Wme& content = memory_.wme(wme);
     told.timetag = content.timetag;

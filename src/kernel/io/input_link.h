@@ -149,8 +149,7 @@ class InputLink {
   void LoseElement(std::uint32_t place);
   void MakeElement(const Pending& change);
   void ApplyChange(const Pending& change);
-  [[gnu::noinline]] void ApplyTapped();
-  void ApplyTapped(const Pending& change);
+  [[gnu::noinline]] void ApplyTapped(const Pending& change);
   void Void(Element& element);
   void ReleaseIfDone(std::uint32_t place);
 
