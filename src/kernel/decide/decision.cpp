@@ -2,7 +2,6 @@
 #include "kernel/decide/decision.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "kernel/base/known_symbols.h"
@@ -11,79 +10,10 @@
 
 namespace soarbox::kernel {
 
-// The same steps as PreferenceSemantics::Decide, with sets of candidates as bits: bit n is the n-th candidate in the
-// list of acceptable preferences.
-bool Decision::EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome) {
-  const WorkingMemory& memory = core_.memory;
-  std::uint32_t count = 0;
-  const auto find = [&](Symbol value) {
-    std::uint32_t at = 0;
-    while (at < count && named_[at].value != value) ++at;
-    return at;
-  };
-  PreferenceId next;
-  for (PreferenceId p = slot.acceptable; p != PreferenceId::kNone; p = next) {
-    const Preference& preference = memory.preference(p);
-    next = preference.next_in_slot;
-    if (find(preference.value) < count) continue;
-    if (count == kFewCandidates) return false;
-    named_[count] = Candidate{preference.value, p};
-    ++count;
-  }
-  std::uint32_t best = 0, worst = 0, indifferent = 0;
-  for (PreferenceId p = slot.others; p != PreferenceId::kNone; p = next) {
-    const Preference& preference = memory.preference(p);
-    next = preference.next_in_slot;
-    // (The index of a value that is not a candidate is larger than those of all candidates.)
-    const std::uint32_t at = find(preference.value), bit = 1u << at;
-    switch (preference.type) {
-      case PreferenceType::kBest:
-        best |= bit;
-        break;
-      case PreferenceType::kWorst:
-        worst |= bit;
-        break;
-      case PreferenceType::kUnaryIndifferent:
-        indifferent |= bit;
-        break;
-      case PreferenceType::kNumericIndifferent:
-        if (at == count) break;
-        indifferent |= bit;
-        named_[at].is_numeric = true;
-        named_[at].number_sum += core_.symbols.NumberValue(preference.referent);
-        ++named_[at].number_count;
-        break;
-      default:
-        return false;
-    }
-  }
-  std::uint32_t left = (1u << count) - 1;
-  if (count > 1 && (left & best) != 0) left &= best;
-  if (!std::has_single_bit(left) && (left & ~worst) != 0) left &= ~worst;
-  outcome.impasse = (left & ~indifferent) == 0 || std::has_single_bit(left) ? ImpasseType::kNone : ImpasseType::kTie;
-  std::size_t kept = 0;
-  while (count-- > 0) {
-    if ((left >> count & 1u) != 0) few_[kept++] = named_[count];
-  }
-  outcome.candidates = {few_.data(), kept};
-  return true;
-}
-
 PreferenceSemantics::Outcome Decision::Evaluate(const Goal& goal, Symbol forced, DecisionTrace* trace) {
   const WorkingMemory& memory = core_.memory;
   const Slot& slot = memory.slot(goal.operator_slot);
-  if (PreferenceSemantics::Outcome outcome; !forced && trace == nullptr && EvaluateFew(slot, outcome)) return outcome;
   slot_preferences_.clear();
-  const bool is_alone = slot.acceptable != PreferenceId::kNone && slot.others == PreferenceId::kNone &&
-                        memory.preference(slot.acceptable).next_in_slot == PreferenceId::kNone;
-  if (is_alone && !forced && trace != nullptr) {
-    // There is only one preference: its value wins, and nothing is dropped.
-    const Symbol value = memory.preference(slot.acceptable).value;
-    slot_preferences_.push_back({PreferenceType::kAcceptable, value, {}, 0, slot.acceptable});
-    trace->Clear();
-    few_[0] = Candidate{value, slot.acceptable};
-    return {ImpasseType::kNone, {few_.data(), 1}};
-  }
   for (const PreferenceId first : {slot.acceptable, slot.others}) {
     for (PreferenceId p = first; p != PreferenceId::kNone; p = memory.preference(p).next_in_slot) {
       const Preference& preference = memory.preference(p);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -55,13 +54,7 @@ class Decision {
   }
 
  private:
-  /// Maximum number of candidates for EvaluateFew.
-  static constexpr std::size_t kFewCandidates = 8;
-
   [[gnu::noinline]] bool CheckChanged(GoalLevel level);
-  /// The fast path for most decisions: few candidates that are acceptable, best, worst or indifferent. Evaluates the
-  /// slot's lists directly. Returns false if the full procedure is needed.
-  bool EvaluateFew(const Slot& slot, PreferenceSemantics::Outcome& outcome);
   /// Returns true if something new was decided. The goals below then need no decision.
   bool DecideGoal(GoalLevel level);
   /// Whether the state below `level` was created for this impasse.
@@ -78,9 +71,7 @@ class Decision {
   std::uint32_t foretold_seed_ = 0;  ///< The seed of Predict, for the next decision; 0: there was no prediction.
   std::vector<SlotPreference> slot_preferences_;
   DecisionTrace trace_;
-  std::vector<Symbol> forced_at_;                ///< By level: the operator, if the last selection was forced.
-  std::array<Candidate, kFewCandidates> named_;  ///< Scratch of EvaluateFew.
-  std::array<Candidate, kFewCandidates> few_;    ///< The candidates of its outcome.
+  std::vector<Symbol> forced_at_;  ///< By level: the operator, if the last selection was forced.
 };
 
 }  // namespace soarbox::kernel
