@@ -13,7 +13,8 @@ namespace soarbox::script {
 
 /// A fast path for a function that scripts call in every step (Binding::plain). It does the same as the function if
 /// each argument has exactly the expected type. Otherwise it returns kNotPlain before it has any effect, and the
-/// function itself handles the call.
+/// function itself handles the call. Without all fast paths, worlds take 0.1 to 9 % more instructions; only that of
+/// Vector.new saves more than 3 % (docs/dev/performance.md).
 inline constexpr int kNotPlain = -1;
 
 /// Returns the full name of the running API function, "Agent.GetPosition"; null if it is none.

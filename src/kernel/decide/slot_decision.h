@@ -47,9 +47,12 @@ class SlotDecision {
   };
 
   [[gnu::noinline]] void Decide(SlotId slot);
-  /// The fast path for slots with no preference, or with one that is acceptable.
+  /// The fast path for slots with no preference, or with one that is acceptable. Without it, rl-grid, column-sums and
+  /// decide-loop take 3 % more instructions. CheckSlot (invariants.cpp) compares the elements of all paths with the
+  /// preferences, after each phase of random agents (random_agents_test.cpp).
   void DecideSingle(SlotId slot, PreferenceId only);
-  /// The fast path for slots with very many preferences of which only acceptable ones changed.
+  /// The fast path for slots with very many preferences of which only acceptable ones changed. Without it, adding
+  /// 1,600 values to an attribute, one in each decision, takes eight times as many instructions.
   [[gnu::noinline]] void DecideLarge(SlotId slot, const LargeSlot& large);
   void MakeElement(SlotId slot, const Value& value);
   void UpdateAcceptables(SlotId slot);

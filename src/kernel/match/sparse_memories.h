@@ -74,6 +74,9 @@ struct SparseState {
 
 /// The parked pairs of an agent's sparse memories, and the scores that make memories sparse or plain.
 ///
+/// Without sparse memories, column-sums takes 42 % more instructions, join-heavy 7 %, big-memory 5 % and sliding-search
+/// 3 %; rl-grid takes 1 % fewer. rete_random_test.cpp compares both kinds of memories with a naive matcher.
+///
 /// Invariants: a pair that is not stale is either in the log or in the table of its memory; pairs in the table are
 /// counted.
 class [[gnu::visibility("hidden")]] SparseMemories {
