@@ -34,7 +34,7 @@ std::optional<ClientLogPart> ReadClientLog(sml::Kernel& kernel, std::uint64_t fr
 std::string PlayClientAct(sml::Agent& agent, const std::vector<std::string>& parts) {
   sml::AgentData& data = sml::AgentData::Of(agent);
   const sml::Lock lock = sml::Hold(data);
-  auto* const link = dynamic_cast<sml::LocalAgentLink*>(data.link.get());
+  auto* const link = sml::LocalLinkOf(agent);
   if (link == nullptr) return "the agent's kernel is not in this process";
   std::unique_ptr<server::ClientPlayer>& player = link->host().player;
   if (!player) player = std::make_unique<server::ClientPlayer>(link->host());

@@ -280,13 +280,13 @@ class LocalInspection final : public MindInspection {
 }  // namespace
 
 std::unique_ptr<MindInspection> InspectMind(sml::Agent& agent) {
-  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  auto* link = sml::LocalLinkOf(agent);
   if (link == nullptr) return nullptr;
   return std::make_unique<LocalInspection>(*link);
 }
 
 std::optional<std::vector<mind::RuleFacts>> AskRuleContents(sml::Agent& agent) {
-  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  auto* link = sml::LocalLinkOf(agent);
   if (link == nullptr) return std::nullopt;
   const Agent& mind = link->hosted().agent();
   std::vector<mind::RuleFacts> rules;

@@ -2,6 +2,7 @@
 #include "sml/client/local_agent_link.h"
 
 #include <algorithm>
+#include <typeinfo>
 
 #include "sml/client/agent_data.h"
 #include "sml/server/decision_facts.h"
@@ -13,6 +14,13 @@ namespace sml {
 
 namespace kernel = soarbox::kernel;
 using soarbox::server::InputWme;
+
+LocalAgentLink* LocalLinkOf(Agent& agent) {
+  AgentLink* const link = AgentData::Of(agent).link.get();
+  if (link == nullptr) return nullptr;
+  const AgentLink& present = *link;
+  return typeid(present) == typeid(LocalAgentLink) ? static_cast<LocalAgentLink*>(link) : nullptr;
+}
 
 std::string LocalAgentLink::InputLinkName() {
   return kernel::ToString(hosted_.agent().symbols(), std::as_const(hosted_).agent().InputLinkIdentifier());

@@ -83,4 +83,7 @@ class LocalAgentLink final : public AgentLink, private MindLink {
   std::vector<std::string> noted_texts_;
 };
 
+/// The link of an agent whose kernel is in this process; null for others and for destroyed agents.
+LocalAgentLink* LocalLinkOf(Agent& agent);
+
 }  // namespace sml

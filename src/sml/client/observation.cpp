@@ -213,7 +213,7 @@ class LocalObservation final : public Observation, kernel::Observer {
 
 /// Returns null if the kernel is in another process.
 kernel::Agent* KernelAgent(sml::Agent& agent) {
-  auto* link = dynamic_cast<sml::LocalAgentLink*>(sml::AgentData::Of(agent).link.get());
+  auto* link = sml::LocalLinkOf(agent);
   return link == nullptr ? nullptr : &link->hosted().agent();
 }
 
