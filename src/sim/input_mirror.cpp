@@ -3,84 +3,104 @@
 
 #include <algorithm>
 
-#include "sml_Client.h"
-#include "wording/mind_words.h"
-
 namespace soarbox::sim {
-
-InputMirror::InputMirror(sml::Agent& agent) : agent_(&agent) {}
 
 // Slots of an object -------------------------------------------------------------------------------------------------
 
-bool InputMirror::Slot::Holds(std::string_view value) const {
-  if (size == kLong) return static_cast<sml::StringElement*>(element)->GetValue() == value;
-  return std::string_view(text, size) == value;
+std::string* InputMirror::Texts::Take(std::string_view text) {
+  if (spare_.empty()) return &texts_.emplace_front(text);
+  std::string* const taken = spare_.back();
+  spare_.pop_back();
+  taken->assign(text);
+  return taken;
 }
 
-void InputMirror::Slot::Hold(std::string_view value) {
-  size = value.size() <= kShort ? static_cast<std::uint8_t>(value.size()) : kLong;
-  if (size != kLong) value.copy(text, size);
+void InputMirror::Texts::GiveBack(const std::string* text) {
+  auto* const own = const_cast<std::string*>(text);
+  *own = std::string();
+  spare_.push_back(own);
+}
+
+InputMirror::Slot InputMirror::NewSlot(const Name& name) {
+  Slot slot;
+  slot.has_row = name.row != nullptr;
+  if (slot.has_row) {
+    slot.row = name.row;
+    slot.attribute_size = static_cast<std::uint8_t>(name.row->Attribute().size());
+  } else {
+    slot.other = texts_.Take(name.other);
+  }
+  slot.key = name.key;
+  slot.kind = name.kind;
+  return slot;
+}
+
+/// Long texts end at the first zero byte, because the rest would be lost on the way to the kernel.
+void InputMirror::Hold(Slot& slot, std::string_view value) {
+  if (slot.size == Slot::kLong) texts_.GiveBack(slot.long_text);
+  slot.size = value.size() <= Slot::kShort ? static_cast<std::uint8_t>(value.size()) : Slot::kLong;
+  if (slot.size != Slot::kLong) {
+    value.copy(slot.text, slot.size);
+  } else {
+    slot.long_text = texts_.Take(value.substr(0, value.find('\0')));
+  }
+}
+
+void InputMirror::Free(const Slot& slot) {
+  if (!slot.has_row) texts_.GiveBack(slot.other);
+  if (slot.kind == Kind::kText && slot.size == Slot::kLong) texts_.GiveBack(slot.long_text);
+  if (slot.kind != Kind::kObject) return;
+  for (const Slot& below : *slot.object.below) Free(below);
+  slot.object.below->clear();
+  spare_.push_back(slot.object.below);
 }
 
 /// The slot with this name in the previous update, which is nearly always the next one. Null if there is none.
 InputMirror::Slot* InputMirror::Find(const Name& name) {
   for (Slot* slot = next_; slot != end_; ++slot) {
-    if (slot->row != name.row || slot->key != name.key || slot->kind != name.kind) continue;
-    if (name.row == nullptr && name.other != slot->element->GetAttribute()) continue;
+    if (slot->has_row != (name.row != nullptr) || slot->key != name.key || slot->kind != name.kind) continue;
+    if (name.row != nullptr ? slot->row != name.row : *slot->other != name.other) continue;
     if (slot != next_) std::rotate(next_, slot, slot + 1);
     return next_++;
   }
   return nullptr;
 }
 
-/// Stores a new element. If it could not be created (for example, the kernel is lost), the next update tries again.
-InputMirror::Slot* InputMirror::Insert(const Name& name, sml::WMElement* element) {
+/// Writes and stores a new element. Returns null if it could not be created (for example, the kernel is lost): the next
+/// update tries again.
+InputMirror::Slot* InputMirror::Insert(Slot slot) {
   ++changes_;
-  if (element == nullptr) return nullptr;
-  Slot slot;
-  slot.row = name.row;
-  slot.key = name.key;
-  slot.kind = name.kind;
-  slot.element = element;
-  if (name.kind == Kind::kObject) {
+  if (slot.kind == Kind::kObject) {
     if (spare_.empty()) spare_.push_back(&slots_.emplace_front());
-    slot.below = spare_.back();
+    slot.object.below = spare_.back();
     spare_.pop_back();
   }
-  Slots& slots = *open_.back().slots;
-  const std::ptrdiff_t place = next_ - slots.data();
+  if (!link_->Add(open_.back().slot->object.handle, slot)) {
+    Free(slot);
+    return nullptr;
+  }
+  Slots& slots = open_.back().slots();
+  const std::uint32_t place = Reported();
   if (slots.size() == slots.capacity()) slots.reserve(slots.size() + slots.size() / 4 + 2);  // There are many.
   slots.insert(slots.begin() + place, slot);
-  GoOn(slots, static_cast<std::size_t>(place) + 1);
+  GoOn(place + std::size_t{1});
+  if (log_ != nullptr && slot.kind != Kind::kObject) Note(slot);
   return next_ - 1;
 }
 
-void InputMirror::Recycle(Slots& slots) {
-  for (const Slot& slot : slots) {
-    if (slot.kind != Kind::kObject) continue;
-    Recycle(*slot.below);
-    spare_.push_back(slot.below);
-  }
-  slots.clear();
-}
-
 void InputMirror::Destroy(const Slot& slot) {
-  if (log_ != nullptr) log_->Add(mind::PerceptGone{Path(), slot.element->GetAttribute(), slot.key});
-  agent_->DestroyWME(slot.element);  // Also destroys everything below it.
-  if (slot.kind == Kind::kObject) {
-    Recycle(*slot.below);
-    spare_.push_back(slot.below);
-  }
+  if (log_ != nullptr) log_->Add(mind::PerceptGone{Path(), slot.Attribute(), slot.key});
+  link_->Remove(slot);
+  Free(slot);
   ++changes_;
 }
 
 /// Removes the elements that were not reported.
 void InputMirror::DropRest() {
-  OpenObject& open = open_.back();
-  Slots& slots = *open.slots;
+  Slots& slots = open_.back().slots();
   for (const Slot* slot = next_; slot != end_; ++slot) Destroy(*slot);
-  slots.resize(static_cast<std::size_t>(next_ - slots.data()));
-  slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(open.dropped));
+  slots.resize(Reported());
+  slots.erase(slots.begin(), slots.begin() + open_.back().dropped);
 }
 
 std::uint32_t InputMirror::NextKey() const {
@@ -89,7 +109,7 @@ std::uint32_t InputMirror::NextKey() const {
 
 void InputMirror::Drop() {
   Destroy(*next_++);
-  open_.back().dropped = static_cast<std::size_t>(next_ - open_.back().slots->data());
+  open_.back().dropped = Reported();
 }
 
 void InputMirror::KeepRest() {
@@ -104,8 +124,9 @@ void InputMirror::Begin() {
   path_.clear();
   named_ = 0;
   open_.clear();
-  open_.push_back({top_.get(), 0, agent_->GetInputLink()});
-  GoOn(*top_, 0);
+  input_link_.object = {top_.get(), link_->InputLink()};
+  open_.push_back({.slot = &input_link_});
+  GoOn(0);
 }
 
 void InputMirror::End() {
@@ -114,13 +135,14 @@ void InputMirror::End() {
 }
 
 void InputMirror::Note(const Slot& slot) {
-  mind::PerceptChanged percept{Path(), slot.element->GetAttribute(), slot.key, {}};
+  mind::PerceptChanged percept{Path(), slot.Attribute(), slot.key, {}};
   if (slot.kind == Kind::kInteger) {
     percept.value = slot.integer;
   } else if (slot.kind == Kind::kFloat) {
     percept.value = slot.number;
   } else {
-    percept.value = std::string_view(static_cast<sml::StringElement*>(slot.element)->GetValue());
+    const std::string_view text = slot.Text();
+    percept.value = text.substr(0, text.find('\0'));
   }
   log_->Add(percept);
 }
@@ -131,8 +153,8 @@ std::string_view InputMirror::Path() {
     if (named_ == 0) continue;  // The input link itself.
     OpenObject& object = open_[named_];
     object.path_length = path_.size();
-    path_ += object.object->GetAttribute();
-    if (object.key != 0) path_.append("#").append(std::to_string(object.key));
+    path_ += object.slot->Attribute();
+    if (object.slot->key != 0) path_.append("#").append(std::to_string(object.slot->key));
     path_ += '.';
   }
   return path_;
@@ -144,18 +166,9 @@ void InputMirror::TellInteger(const Name& name, std::int64_t value) {
     if (slot->integer != value) Change(*slot, value);
     return;
   }
-  const std::string attribute = name.attribute();
-  Slot* slot = Insert(name, agent_->CreateIntWME(open_.back().object, attribute.c_str(), value));
-  if (slot == nullptr) return;
-  slot->integer = value;
-  if (log_ != nullptr) Note(*slot);
-}
-
-void InputMirror::Change(Slot& slot, std::int64_t value) {
-  agent_->Update(static_cast<sml::IntElement*>(slot.element), value);
-  ++changes_;
+  Slot slot = NewSlot(name);
   slot.integer = value;
-  if (log_ != nullptr) Note(slot);
+  Insert(slot);
 }
 
 void InputMirror::TellFloat(const Name& name, double value) {
@@ -164,38 +177,39 @@ void InputMirror::TellFloat(const Name& name, double value) {
     if (slot->number != value) Change(*slot, value);
     return;
   }
-  const std::string attribute = name.attribute();
-  Slot* slot = Insert(name, agent_->CreateFloatWME(open_.back().object, attribute.c_str(), value));
-  if (slot == nullptr) return;
-  slot->number = value;
-  if (log_ != nullptr) Note(*slot);
-}
-
-void InputMirror::Change(Slot& slot, double value) {
-  agent_->Update(static_cast<sml::FloatElement*>(slot.element), value);
-  ++changes_;
+  Slot slot = NewSlot(name);
   slot.number = value;
-  if (log_ != nullptr) Note(slot);
+  Insert(slot);
 }
 
 void InputMirror::TellText(const Name& name, std::string_view value) {
   if (refused_ > 0) return;
-  if (Slot* slot = Find(name); slot != nullptr) {
-    Change(*slot, value);
-    return;
-  }
-  const std::string attribute = name.attribute(), text(value);
-  Slot* slot = Insert(name, agent_->CreateStringWME(open_.back().object, attribute.c_str(), text.c_str()));
-  if (slot == nullptr) return;
-  slot->Hold(value);
-  if (log_ != nullptr) Note(*slot);
+  if (Slot* slot = Find(name); slot != nullptr) return Change(*slot, value);
+  Slot slot = NewSlot(name);
+  Hold(slot, value);
+  Insert(slot);
+}
+
+void InputMirror::Change(Slot& slot, std::int64_t value) {
+  slot.integer = value;
+  Send(slot);
+}
+
+void InputMirror::Change(Slot& slot, double value) {
+  slot.number = value;
+  Send(slot);
 }
 
 void InputMirror::Change(Slot& slot, std::string_view value) {
-  if (slot.Holds(value)) return;
-  agent_->Update(static_cast<sml::StringElement*>(slot.element), std::string(value).c_str());
+  if (slot.Text() == value) return;
+  Hold(slot, value);
+  Send(slot);
+}
+
+/// Sends the new value of a slot.
+void InputMirror::Send(const Slot& slot) {
+  link_->Change(slot);
   ++changes_;
-  slot.Hold(value);
   if (log_ != nullptr) Note(slot);
 }
 
@@ -212,27 +226,22 @@ void InputMirror::TellOther(std::string_view attribute, std::uint32_t key, const
 
 void InputMirror::OpenNamed(const Name& name) {
   Slot* slot = refused_ > 0 ? nullptr : Find(name);
-  if (slot == nullptr && refused_ == 0) {
-    const std::string attribute = name.attribute();
-    slot = Insert(name, agent_->CreateIdWME(open_.back().object, attribute.c_str()));
-  }
-  if (slot == nullptr) {
-    ++refused_;
-    return;
-  }
-  Enter(*slot);
+  if (slot == nullptr && refused_ == 0) slot = Insert(NewSlot(name));
+  if (slot != nullptr) return Enter(*slot);
+  if (refused_++ > 0) return;
+  open_.back().next = Reported();
+  next_ = end_ = nullptr;  // No slot is the next one until it is closed.
 }
 
 void InputMirror::Enter(const Slot& slot) {
-  OpenObject& above = open_.back();
-  above.next = static_cast<std::size_t>(next_ - above.slots->data());
-  GoOn(*slot.below, 0);
-  open_.push_back({.slots = slot.below, .object = static_cast<sml::Identifier*>(slot.element), .key = slot.key});
+  open_.back().next = Reported();
+  open_.push_back({.slot = &slot});
+  GoOn(0);
 }
 
 void InputMirror::Close() {
   if (refused_ > 0) {
-    --refused_;
+    if (--refused_ == 0) GoOn(open_.back().next);
     return;
   }
   if (next_ != end_ || open_.back().dropped > 0) DropRest();
@@ -241,7 +250,7 @@ void InputMirror::Close() {
     --named_;
   }
   open_.pop_back();
-  GoOn(*open_.back().slots, open_.back().next);
+  GoOn(open_.back().next);
 }
 
 void InputMirror::ShowList(const vocabulary::PerceptList& list) {

@@ -12,14 +12,9 @@
 #include <vector>
 
 #include "mind/event_log.h"
+#include "sim/percept_link.h"
 #include "vocabulary/percept.h"
 #include "vocabulary/percept_sink.h"
-
-namespace sml {
-class Agent;
-class Identifier;
-class WMElement;
-}  // namespace sml
 
 namespace soarbox::sim {
 
@@ -31,11 +26,11 @@ namespace soarbox::sim {
 /// Callers that use InputMirror directly, not through PerceptSink&, avoid a virtual call for each element that has kept
 /// its position.
 ///
-/// Invariant: the slots contain the values that were last sent to the client library. Elements that others have added
-/// to the input link (the thesis' ^distance) are not changed. Owned by the agent's mind.
+/// Invariant: the slots contain the values that were last written to the link. Elements that others have added to the
+/// input link (the thesis' ^distance) are not changed. Owned by the agent's mind, as the link is.
 class InputMirror final : public vocabulary::PerceptSink {
  public:
-  explicit InputMirror(sml::Agent& agent);
+  explicit InputMirror(PerceptLink& link) : link_(&link) { link.Include(*top_); }
   InputMirror(InputMirror&&) noexcept = default;
   InputMirror& operator=(InputMirror&&) noexcept = default;
 
@@ -66,9 +61,9 @@ class InputMirror final : public vocabulary::PerceptSink {
   }
   [[gnu::always_inline]] void Word(const vocabulary::PerceptRow& row, std::string_view value,
                                    std::uint32_t key = 0) override {
-    if (!StandsNext(row, key, Kind::kText)) {
+    if (!StandsNext(row, key)) {
       TellText({&row, {}, key, Kind::kText}, value);
-    } else if (Slot& slot = *next_++; !slot.HoldsShort(value)) {
+    } else if (Slot& slot = *next_++; !HoldsShort(slot, value)) {
       Change(slot, value);
     }
   }
@@ -76,7 +71,7 @@ class InputMirror final : public vocabulary::PerceptSink {
     TellOther(attribute, 0, value);
   }
   void Open(const vocabulary::PerceptRow& row, std::uint32_t key = 0) override {
-    if (StandsNext(row, key, Kind::kObject)) {
+    if (StandsNext(row, key)) {
       Enter(*next_++);
     } else {
       OpenNamed({&row, {}, key, Kind::kObject});
@@ -98,50 +93,40 @@ class InputMirror final : public vocabulary::PerceptSink {
   std::size_t changes() const { return changes_; }
 
  private:
-  enum class Kind : std::uint8_t { kInteger, kFloat, kText, kObject };
+  using Slot = PerceptSlot;
+  using Slots = PerceptSlots;
+  using Kind = PerceptSlot::Kind;
   /// Identifies an element. An element without a row is identified by its name.
   struct Name {
     const vocabulary::PerceptRow* row = nullptr;
     std::string_view other = {};
     std::uint32_t key = 0;
     Kind kind = Kind::kText;
-
-    std::string attribute() const { return std::string(row != nullptr ? row->Attribute() : other); }
   };
-  /// One element. It is small, so that the elements of an object are close together in memory; most of them are only
-  /// compared.
-  struct Slot {
-    static constexpr std::size_t kShort = 16;
-    static constexpr std::uint8_t kLong = 0xFF;
-    union {
-      std::int64_t integer = 0;
-      double number;
-      char text[kShort];         ///< Padded with zeros.
-      std::vector<Slot>* below;  ///< For an object; points into slots_.
-    };
-    sml::WMElement* element = nullptr;  ///< Has the attribute, and a text that is too long for this slot.
-    const vocabulary::PerceptRow* row = nullptr;
-    std::uint32_t key = 0;
-    Kind kind = Kind::kText;
-    std::uint8_t size = 0;  ///< Size of a text, or kLong.
+  /// Long texts and names of slots. Their addresses stay valid.
+  class Texts {
+   public:
+    std::string* Take(std::string_view text);
+    void GiveBack(const std::string* text);
 
-    /// False for texts that are too long for the slot.
-    bool HoldsShort(std::string_view value) const {
-      return size == value.size() && size != kLong && AreEqual(text, value.data(), size);
-    }
-    bool Holds(std::string_view value) const;
-    void Hold(std::string_view value);
+   private:
+    std::forward_list<std::string> texts_;
+    std::vector<std::string*> spare_;
   };
-  using Slots = std::vector<Slot>;
   struct OpenObject {
-    Slots* slots = nullptr;
-    std::size_t next = 0;  ///< The first slot that was not reported yet. Used while an object below is updated.
-    sml::Identifier* object = nullptr;
-    std::uint32_t key = 0;
+    const Slot* slot = nullptr;
+    std::uint32_t next = 0;       ///< Index of the first slot that was not reported yet. Used while an object below is
+                                  ///< updated.
+    std::uint32_t dropped = 0;    ///< Number of removed slots before the first that was not reported.
     std::size_t path_length = 0;  ///< Length of the path of its parent object, once the path is computed.
-    std::size_t dropped = 0;      ///< Number of removed slots before the first that was not reported.
+
+    Slots& slots() const { return *slot->object.below; }
   };
 
+  /// False for texts that are too long for the slot.
+  [[gnu::always_inline]] static bool HoldsShort(const Slot& slot, std::string_view value) {
+    return slot.size == value.size() && slot.size != Slot::kLong && AreEqual(slot.text, value.data(), slot.size);
+  }
   /// Whether up to sixteen bytes are equal. Texts are short and mostly equal, so this avoids a call of memcmp.
   [[gnu::always_inline]] static bool AreEqual(const char* a, const char* b, std::size_t size) {
     const auto same = [&](std::size_t at, auto word) {
@@ -154,28 +139,29 @@ class InputMirror final : public vocabulary::PerceptSink {
     if (size >= 4) return same(0, std::uint32_t{0}) && same(size - 4, std::uint32_t{0});
     return size == 0 || (a[0] == b[0] && a[size / 2] == b[size / 2] && a[size - 1] == b[size - 1]);
   }
-  /// Whether the next slot is this element.
-  bool StandsNext(const vocabulary::PerceptRow& row, std::uint32_t key, Kind kind) const {
-    return next_ != end_ && next_->row == &row && next_->key == key && next_->kind == kind && refused_ == 0;
+  /// Whether the next slot is this element. All slots with one row are of one kind.
+  bool StandsNext(const vocabulary::PerceptRow& row, std::uint32_t key) const {
+    return next_ != end_ && next_->row == &row && next_->key == key;
   }
 
   [[gnu::always_inline]] void Integer(const vocabulary::PerceptRow& row, std::int64_t value) override {
-    if (StandsNext(row, 0, Kind::kInteger)) {
+    if (StandsNext(row, 0)) {
       if (Slot& slot = *next_++; slot.integer != value) Change(slot, value);
     } else {
       TellInteger({&row, {}, 0, Kind::kInteger}, value);
     }
   }
   [[gnu::always_inline]] void Float(const vocabulary::PerceptRow& row, double value) override {
-    if (StandsNext(row, 0, Kind::kFloat)) {
+    if (StandsNext(row, 0)) {
       if (Slot& slot = *next_++; slot.number != value) Change(slot, value);
     } else {
       TellFloat({&row, {}, 0, Kind::kFloat}, value);
     }
   }
+  // These are called only for values that differ.
   void Change(Slot& slot, std::int64_t value);
   void Change(Slot& slot, double value);
-  /// Changes a text. A long text is compared here first, because it may be unchanged.
+  /// A long text is compared here first, because it may be unchanged.
   void Change(Slot& slot, std::string_view value);
   void TellInteger(const Name& name, std::int64_t value);
   void TellFloat(const Name& name, double value);
@@ -185,29 +171,36 @@ class InputMirror final : public vocabulary::PerceptSink {
   void Enter(const Slot& object);
   void ShowList(const vocabulary::PerceptList& list);
 
-  /// Continues with the slots of an object, of which the first `next` have been reported.
-  void GoOn(Slots& slots, std::size_t next) {
+  /// Continues with the slots of the current object, of which the first `next` have been reported.
+  void GoOn(std::size_t next) {
+    Slots& slots = open_.back().slots();
     next_ = slots.data() + next;
     end_ = slots.data() + slots.size();
   }
+  std::uint32_t Reported() const { return static_cast<std::uint32_t>(next_ - open_.back().slots().data()); }
   Slot* Find(const Name& name);
-  Slot* Insert(const Name& name, sml::WMElement* element);
+  Slot NewSlot(const Name& name);
+  void Hold(Slot& slot, std::string_view value);
+  Slot* Insert(Slot slot);
   void Destroy(const Slot& slot);
+  void Free(const Slot& slot);
   void DropRest();
-  void Recycle(Slots& slots);
+  void Send(const Slot& slot);
   void Note(const Slot& slot);
   std::string_view Path();
 
-  sml::Agent* agent_;
+  PerceptLink* link_;
+  Texts texts_;
   std::forward_list<Slots> slots_;
   std::vector<Slots*> spare_;
   std::unique_ptr<Slots> top_ = std::make_unique<Slots>();  ///< Elements directly on the input link.
-  std::vector<OpenObject> open_;                            ///< The objects from the input link to the current one.
-  Slot* next_ = nullptr;                                    ///< The first slot of the current object that was not
-                                                            ///< reported yet.
-  Slot* end_ = nullptr;                                     ///< One past its last slot.
-  std::size_t refused_ = 0;                                 ///< Number of open objects that the client library refused
-                                                            ///< to create.
+  Slot input_link_;
+  std::vector<OpenObject> open_;  ///< The objects from the input link to the current one.
+  Slot* next_ = nullptr;          ///< The first slot of the current object that was not
+                                  ///< reported yet.
+  Slot* end_ = nullptr;           ///< One past its last slot.
+  std::size_t refused_ = 0;       ///< Number of open objects that the kernel refused to
+                                  ///< create.
   std::size_t changes_ = 0;
   mind::EventLog* log_ = nullptr;
   std::string path_;       ///< Path of the current object, with a dot at its end.

@@ -42,7 +42,8 @@ class InputMirrorTest : public testing::Test {
 
   std::unique_ptr<sml::Kernel> kernel_{sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener)};
   sml::Agent* agent_ = kernel_->CreateAgent("scout");
-  InputMirror mirror_{*agent_};
+  PerceptLink link_{*agent_, PerceptLink::Way::kClientApi};  // Its elements can be read back.
+  InputMirror mirror_{link_};
 };
 
 TEST_F(InputMirrorTest, WhatIsToldAsItWasIsNotWrittenAgain) {

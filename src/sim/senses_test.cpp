@@ -136,7 +136,8 @@ TEST_F(SensesTest, AMindThatImaginesHasTheSceneOfItsBody) {
 
 TEST_F(SensesTest, MessagesAreHeardOnceAndForgottenAfterThreeSeconds) {
   std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener));
-  InputMirror heard(*kernel->CreateAgent("watcher"));
+  PerceptLink link(*kernel->CreateAgent("watcher"));
+  InputMirror heard(link);
   std::uint32_t last = 0;
   const auto say = [this](const char* about, const char* team) {
     world::Message message;

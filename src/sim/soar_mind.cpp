@@ -14,6 +14,7 @@
 #include "soarbox_Limits.h"
 #include "soarbox_Observation.h"
 #endif
+#include "vocabulary/vocabulary_percepts.h"
 
 namespace soarbox::sim {
 namespace {
@@ -23,6 +24,27 @@ constexpr std::size_t kMostFailures = 100;
 constexpr int kDeepestParameter = 4;
 /// Limits for parameters of one command, including everything below it, and of all commands of a mind in one tick.
 constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
+
+#ifdef SOARBOX_OWN_KERNEL
+using Batch = CallBatch;
+#else
+/// With another kernel, each call locks it.
+struct Batch {
+  explicit Batch(sml::Agent&) {}
+};
+#endif
+
+/// The thesis' percept, with which each new mind begins.
+PerceptSlot NewDistance() {
+  const vocabulary::PerceptRow& row = vocabulary::RowOf("distance");
+  PerceptSlot slot;
+  slot.number = 0;
+  slot.row = &row;
+  slot.kind = PerceptSlot::Kind::kFloat;
+  slot.attribute_size = static_cast<std::uint8_t>(row.Attribute().size());
+  slot.has_row = true;
+  return slot;
+}
 
 /// Reads the elements below an identifier of the output link. Links can form circles, and an object is read once for
 /// each path to it. `left` is decremented for each element; nothing is read when it is 0.
@@ -100,17 +122,27 @@ void SoarMind::EndWriting::operator()(Writing* writing) const {
 
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
     : agent_(&agent),
-      own_body_(agent),
-      messages_(agent),
-      surroundings_(agent),
-      rows_(agent),
+      link_(std::make_unique<PerceptLink>(agent)),
+      own_body_(*link_),
+      messages_(*link_),
+      surroundings_(*link_),
+      rows_(*link_),
       graph_(agent),
+      blinks_(settings.blinks),
       writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
   // ReadOutput finds new elements by their time tags. With change tracking, a kernel in another process would have to
   // report each decision.
   agent.SetOutputLinkChangeTracking(false);
-  if (settings.has_distance) distance_ = agent.CreateFloatWME(agent.GetInputLink(), "distance", 0.0);
+  if (settings.has_distance) {
+    const Batch batch(agent);
+    distance_ = std::make_unique<PerceptSlots>(1, NewDistance());
+    if (link_->Add(link_->InputLink(), distance_->front())) {
+      link_->Include(*distance_);
+    } else {
+      distance_.reset();
+    }
+  }
   if (settings.imagines) {
     agent.ExecuteCommandLine("svs --enable");
     scene_ = std::make_unique<SceneSense>();
@@ -133,15 +165,23 @@ void SoarMind::SetDetail(MindDetail detail) {
 
 void SoarMind::SetDistance(float distance_squared_m2) {
   if (distance_ == nullptr) return;
+  PerceptSlot& slot = distance_->front();
   const auto value = static_cast<double>(distance_squared_m2);
-  if (is_logged_ && value != distance_->GetValue()) log_.events().Add(mind::PerceptChanged{{}, "distance", 0, value});
-  agent_->Update(distance_, value);
+  const bool is_same = value == slot.number;
+  if (is_same && !blinks_) return;
+  if (is_logged_ && !is_same) log_.events().Add(mind::PerceptChanged{{}, "distance", 0, value});
+  slot.number = value;
+  const Batch batch(*agent_);
+  link_->Change(slot);
+}
+
+void SoarMind::ShowRows(const vocabulary::PerceptList& percepts) {
+  const Batch batch(*agent_);
+  rows_.Show(percepts);
 }
 
 void SoarMind::Perceive(const Actor& body, bool surroundings) {
-#ifdef SOARBOX_OWN_KERNEL
-  const CallBatch batch(*agent_);
-#endif
+  const Batch batch(*agent_);
   own_body_.Show([&](InputMirror& mirror) { SenseOwnBody(body, mirror); });
   HearMessages(body, heard_, messages_);
   if (surroundings) surroundings_.Show([&](InputMirror& mirror) { SenseSurroundings(body, mirror); });
@@ -366,6 +406,7 @@ void SoarMind::AllowMemory(std::size_t) {}
 
 void SoarMind::Forget() {
   writing_.reset();
+  link_.reset();
   log_.Listen(*agent_, MindDetail::kNone);
   standing_.clear();
   commands_.clear();

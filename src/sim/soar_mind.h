@@ -13,6 +13,7 @@
 #include "sim/graph_mirror.h"
 #include "sim/input_mirror.h"
 #include "sim/mind_log.h"
+#include "sim/percept_link.h"
 #include "sim/scene_sense.h"
 #include "vocabulary/command_check.h"
 
@@ -54,7 +55,7 @@ class SoarMind {
   void Perceive(const Actor& body, bool surroundings);
   /// Writes all percepts that a sandbox's script returns.
   void ShowGraph(const script::PerceptGraph& percepts) { graph_.Show(percepts); }
-  void ShowRows(const vocabulary::PerceptList& percepts) { rows_.Show(percepts); }
+  void ShowRows(const vocabulary::PerceptList& percepts);
 
   /// Runs decisions until there is output or the decision budget (max-nil-output-cycles) is used up. commands() then
   /// contains the new commands on the output link, and withdrawn() the removed ones.
@@ -126,9 +127,11 @@ class SoarMind {
   void NoteOutcome(std::string_view command, const Outcome& outcome);
 
   sml::Agent* agent_;
-  sml::FloatElement* distance_ = nullptr;
+  std::unique_ptr<PerceptLink> link_;       ///< Of distance_ and the mirrors.
+  std::unique_ptr<PerceptSlots> distance_;  ///< One slot: the thesis' ^distance. Null if it does not perceive it.
   InputMirror own_body_, messages_, surroundings_, rows_;
   GraphMirror graph_;
+  bool blinks_ = true;                 ///< See MindSettings.
   std::unique_ptr<SceneSense> scene_;  ///< Null if it does not imagine.
   std::uint32_t heard_ = 0;            ///< Number of the last message that it received.
   std::string answer_;                 ///< The kernel's answer to the last run.

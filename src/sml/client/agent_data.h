@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct AgentData {
   int debugger_process = 0;
   std::string converted;  ///< Result of ConvertIdentifier.
   std::string load_warnings;
+  std::function<void()> write_direct_input;  ///< Writes the input of a DirectInput again; empty if there is none.
 
   HandlerTable<RunEventHandler> run_handlers;
   HandlerTable<ProductionEventHandler> production_handlers;
@@ -57,7 +59,8 @@ struct AgentData {
   /// Called when all changes of a message have been applied. `complete` is false if the parents of some changes are
   /// unknown.
   void OnOutputReceived(bool complete);
-  void OnReinitialized();
+  /// Writes the entire input again, after init-soar.
+  void RefreshInput();
 };
 
 }  // namespace sml

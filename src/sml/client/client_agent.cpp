@@ -98,7 +98,7 @@ bool Agent::IsCommitRequired() {
 
 void Agent::Refresh() {
   const Lock lock = Hold(*data_);
-  data_->memory.Refresh();
+  data_->RefreshInput();
 }
 
 bool Agent::SynchronizeInputLink() {

@@ -154,8 +154,9 @@ void AgentData::OnOutputReceived(bool complete) {
   }
 }
 
-void AgentData::OnReinitialized() {
+void AgentData::RefreshInput() {
   memory.Refresh();
+  if (write_direct_input && Usable() != nullptr) write_direct_input();
 }
 
 }  // namespace sml

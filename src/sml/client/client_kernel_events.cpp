@@ -176,7 +176,7 @@ void KernelData::OnAgent(const std::string& name, int event) {
     if (found != agents.end()) agent = found->second.get();
   }
   if (!agent) return;
-  if (event == smlEVENT_AFTER_AGENT_REINITIALIZED) agent->data_->OnReinitialized();
+  if (event == smlEVENT_AFTER_AGENT_REINITIALIZED) agent->data_->RefreshInput();
   agent_handlers.ForEach(
       event, [&](const auto& entry) { entry.handler(static_cast<smlAgentEventId>(event), entry.data, agent); });
   if (event == smlEVENT_BEFORE_AGENT_DESTROYED) Bury(name);

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#include "sim/percept_link.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/input_mirror.h"
+#include "sml_Client.h"
+#include "vocabulary/vocabulary_percepts.h"
+
+namespace soarbox::sim {
+namespace {
+
+/// An agent with two mirrors, which share its input link. One rule tests some percepts.
+struct Mind {
+  Mind(sml::Kernel& kernel, const char* name, PerceptLink::Way way)
+      : agent(*kernel.CreateAgent(name)), link(agent, way) {
+    agent.ExecuteCommandLine(
+        "sp {near (state <s> ^io.input-link.agent <a>) (<a> ^range < 3 ^name <n>) --> (<s> ^near <n>)}");
+  }
+  /// Everything in working memory with its identifiers and time tags.
+  std::string Memory() { return agent.ExecuteCommandLine("print --depth 9 --internal --tree s1"); }
+
+  sml::Agent& agent;
+  PerceptLink link;
+  InputMirror first{link}, second{link};
+};
+
+class PerceptLinkTest : public testing::Test {
+ protected:
+  ~PerceptLinkTest() override { kernel_->Shutdown(); }
+
+  /// Updates both minds with equal percepts and compares their working memories.
+  template <typename Tell>
+  void ShowBoth(InputMirror Mind::*mirror, Tell tell) {
+    for (Mind* mind : {&direct_, &client_}) {
+      (mind->*mirror).Show(tell);
+      mind->agent.RunSelf(1);
+    }
+    Compare();
+  }
+  void Compare() { ASSERT_EQ(direct_.Memory(), client_.Memory()); }
+
+  std::unique_ptr<sml::Kernel> kernel_{sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener)};
+  Mind direct_{*kernel_, "direct", PerceptLink::Way::kShortest};
+  Mind client_{*kernel_, "client", PerceptLink::Way::kClientApi};
+};
+
+void TellAgent(InputMirror& mirror, std::uint32_t key, std::string_view name, double range_m) {
+  mirror.Open(vocabulary::RowOf("agent"), key);
+  mirror.Word(vocabulary::RowOf("agent.name"), name);
+  mirror.Number(vocabulary::RowOf("agent.range"), range_m);
+  mirror.Number(vocabulary::RowOf("agent.bearing"), range_m * 7);
+  mirror.Open(vocabulary::RowOf("agent.position"));
+  mirror.Number(vocabulary::RowOf("agent.position.x"), range_m);
+  mirror.Close();
+  mirror.Other("colour of a text that is long", std::string("a value that is longer than a slot") + char('a' + key));
+  mirror.Close();
+}
+
+TEST_F(PerceptLinkTest, OnlyTheClientApiHasAnotherCopyOfTheInput) {
+  ShowBoth(&Mind::first, [](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
+  EXPECT_EQ(direct_.agent.GetInputLink()->GetNumberChildren(), 0);
+  EXPECT_EQ(client_.agent.GetInputLink()->GetNumberChildren(), 1);
+  EXPECT_NE(direct_.Memory().find("^near red"), std::string::npos);
+}
+
+TEST_F(PerceptLinkTest, BothWaysHaveTheSameElementsIdentifiersAndTimeTags) {
+  std::mt19937 random(7);
+  std::vector<std::uint32_t> keys;
+  for (int step = 0; step < 200; ++step) {
+    // Agents come and go at any place, so the order of the slots differs from the order of addition.
+    if (keys.size() < 8 && random() % 2 == 0) {
+      keys.insert(keys.begin() + static_cast<std::ptrdiff_t>(random() % (keys.size() + 1)),
+                  static_cast<std::uint32_t>(random() % 20 + 1));
+      std::vector<std::uint32_t> once;
+      for (const std::uint32_t key : keys)
+        if (std::ranges::find(once, key) == once.end()) once.push_back(key);
+      keys = once;
+    } else if (!keys.empty() && random() % 3 == 0) {
+      keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(random() % keys.size()));
+    }
+    const double range_m = static_cast<double>(random() % 60) / 10;
+    ShowBoth(random() % 3 == 0 ? &Mind::second : &Mind::first, [&](InputMirror& mirror) {
+      mirror.Number(vocabulary::RowOf("time"), range_m);
+      for (const std::uint32_t key : keys) TellAgent(mirror, key, key % 2 == 0 ? "blue" : "red", range_m + key);
+    });
+    if (HasFatalFailure()) FAIL() << "in step " << step;
+    if (step % 23 != 22) continue;
+    for (Mind* mind : {&direct_, &client_}) mind->agent.InitSoar();
+    for (Mind* mind : {&direct_, &client_}) mind->agent.RunSelf(1);
+    Compare();
+    if (HasFatalFailure()) FAIL() << "after init-soar in step " << step;
+  }
+}
+
+TEST_F(PerceptLinkTest, BothWaysTreatZeroBytesAndMissingAttributesAlike) {
+  using namespace std::string_literals;
+  const auto show = [&](const vocabulary::PerceptList& list) {
+    for (Mind* mind : {&direct_, &client_}) {
+      mind->first.Show(list);
+      mind->agent.RunSelf(1);
+    }
+    Compare();
+  };
+  show({{"heat\0x"s, 1, "mu\0ch"s}, {"", 2, std::int64_t{1}}, {"", 3, vocabulary::PerceptList{{"of", 0, "oven"s}}}});
+  show({{"heat\0x"s, 1, "more than sixteen letters and a \0zero"s}, {"a", 2, 2.5}});
+  show({{"heat\0x"s, 1, "\0"s}, {"a", 2, 3.5}, {"b", 0, vocabulary::PerceptList{{"of", 0, "oven"s}}}});
+}
+
+TEST_F(PerceptLinkTest, APerceptOfADestroyedAgentHasNoEffect) {
+  kernel_->DestroyAgent(&direct_.agent);
+  direct_.first.Show([](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
+  EXPECT_EQ(direct_.first.changes(), 1u);  // The object that could not be created.
+}
+
+TEST(PerceptLink, TheInputGoesThroughTheClientApiIfOtherClientsCanSeeIt) {
+  std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kUseAnyPort));
+  if (kernel->GetListenerPort() > 0) {
+    Mind mind(*kernel, "seen", PerceptLink::Way::kShortest);
+    mind.first.Show([](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
+    EXPECT_EQ(mind.agent.GetInputLink()->GetNumberChildren(), 1);
+  }
+  kernel->Shutdown();
+}
+
+}  // namespace
+}  // namespace soarbox::sim
