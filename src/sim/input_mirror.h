@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstring>
@@ -23,12 +22,10 @@ namespace soarbox::sim {
 ///
 /// Report all percepts in each update, except those of a queue: see Drop and KeepRest. Objects and words are found
 /// again by row (or name) and key, and keep their identifiers. Reporting in the same order each time is cheapest.
-/// Callers that use InputMirror directly, not through PerceptSink&, avoid a virtual call for each element that has kept
-/// its position.
 ///
 /// Invariant: the slots contain the values that were last written to the link. Elements that others have added to the
 /// input link (the thesis' ^distance) are not changed. Owned by the agent's mind, as the link is.
-class InputMirror final : public vocabulary::PerceptSink {
+class InputMirror final : public vocabulary::PerceptSink<InputMirror> {
  public:
   explicit InputMirror(PerceptLink& link) : link_(&link) { link.Include(*top_); }
   InputMirror(InputMirror&&) noexcept = default;
@@ -47,37 +44,22 @@ class InputMirror final : public vocabulary::PerceptSink {
   void End();
 
   // The following functions are inline, because they are called for each object in view in each update.
-  /// As PerceptSink::Number.
-  [[gnu::always_inline]] void Number(const vocabulary::PerceptRow& row, double value) {
-    if (!std::isfinite(value)) return;
-    const double perceived = vocabulary::AsPerceived(row, value);
-    if (row.type != vocabulary::ValueType::kInteger) {
-      Float(row, perceived);
-    } else if (row.steps_per_unit == 1 && row.min != row.max) {
-      Integer(row, static_cast<std::int64_t>(perceived));  // It is an integer and in range.
-    } else {
-      Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
-    }
-  }
-  [[gnu::always_inline]] void Word(const vocabulary::PerceptRow& row, std::string_view value,
-                                   std::uint32_t key = 0) override {
+  [[gnu::always_inline]] void Word(const vocabulary::PerceptRow& row, std::string_view value, std::uint32_t key = 0) {
     if (!StandsNext(row, key)) {
       TellText({&row, {}, key, Kind::kText}, value);
     } else if (Slot& slot = *next_++; !HoldsShort(slot, value)) {
       Change(slot, value);
     }
   }
-  void Other(std::string_view attribute, const vocabulary::ConstantValue& value) override {
-    TellOther(attribute, 0, value);
-  }
-  void Open(const vocabulary::PerceptRow& row, std::uint32_t key = 0) override {
+  void Other(std::string_view attribute, const vocabulary::ConstantValue& value) { TellOther(attribute, 0, value); }
+  void Open(const vocabulary::PerceptRow& row, std::uint32_t key = 0) {
     if (StandsNext(row, key)) {
       Enter(*next_++);
     } else {
       OpenNamed({&row, {}, key, Kind::kObject});
     }
   }
-  void Close() override;
+  void Close();
 
   // For a queue, in which elements are added at the end and removed at the beginning.
   /// The key of the next element of the previous update that was not yet reported; 0 if there is none.
@@ -93,6 +75,7 @@ class InputMirror final : public vocabulary::PerceptSink {
   std::size_t changes() const { return changes_; }
 
  private:
+  friend class vocabulary::PerceptSink<InputMirror>;
   using Slot = PerceptSlot;
   using Slots = PerceptSlots;
   using Kind = PerceptSlot::Kind;
@@ -144,14 +127,14 @@ class InputMirror final : public vocabulary::PerceptSink {
     return next_ != end_ && next_->row == &row && next_->key == key;
   }
 
-  [[gnu::always_inline]] void Integer(const vocabulary::PerceptRow& row, std::int64_t value) override {
+  [[gnu::always_inline]] void Integer(const vocabulary::PerceptRow& row, std::int64_t value) {
     if (StandsNext(row, 0)) {
       if (Slot& slot = *next_++; slot.integer != value) Change(slot, value);
     } else {
       TellInteger({&row, {}, 0, Kind::kInteger}, value);
     }
   }
-  [[gnu::always_inline]] void Float(const vocabulary::PerceptRow& row, double value) override {
+  [[gnu::always_inline]] void Float(const vocabulary::PerceptRow& row, double value) {
     if (StandsNext(row, 0)) {
       if (Slot& slot = *next_++; slot.number != value) Change(slot, value);
     } else {

@@ -20,7 +20,6 @@
 namespace soarbox::sim {
 namespace {
 
-using vocabulary::PerceptSink;
 using vocabulary::RowOf;
 
 using world::Vec3;
@@ -458,21 +457,11 @@ void NoticeThings(Actor& actor, const FieldOfView& view, const world::BodiesArou
 
 }  // namespace
 
-void SenseOwnBody(const Actor& actor, PerceptSink& sink) {
-  TellOwnBody(actor, sink);
-}
 void SenseOwnBody(const Actor& actor, InputMirror& mirror) {
   TellOwnBody(actor, mirror);
 }
-void SenseSurroundings(const Actor& actor, PerceptSink& sink) {
-  TellSurroundings(actor, sink);
-}
 void SenseSurroundings(const Actor& actor, InputMirror& mirror) {
   TellSurroundings(actor, mirror);
-}
-
-void SenseMessages(const Actor& actor, PerceptSink& sink) {
-  if (actor.kind().senses.Has("messages")) SenseMessages(actor, FirstHeard(actor), sink);
 }
 
 void HearMessages(const Actor& actor, std::uint32_t& last, InputMirror& heard) {
@@ -499,9 +488,9 @@ void Notice(Actor& actor) {
 
 vocabulary::PerceptList AllPercepts(const Actor& actor) {
   vocabulary::PerceptLister lister;
-  SenseOwnBody(actor, lister);
-  SenseMessages(actor, lister);
-  SenseSurroundings(actor, lister);
+  TellOwnBody(actor, lister);
+  if (actor.kind().senses.Has("messages")) SenseMessages(actor, FirstHeard(actor), lister);
+  TellSurroundings(actor, lister);
   return lister.list();
 }
 

@@ -38,37 +38,37 @@ namespace soarbox::vocabulary {
 /// A constant value of a percept.
 using ConstantValue = std::variant<std::int64_t, double, std::string>;
 
-/// Receives what a body perceives, attribute by attribute, in the order of the input link.
+/// Base of the classes that receive what a body perceives, attribute by attribute, in the order of the input link.
+/// `Sink` is the derived class. Senses are templates, so that reporting a percept takes no virtual call. A sink has
+/// * Word(row, value, key = 0): reports a text;
+/// * Other(attribute, value): reports a constant that is not in the table, such as a parameter of a message;
+/// * Open(row, key = 0), Close(): begin and end an object. Everything between them is below it;
+/// * Integer(row, value), Float(row, value): called by Number.
 ///
 /// Siblings with the same attribute are distinguished by a key, such as the number of an agent or a message.
+template <typename Sink>
 class PerceptSink {
  public:
-  virtual ~PerceptSink() = default;
-
   /// Reports a number with the type, range and step of its row. Ignores values that are not finite.
-  void Number(const PerceptRow& row, double value) {
+  [[gnu::always_inline]] void Number(const PerceptRow& row, double value) {
     if (!std::isfinite(value)) return;
     const double perceived = AsPerceived(row, value);
-    if (row.type == ValueType::kInteger) {
-      Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
+    Sink& sink = static_cast<Sink&>(*this);
+    if (row.type != ValueType::kInteger) {
+      sink.Float(row, perceived);
+    } else if (row.steps_per_unit == 1 && row.min != row.max) {
+      sink.Integer(row, static_cast<std::int64_t>(perceived));  // It is an integer and in range.
     } else {
-      Float(row, perceived);
+      sink.Integer(row, static_cast<std::int64_t>(std::llround(perceived)));
     }
   }
-  virtual void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) = 0;
-  /// Reports a constant that is not in the table, such as a parameter of a message.
-  virtual void Other(std::string_view attribute, const ConstantValue& value) = 0;
-  /// Begins an object. Everything up to its Close() is below it.
-  virtual void Open(const PerceptRow& row, std::uint32_t key = 0) = 0;
-  virtual void Close() = 0;
 
  protected:
-  virtual void Integer(const PerceptRow& row, std::int64_t value) = 0;
-  virtual void Float(const PerceptRow& row, double value) = 0;
+  ~PerceptSink() = default;
 };
 
 /// Converts the reported percepts to a list.
-class PerceptLister final : public PerceptSink {
+class PerceptLister final : public PerceptSink<PerceptLister> {
  public:
   PerceptLister() { open_.push_back(&list_); }
   PerceptLister(const PerceptLister&) = delete;
@@ -77,14 +77,15 @@ class PerceptLister final : public PerceptSink {
   /// Contains all objects that were closed.
   const PerceptList& list() const { return list_; }
 
-  void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0) override;
-  void Other(std::string_view attribute, const ConstantValue& value) override;
-  void Open(const PerceptRow& row, std::uint32_t key = 0) override;
-  void Close() override { open_.pop_back(); }
+  void Word(const PerceptRow& row, std::string_view value, std::uint32_t key = 0);
+  void Other(std::string_view attribute, const ConstantValue& value);
+  void Open(const PerceptRow& row, std::uint32_t key = 0);
+  void Close() { open_.pop_back(); }
 
  private:
-  void Integer(const PerceptRow& row, std::int64_t value) override { Add(row.Attribute(), 0).value = value; }
-  void Float(const PerceptRow& row, double value) override { Add(row.Attribute(), 0).value = value; }
+  friend class PerceptSink<PerceptLister>;
+  void Integer(const PerceptRow& row, std::int64_t value) { Add(row.Attribute(), 0).value = value; }
+  void Float(const PerceptRow& row, double value) { Add(row.Attribute(), 0).value = value; }
   Percept& Add(std::string_view attribute, std::uint32_t key);
 
   PerceptList list_;
