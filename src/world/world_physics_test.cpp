@@ -456,6 +456,61 @@ TEST(WorldPhysics, AThousandBodiesAtOnePlaceAreCarriedByTheGroundAndTheFirstStil
   EXPECT_TRUE(world.RayCast({30, 0.8f, -5}, {30, 0.8f, 5}));
 }
 
+TEST(WorldPhysics, ACapsuleMeetsABoxInTheSameWayIfTheyWereApartBefore) {
+  // Pairs that stay apart are not given to Bullet. When they meet, the step must be the same as in a new world.
+  constexpr float kRadius_m = 0.2f, kHalf_m = 0.3f, kSpeed_mps = 2, kStep_s = 1.0f / 30;
+  RandomStream random(11, 1);
+  const auto about = [&](float reach) { return (random.Unit() * 2 - 1) * reach; };
+  int stopped = 0, free = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Quat turn = Normalized(Quat{1, about(0.6f), about(0.6f), about(0.6f)});
+    const Quat own_turn = Normalized(Quat{about(1), about(1), about(1), about(1)});
+    const Vec3 axis = Rotate(own_turn, {0, 1, 0}), down = Rotate(turn, {0, -1, 0});
+    const Vec3 beside{about(0.5f), 0, about(0.5f)}, middle{about(30), about(3), about(30)};
+    const float gap_m = -0.02f + 0.12f * random.Unit();
+    Vec3 place, velocity;
+    for (const bool was_apart : {false, true}) {
+      WorldSettings settings;
+      settings.gravity = {};
+      World world(settings);
+      Object& box = *world.FindObject(world.CreateBox(2, 1, 3));
+      box.SetMass(0);
+      box.SetOrientation(turn);
+      box.SetPosition(middle);
+      Object& capsule = *world.FindObject(world.CreatePhysicsCapsule(2 * (kHalf_m + kRadius_m), kRadius_m));
+      const auto put = [&](float above_m) {
+        const float height_m = 0.5f + kRadius_m + kHalf_m * std::abs(axis.y) + above_m;
+        capsule.SetPosition(middle + Rotate(turn, beside + Vec3{0, height_m, 0}));
+        capsule.SetOrientation(turn * own_turn);
+        capsule.SetAngularVelocity({});
+      };
+      if (was_apart) {
+        for (const float above_m : {0.12f, 0.06f}) {
+          put(above_m);
+          capsule.SetVelocity({});
+          Tick(world);
+          ASSERT_TRUE(world.Collisions().empty()) << i;
+        }
+      }
+      put(gap_m);
+      capsule.SetVelocity(down * kSpeed_mps);
+      Tick(world);
+      if (was_apart) {
+        EXPECT_EQ(capsule.Position(), place) << i << ", " << gap_m;
+        EXPECT_EQ(capsule.Velocity(), velocity) << i << ", " << gap_m;
+      }
+      place = capsule.Position();
+      velocity = capsule.Velocity();
+    }
+    const bool is_stopped = Dot(velocity, down) < kSpeed_mps * 0.99f;
+    ++(is_stopped ? stopped : free);
+    EXPECT_TRUE(is_stopped || gap_m >= 0) << i;
+    EXPECT_TRUE(!is_stopped || gap_m <= kSpeed_mps * kStep_s) << i;
+  }
+  EXPECT_GT(stopped, 50);
+  EXPECT_GT(free, 50);
+}
+
 TEST(WorldPhysics, ValuesThatPhysicsCannotBearAreRefusedOrLimited) {
   World world;
   world.CreatePlane(200, 200);
