@@ -30,6 +30,8 @@ class BodiesAround {
 
   /// Like World::RayCast, from the view's position to a point in the view.
   std::optional<RayHit> RayCast(Vec3 from, Vec3 to) const;
+  /// Whether RayCast finds nothing, or a body of one of these two. Costs less than RayCast.
+  bool MeetsNoOther(Vec3 from, Vec3 to, EntityId viewer, EntityId target) const;
 
  private:
   friend class PhysicsWorld;

@@ -192,6 +192,13 @@ bool NearBodies::HidesForCertain(const BoxedBody& each, const Line& line, btScal
   return radius > 0 && off * off + past * past < radius * radius && off * off + away * away > outer * outer;
 }
 
+/// Whether the point is certainly inside the body, so that no segment from there enters it.
+bool NearBodies::IsInside(const BoxedBody& each, const btVector3& point) const {
+  const btScalar radius = each.radius - slack_m_;
+  const btScalar past = std::max({each.low - point.y(), point.y() - each.high, btScalar{0}});
+  return each.IsPillar() && radius > 0 && each.x * each.x + each.z * each.z + past * past < radius * radius;
+}
+
 bool IsClear(const AllBodies& bodies, const btVector3& from, const btVector3& to, const btCollisionObject* viewer,
              const btCollisionObject* target) {
   btScalar share = ShareInFrontOf(target, from, to);
@@ -209,6 +216,53 @@ FirstHit NearBodies::FindFirst(const btVector3& from, const btVector3& to) const
     return true;
   });
   return first;
+}
+
+bool NearBodies::MeetsNoOther(const btVector3& from, const btVector3& to, int viewer, int target) const {
+  struct Other {
+    const BoxedBody* body;
+    btScalar along, beside;
+  };
+  std::array<Other, 32> others;
+  std::array<const BoxedBody*, 4> own;
+  std::size_t count = 0, own_count = 0;
+  const Line line(from, to, to);
+  // The line enters the target only after this fraction.
+  btScalar before = 1;
+  bool is_inside_own = true;
+  const bool are_all = VisitNear(line, [&](const BoxedBody& each, btScalar along, btScalar beside) {
+    const int owner = each.body->getUserIndex();
+    if (owner != viewer && owner != target) {
+      others[count++] = {&each, along, beside};
+      return count < others.size();
+    }
+    own[own_count++] = &each;
+    if (owner == viewer) {
+      is_inside_own = is_inside_own && IsInside(each, from);
+    } else {
+      const btScalar x = each.x - line.x, z = each.z - line.z;
+      before = std::min(before, 1 - (each.radius + slack_m_ + std::sqrt(x * x + z * z)) / line.length);
+    }
+    return own_count < own.size();
+  });
+  if (!are_all) {
+    const FirstHit first = FindFirst(from, to);
+    return first.body == nullptr || first.body->getUserIndex() == viewer || first.body->getUserIndex() == target;
+  }
+  // Usually no other body is near the segment, or one of them certainly hides the target.
+  for (std::size_t i = 0; i < count && is_inside_own; ++i)
+    if (HidesForCertain(*others[i].body, line, line.rise[0], before, others[i].along, others[i].beside)) return false;
+  FirstHit first;
+  btScalar share = 1;
+  const Probe probe(from, to);
+  const auto take = [&](const BoxedBody& each) {
+    if (probe.Meets(each.box, share)) TakeIfFirst(*each.body, from, to, first, share);
+  };
+  for (std::size_t i = 0; i < count; ++i) take(*others[i].body);
+  if (first.body == nullptr) return true;
+  const btCollisionObject* const other = first.body;
+  for (std::size_t i = 0; i < own_count; ++i) take(*own[i]);
+  return first.body != other;
 }
 
 bool NearBodies::IsClearToEither(const btVector3& from, const btVector3& to, const btVector3& other,

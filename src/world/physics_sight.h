@@ -33,6 +33,8 @@ class NearBodies {
                        const btCollisionObject* viewer, const btCollisionObject* target) const;
   /// Like FindFirstHit, for a segment from the viewer to a point within the view.
   FirstHit FindFirst(const btVector3& from, const btVector3& to) const;
+  /// Whether FindFirst finds nothing, or a body of one of these owners.
+  bool MeetsNoOther(const btVector3& from, const btVector3& to, int viewer, int target) const;
 
  private:
   /// Seen from above, a plane is on every line, but few lines cross it.
@@ -47,6 +49,7 @@ class NearBodies {
   bool VisitNear(const Line& line, const Visit& visit) const;
   bool HidesForCertain(const BoxedBody& each, const Line& line, btScalar rise, btScalar before, btScalar along,
                        btScalar beside) const;
+  bool IsInside(const BoxedBody& each, const btVector3& point) const;
 
   btScalar slack_m_;               ///< SlackAbout the viewer's position.
   std::vector<BoxedBody> bodies_;  ///< Their circles are relative to the viewer.

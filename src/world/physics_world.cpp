@@ -648,6 +648,13 @@ std::optional<RayHit> BodiesAround::RayCast(Vec3 from, Vec3 to) const {
   return HitOf(bodies_->near.FindFirst(ToBullet(begin), ToBullet(end)), begin, end);
 }
 
+bool BodiesAround::MeetsNoOther(Vec3 from, Vec3 to, EntityId viewer, EntityId target) const {
+  if (!IsFinite(from) || !IsFinite(to)) return true;
+  const Vec3 begin = LimitPosition(from), end = LimitPosition(to);
+  return begin == end || bodies_->near.MeetsNoOther(ToBullet(begin), ToBullet(end), static_cast<int>(Number(viewer)),
+                                                    static_cast<int>(Number(target)));
+}
+
 bool PhysicsWorld::IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target,
                                    const BodiesAround* around) const {
   const btVector3 begin = ToBullet(from), end = ToBullet(to), other_end = ToBullet(other);

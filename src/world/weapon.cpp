@@ -38,7 +38,8 @@ Vec3 EyesOf(const Agent& agent) {
 bool HasLineOfSight(const World& world, const Agent& from, Vec3 to, EntityId target, const BodiesAround* around) {
   const Vec3 eyes = EyesOf(from);
   if (LengthSquared(to - eyes) < 1e-6f) return true;
-  const std::optional<RayHit> hit = around != nullptr ? around->RayCast(eyes, to) : world.RayCast(eyes, to);
+  if (around != nullptr) return around->MeetsNoOther(eyes, to, from.id(), target);
+  const std::optional<RayHit> hit = world.RayCast(eyes, to);
   return !hit || hit->entity == target || hit->entity == from.id();
 }
 

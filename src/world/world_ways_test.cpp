@@ -174,6 +174,8 @@ TEST(WorldWays, AgentsSeeTheSameAmongTheBodiesAroundThem) {
         for_all([&](const Agent& viewer, const Agent& target, const BodiesAround& around) {
           EXPECT_EQ(SeesAgent(viewer, target, &around), wanted[at]) << at;
           EXPECT_EQ(SeesAgent(viewer, target), wanted[at]) << at;
+          EXPECT_EQ(HasLineOfSight(world, viewer, target.Position(), target.id(), &around),
+                    HasLineOfSight(world, viewer, target.Position(), target.id()));
           const auto hit = world.RayCast(EyesOf(viewer), target.Position());
           const auto same = around.RayCast(EyesOf(viewer), target.Position());
           ASSERT_EQ(same.has_value(), hit.has_value()) << at;
