@@ -19,8 +19,8 @@ constexpr float kStyleBlend_s = 0.25f;
 constexpr float kFullTurn_rad_s = 2.0f;  ///< Turn rate at which the turning animation has full weight.
 constexpr float kMostCadence = 2.6f;     ///< Maximum cycles per second; faster legs would only blur.
 
-float Towards(float from, float to, float seconds) {
-  return from + (to - from) * (1 - std::exp(-seconds / kSmoothing_s));
+float Towards(float from, float to, float share) {
+  return from + (to - from) * share;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void Locomotion::Add(int clip, float weight, bool in_phase) {
   shares_.push_back({index, in_phase ? phase_ * length : std::fmod(idle_s_, length), weight});
 }
 
-void Locomotion::AddGaits(const Rig& rig, const std::vector<int>& gaits, int idle, float speed_mps, float weight) {
+void Locomotion::AddGaits(const Rig& rig, std::span<const int> gaits, int idle, float speed_mps, float weight) {
   if (weight <= 0 || gaits.empty()) return;
   // Blends the two gaits around this speed. Standing is the gait of speed 0.
   int below = idle, above = gaits.back();
@@ -73,11 +73,12 @@ void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds)
     others += style_weights_[i];
   }
   style_weights_[static_cast<std::size_t>(style_)] = std::max(0.0f, 1 - others);
-  velocity_ = {Towards(velocity_.x, motion.left_mps, seconds), 0, Towards(velocity_.z, motion.forward_mps, seconds)};
+  const float nearer = 1 - std::exp(-seconds / kSmoothing_s);
+  velocity_ = {Towards(velocity_.x, motion.left_mps, nearer), 0, Towards(velocity_.z, motion.forward_mps, nearer)};
   const float turned = has_heading_ ? std::remainder(motion.heading_rad - heading_, 2 * kPi) : 0.0f;
   heading_ = motion.heading_rad;
   has_heading_ = true;
-  turning_ = Towards(turning_, turned / std::max(seconds, 1e-3f), seconds);
+  turning_ = Towards(turning_, turned / std::max(seconds, 1e-3f), nearer);
   idle_s_ = std::fmod(idle_s_ + seconds, 600.0f);
   turn_s_ = std::fmod(turn_s_ + seconds, 600.0f);
   const float speed = Length(velocity_);
@@ -92,7 +93,7 @@ void Locomotion::Update(const Rig& rig, const BodyMotion& motion, float seconds)
     AddGaits(rig, velocity_.z >= 0 ? gaits.forward : gaits.backward, gaits.idle, speed,
              weight * moving * (1 - sideways));
     const int side = velocity_.x > 0 ? gaits.left : gaits.right;
-    if (side >= 0 && sideways > 0) AddGaits(rig, {side}, gaits.idle, speed, weight * moving * sideways);
+    if (side >= 0 && sideways > 0) AddGaits(rig, std::span(&side, 1), gaits.idle, speed, weight * moving * sideways);
   }
   legs_ = std::clamp(speed, 0.0f, 1.0f);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "world/math.h"
@@ -60,7 +61,7 @@ class Locomotion {
 
  private:
   void AddStanding(const Rig& rig, const Gaits& gaits, float weight, float turn_left_rad_s);
-  void AddGaits(const Rig& rig, const std::vector<int>& gaits, int idle, float speed_mps, float weight);
+  void AddGaits(const Rig& rig, std::span<const int> gaits, int idle, float speed_mps, float weight);
   void Add(int clip, float weight, bool in_phase);
 
   LocomotionStyle style_ = LocomotionStyle::kReady;
