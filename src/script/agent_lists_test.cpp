@@ -122,6 +122,13 @@ TEST_F(HostTest, AForceOfAFlockTakesTheNameOfATeam) {
   EXPECT_EQ(Run("local before = me:ForceToCombine(4, 180, 'cats') me:SetPosition(Vector.new(0, 1, 0))\n"
                 "print(same('cats', 4, 180), before == me:ForceToCombine(4, 180, 'cats'))"),
             "true\tfalse");
+  // Also between two equal calls, and if the name of a team without members is used again.
+  EXPECT_EQ(Run("local before = me:ForceToCombine(9, 180, 'cats') all[1]:SetTeam('dogs')\n"
+                "print(same('cats', 9, 180), same('dogs', 9, 180), before == me:ForceToCombine(9, 180, 'cats'))\n"
+                "all[1]:SetTeam('cats') print(same('dogs', 9, 180), before == me:ForceToCombine(9, 180, 'cats'))"),
+            "true\ttrue\tfalse|true\ttrue");
+  EXPECT_EQ(Run("print(#me:GetNeighbours(9, 'cats') == #me:GetNeighbours(9), #me:GetNeighbours(9, 'dogs'))"),
+            "true\t0");
   EXPECT_EQ(Run("print(pcall(me.ForceToCombine, me, 4, 180, 5))"),
             "false\tbad argument #4 to 'Agent.ForceToCombine' (table or name of a team expected, got number)");
 }

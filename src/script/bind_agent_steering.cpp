@@ -64,30 +64,27 @@ bool ReadInPlainOrder(lua_State* state, int index, std::vector<EntityId>& buffer
   return true;
 }
 
-/// Reads the agents of the team with the name at `index` that can be neighbours at this distance, in creation order.
-void ReadNearTeam(lua_State* state, int index, const Agent& agent, float distance_m, std::vector<EntityId>& buffer) {
+/// The agents of the team with the name at `index` that can be neighbours at this distance, in creation order. Valid
+/// until the next search.
+std::span<const std::uint32_t> NearInTeam(lua_State* state, int index, const Agent& agent, float distance_m) {
   const std::string_view team = TextArgument(state, index);
   world::AgentStore& store = world::AgentStore::Of(agent);
   const float range_m = world::NeighbourhoodRange(agent.Radius(), std::max(distance_m, 0.0f));
-  const auto all_near = store.NearInOrder(agent.Position(), range_m);
-  for (const std::uint32_t near : all_near)
-    if (store.agent(near).Team() == team) buffer.push_back(store.agent(near).id());
+  const std::size_t all_near = store.NearInOrder(agent.Position(), range_m).size();
+  const std::span<const std::uint32_t> near = store.NearInOrder(agent.Position(), range_m, team);
   // Agents of other teams cost a comparison each.
-  LuaMachine::Of(state).Charge(all_near.size() / 4);
+  LuaMachine::Of(state).Charge(all_near / 4);
+  LuaMachine::Of(state).Charge(near.size());
+  return near;
 }
 
 /// Returns the agents that the argument at `index` selects for a force with this distance: in the order of a table, and
 /// otherwise in creation order. Returns the world's own list if it is equal, because the world then finds near
 /// neighbours faster.
-std::span<const EntityId> AgentsArgument(lua_State* state, int index, const Agent& agent, float distance_m,
-                                         std::vector<EntityId>& buffer) {
+Agent::Group AgentsArgument(lua_State* state, int index, const Agent& agent, float distance_m,
+                            std::vector<EntityId>& buffer) {
   if (lua_isnoneornil(state, index)) return ContextOf(state).world.AgentIds();
-  if (lua_type(state, index) == LUA_TSTRING) {
-    buffer.clear();
-    ReadNearTeam(state, index, agent, distance_m, buffer);
-    LuaMachine::Of(state).Charge(buffer.size());
-    return buffer;
-  }
+  if (lua_type(state, index) == LUA_TSTRING) return NearInTeam(state, index, agent, distance_m);
   luaL_checktype(state, index, LUA_TTABLE);
   const auto everybody = ContextOf(state).world.AgentIds();
   LuaMachine& machine = LuaMachine::Of(state);
@@ -116,14 +113,14 @@ std::span<const EntityId> AgentsArgument(lua_State* state, int index, const Agen
 int GetNeighbours(lua_State* state) {
   const Agent& agent = AgentArgument(state, 1);
   const float distance = CheckFloat(state, 2);
-  const bool any_team = lua_isnoneornil(state, 3);
-  const std::string_view team = any_team ? std::string_view() : TextArgument(state, 3);
+  std::optional<std::string_view> team;
+  if (!lua_isnoneornil(state, 3)) team = TextArgument(state, 3);
   world::AgentStore& store = world::AgentStore::Of(agent);
   lua_newtable(state);
   int count = 0;
-  for (const std::uint32_t index : store.NearInOrder(agent.Position(), std::max(distance, 0.0f))) {
+  for (const std::uint32_t index : store.NearInOrder(agent.Position(), std::max(distance, 0.0f), team)) {
     const Agent& other = store.agent(index);
-    if (other.id() == agent.id() || (!any_team && other.Team() != team)) continue;
+    if (other.id() == agent.id()) continue;
     if (Length(other.Position() - agent.Position()) > distance) continue;
     PushAgent(state, other.id());
     lua_rawseti(state, -2, ++count);
@@ -132,7 +129,7 @@ int GetNeighbours(lua_State* state) {
   return 1;
 }
 
-using GroupForce = Vec3 (Agent::*)(float, float, std::span<const EntityId>) const;
+using GroupForce = Vec3 (Agent::*)(float, float, const Agent::Group&) const;
 
 /// (agent, max distance, max angle in degrees [, agents or team])
 template <GroupForce Force>

@@ -45,6 +45,7 @@ Agent::Agent(AgentStore& store, EntityId id, NodeId node, std::size_t index, con
       target_radius_m_(def.defaults.target_radius_m) {
   motion().radius = def.defaults.radius_m;
   motion().alive = health_ > 0;
+  store_.ChangeTeam(index_, {}, team_);
   RebuildBody();
 }
 
@@ -76,6 +77,13 @@ void Agent::RebuildBody() {
   body_ = store_.physics().Add(def);
   motion().velocity = {};
   motion().speed = 0;
+}
+
+void Agent::SetTeam(std::string_view team) {
+  if (team == team_) return;
+  store_.ChangeTeam(index_, team_, team);
+  SetLabel(team, team_);
+  PropertyChanged();
 }
 
 bool Agent::SetPosition(Vec3 position) {

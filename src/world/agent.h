@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "world/agent_motion.h"
@@ -99,9 +100,7 @@ class Agent {
   std::optional<float> Score() const { return score_; }
   bool SetScore(float score);
   const std::string& Team() const { return team_; }
-  void SetTeam(std::string_view team) {
-    if (SetLabel(team, team_)) PropertyChanged();
-  }
+  void SetTeam(std::string_view team);
   Vec3 Target() const { return target_; }
   bool SetTarget(Vec3 target);
   float TargetRadius() const { return target_radius_m_; }
@@ -160,11 +159,13 @@ class Agent {
   Vec3 ForceToStayOnPath(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToAvoidAgents(float look_ahead_s = kDefaultLookAhead_s) const;
   Vec3 ForceToAvoidObjects(float look_ahead_s = kDefaultLookAhead_s) const;
+  /// The agents that a group force considers, in order: their ids, or their indices in the AgentStore.
+  using Group = std::variant<std::span<const EntityId>, std::span<const std::uint32_t>>;
   /// Group forces: unit vectors, or zero without neighbours. The agent itself and unknown ids are skipped. If `agents`
   /// is World::AgentIds() itself (not a copy), short distances use the spatial index; the result is the same.
-  Vec3 ForceToSeparate(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
-  Vec3 ForceToCombine(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
-  Vec3 ForceToAlign(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const;
+  Vec3 ForceToSeparate(float max_distance_m, float max_angle_deg, const Group& agents) const;
+  Vec3 ForceToCombine(float max_distance_m, float max_angle_deg, const Group& agents) const;
+  Vec3 ForceToAlign(float max_distance_m, float max_angle_deg, const Group& agents) const;
 
  private:
   friend class AgentStore;
@@ -192,8 +193,7 @@ class Agent {
   void RebuildBody();
   using GroupSteering = Vec3 (*)(std::size_t self_index, std::span<const AgentMotion> all,
                                  std::span<const std::uint32_t> others, const Neighbourhood& neighbourhood);
-  Vec3 GroupForce(GroupSteering steer, float max_distance_m, float max_angle_deg,
-                  std::span<const EntityId> agents) const;
+  Vec3 GroupForce(GroupSteering steer, float max_distance_m, float max_angle_deg, const Group& group) const;
 
   AgentStore& store_;
   EntityId id_;

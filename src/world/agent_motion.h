@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "world/math.h"
 
 namespace soarbox::world {
@@ -13,10 +15,11 @@ struct alignas(64) AgentMotion {
   Vec3 position;
   Vec3 velocity;  ///< m/s
   Vec3 forward{0, 0, 1};
-  float speed = 0;    ///< m/s
-  float radius = 0;   ///< m
-  bool alive = true;  ///< Health above 0.
-  bool gone = false;  ///< It was removed; no query returns it.
+  float speed = 0;         ///< m/s
+  float radius = 0;        ///< m
+  bool alive = true;       ///< Health above 0.
+  bool gone = false;       ///< It was removed; no query returns it.
+  std::uint32_t team = 0;  ///< Its number (TeamNumbers).
   Vec3 left{1, 0, 0};
   Vec3 up{0, 1, 0};
   Quat orientation;

@@ -71,9 +71,11 @@ Vec3 Agent::ForceToAvoidObjects(float look_ahead_s) const {
   return SteerAvoidObjects(motion(), store_.physics().Obstacles(), LookAhead(look_ahead_s));
 }
 
-Vec3 Agent::GroupForce(GroupSteering steer, float max_distance_m, float max_angle_deg,
-                       std::span<const EntityId> agents) const {
+Vec3 Agent::GroupForce(GroupSteering steer, float max_distance_m, float max_angle_deg, const Group& group) const {
   const Neighbourhood neighbourhood{std::max(0.0f, max_distance_m), max_angle_deg};
+  if (const auto* indices = std::get_if<std::span<const std::uint32_t>>(&group))
+    return steer(index_, store_.motions(), *indices, neighbourhood);
+  const std::span<const EntityId> agents = std::get<std::span<const EntityId>>(group);
   const bool everybody = agents.data() == store_.ids().data() && agents.size() == store_.ids().size();
   const auto others = everybody
                           ? store_.NearInOrder(Position(), NeighbourhoodRange(Radius(), neighbourhood.max_distance_m))
@@ -81,15 +83,15 @@ Vec3 Agent::GroupForce(GroupSteering steer, float max_distance_m, float max_angl
   return steer(index_, store_.motions(), others, neighbourhood);
 }
 
-Vec3 Agent::ForceToSeparate(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const {
+Vec3 Agent::ForceToSeparate(float max_distance_m, float max_angle_deg, const Group& agents) const {
   return GroupForce(SteerSeparate, max_distance_m, max_angle_deg, agents);
 }
 
-Vec3 Agent::ForceToCombine(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const {
+Vec3 Agent::ForceToCombine(float max_distance_m, float max_angle_deg, const Group& agents) const {
   return GroupForce(SteerCombine, max_distance_m, max_angle_deg, agents);
 }
 
-Vec3 Agent::ForceToAlign(float max_distance_m, float max_angle_deg, std::span<const EntityId> agents) const {
+Vec3 Agent::ForceToAlign(float max_distance_m, float max_angle_deg, const Group& agents) const {
   return GroupForce(SteerAlign, max_distance_m, max_angle_deg, agents);
 }
 

@@ -102,14 +102,39 @@ void AgentStore::CopyNear(Vec3 center, float range_m, std::vector<std::uint32_t>
   Sort(found);
 }
 
-std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m) {
-  if (near_is_valid_ && center == near_center_ && range_m == near_range_m_) return near_;
-  grid_.Update(motions_);
-  CopyNear(center, range_m, near_);
-  near_center_ = center;
-  near_range_m_ = range_m;
-  near_is_valid_ = true;
-  return near_;
+std::span<const std::uint32_t> AgentStore::NearInOrder(Vec3 center, float range_m,
+                                                       std::optional<std::string_view> team) {
+  if (!near_is_valid_ || center != near_center_ || range_m != near_range_m_) {
+    grid_.Update(motions_);
+    CopyNear(center, range_m, near_);
+    near_center_ = center;
+    near_range_m_ = range_m;
+    near_is_valid_ = true;
+    near_team_ = TeamNumbers::kNone;
+  }
+  return team ? OnlyTeam(*team) : near_;
+}
+
+/// The agents of the team in near_.
+std::span<const std::uint32_t> AgentStore::OnlyTeam(std::string_view team) {
+  const std::uint32_t number = teams_.Find(team);
+  if (number == TeamNumbers::kNone) return {};
+  if (number == near_team_) return near_in_team_;
+  near_in_team_.resize(near_.size());
+  std::size_t count = 0;
+  for (const std::uint32_t index : near_) {
+    near_in_team_[count] = index;
+    count += motions_[index].team == number ? 1 : 0;
+  }
+  near_in_team_.resize(count);
+  near_team_ = number;
+  return near_in_team_;
+}
+
+void AgentStore::ChangeTeam(std::size_t index, std::string_view from, std::string_view to) {
+  if (motions_[index].team != TeamNumbers::kNone) teams_.Leave(from);
+  motions_[index].team = teams_.Join(to);
+  near_team_ = TeamNumbers::kNone;
 }
 
 std::span<const std::uint32_t> AgentStore::Indices(std::span<const EntityId> ids) {

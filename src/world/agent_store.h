@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "world/agent.h"
@@ -12,6 +14,7 @@
 #include "world/physics_world.h"
 #include "world/scene.h"
 #include "world/steer_avoid_objects.h"
+#include "world/team_numbers.h"
 #include "world/world_settings.h"
 
 namespace soarbox::world {
@@ -64,10 +67,10 @@ class AgentStore {
     grid_.Update(motions_);
     grid_.Visit(motions_, center, range_m, visit);
   }
-  /// Indices of a superset of the agents within range_m, in ascending order. Valid until the next call of this
-  /// function. Repeats the last answer if it is asked the same and no agent has moved: the forces of a flock often have
-  /// one range.
-  std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m);
+  /// Indices of a superset of the agents within range_m, in ascending order; with a team, only those in the team. Valid
+  /// until the next call of this function. Repeats the last answer if it is asked the same and no agent has moved: the
+  /// forces of a flock often have one range.
+  std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m, std::optional<std::string_view> team = {});
   /// Afterwards several threads may call CopyNear, until an agent moves or is created.
   void PrepareCopyNear() { grid_.Update(motions_); }
   /// Replaces `found` by the result of NearInOrder.
@@ -76,6 +79,11 @@ class AgentStore {
   std::span<const std::uint32_t> Indices(std::span<const EntityId> ids);
 
  private:
+  friend class Agent;
+  /// Agents call it when they are created (`from` is ignored), and before they change their team.
+  void ChangeTeam(std::size_t index, std::string_view from, std::string_view to);
+  std::span<const std::uint32_t> OnlyTeam(std::string_view team);
+
   std::uint64_t seed_;
   PhysicsWorld& physics_;
   Scene& scene_;
@@ -89,6 +97,9 @@ class AgentStore {
   Vec3 near_center_;
   float near_range_m_ = 0;
   bool near_is_valid_ = false;
+  TeamNumbers teams_;
+  std::vector<std::uint32_t> near_in_team_;       ///< The agents of near_team_ in near_.
+  std::uint32_t near_team_ = TeamNumbers::kNone;  ///< kNone if near_in_team_ is not valid.
   float max_speed_ = 0;
   float max_radius_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "world/team_numbers.h"
 #include "world/world.h"
 
 // The steering forces in known situations, for agents without gravity and floor (lua_api.md 7).
@@ -191,6 +192,23 @@ TEST_F(Steering, ARepeatedQueryNoticesWhoComesMovesAndGoes) {
   world_.RemoveAgent(other.id());
   world_.BeginTick();
   ExpectNear(combine(), {0, 0, 0});
+}
+
+TEST(TeamNumbers, ANameHasANumberAsLongAsItHasMembers) {
+  TeamNumbers teams;
+  EXPECT_EQ(teams.Find("red"), TeamNumbers::kNone);
+  const std::uint32_t red = teams.Join("red"), blue = teams.Join("blue");
+  EXPECT_NE(red, TeamNumbers::kNone);
+  EXPECT_NE(red, blue);
+  EXPECT_EQ(teams.Join("red"), red);
+  teams.Leave("red");
+  EXPECT_EQ(teams.Find("red"), red);
+  teams.Leave("red");
+  EXPECT_EQ(teams.Find("red"), TeamNumbers::kNone);
+  // A script that invents names again and again needs no further numbers.
+  EXPECT_EQ(teams.Join("green"), red);
+  EXPECT_EQ(teams.Find("blue"), blue);
+  EXPECT_EQ(teams.Find("green"), red);
 }
 
 TEST_F(Steering, AgentsAtTheSamePlaceGiveNoNonsense) {
