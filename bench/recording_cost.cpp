@@ -7,8 +7,8 @@
 //                                           bytes per agent and simulated second
 //   recording_cost count LEVEL SCENARIO SECONDS [WARM]
 //                                           one run alone, for counting instructions with valgrind in the function
-//                                           MeasuredTicks; LEVEL is off, world, decisions or all; WARM seconds before
-//                                           are not counted
+//                                           MeasuredTicks; LEVEL is off, world, decisions, all or watched (a window is
+//                                           open, nothing is recorded); WARM seconds before are not counted
 //   recording_cost seek [SCENARIO [SECONDS]]
 //                                           records, and measures how long going to ticks of the file takes
 //
@@ -55,13 +55,17 @@ struct Run {
   }
 };
 
-Result<Run> Start(const std::string& name, std::optional<record::Level> level, const fs::path& file) {
+Result<Run> Start(const std::string& name, std::optional<record::Level> level, const fs::path& file,
+                  bool is_watched = false) {
   const std::string root = SOARBOX_SOURCE_DIR;
   const Result<sim::Scenario> scenario = sim::FindScenario(name, {root + "/scenarios", root + "/media"});
   if (!scenario) return scenario.error();
   sim::SimulationSettings settings;
   settings.soar.threads = 1;
   if (level) settings.mind_detail = record::DetailOf(*level);
+  // As in a headless run: nothing asks why. In a window, the minds note what they do, recorded or not.
+  settings.records_origins = is_watched;
+  if (is_watched) settings.mind_detail = sim::MindDetail::kDecisions;
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(*scenario, settings);
   if (!simulation) return simulation.error();
   Run run;
@@ -120,12 +124,13 @@ extern "C" [[gnu::noinline]] void MeasuredTicks(Run& run, double seconds) {
 
 int Count(const std::string& level, const std::string& scenario, double seconds, double warm_s, const fs::path& file) {
   std::optional<record::Level> wanted;
-  if (level != "off") {
+  const bool is_watched = level == "watched";
+  if (level != "off" && !is_watched) {
     const Result<record::Level> named = record::LevelNamed(level);
     if (!named) return Fail(named.error());
     wanted = *named;
   }
-  Result<Run> run = Start(scenario, wanted, file);
+  Result<Run> run = Start(scenario, wanted, file, is_watched);
   if (!run) return Fail(run.error());
   while (run->simulation->time_s() < warm_s) run->Tick();
   MeasuredTicks(*run, seconds);

@@ -240,6 +240,8 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   std::unique_ptr<MissionWatch> mission;
   if (is_recorded || !options.headless) mission = MissionWatch::Of(*scenario, options.lesson, *data);
   if (mission != nullptr) settings.mind_detail = std::max(settings.mind_detail, mission->LeastDetail());
+  // Without a window and a port, nothing can ask why during the run. Afterwards, the recording is simulated again.
+  settings.records_origins = !options.headless || settings.soar.port != 0;
 
   CatchInterrupts();
   Result<std::unique_ptr<sim::Simulation>> simulation = sim::Simulation::Create(scenario.value(), settings);

@@ -133,6 +133,7 @@ Result<void> RecordClientLog(const fs::path& log, const fs::path& recording) {
   const Level level = ticks.complete() <= kMostTicksInDetail ? Level::kAll : Level::kDecisions;
   sim::SimulationSettings settings;
   settings.mind_detail = DetailOf(level);
+  settings.records_origins = false;
   settings.soar.threads = 1;
   Result<std::unique_ptr<sim::Simulation>> made = sim::Simulation::Create(*scenario, settings);
   if (!made) return made.error();

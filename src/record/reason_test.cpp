@@ -141,5 +141,26 @@ TEST(Reasons, AMindThatWaitsSaysSoOnce) {
   EXPECT_EQ(decisions, std::vector<std::string>{"==>S: S1"});
 }
 
+TEST(Reasons, AMindNotesOriginsOnlyIfSomethingCanAskForThem) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "scout.soar") << kEither;
+  const sim::Scenario scenario = sim::FindScenario((scratch.path() / "scout.soar").string(), Data()).value();
+  for (const bool can_ask : {false, true}) {
+    sim::SimulationSettings settings;
+    settings.soar.threads = 1;
+    settings.mind_detail = DetailOf(Level::kDecisions);
+    settings.records_origins = can_ask;
+    const std::unique_ptr<sim::Simulation> simulation = std::move(sim::Simulation::Create(scenario, settings).value());
+    const std::string agent = simulation->AgentOfMind(0);
+    const auto notes = [&] { return simulation->Inspect(agent)->origins.Of(1).noted; };
+    simulation->Tick();
+    EXPECT_FALSE(simulation->Mind(0).events.empty());
+    EXPECT_EQ(notes(), can_ask);
+    // Somebody begins to watch this agent.
+    EXPECT_TRUE(simulation->NoteMind(agent, sim::MindDetail::kAll));
+    EXPECT_TRUE(notes());
+  }
+}
+
 }  // namespace
 }  // namespace soarbox::record

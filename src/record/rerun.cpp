@@ -151,6 +151,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
   settings.soar.port = 0;  // The port is used by the running world.
   settings.soar.remote_host.clear();
   settings.mind_detail = DetailOf(header.level);
+  settings.records_origins = how.origins;
   Result<std::unique_ptr<sim::Simulation>> made = sim::Simulation::Create(scenario, settings);
   if (!made) return made.error();
   rerun.simulation = std::move(*made);
@@ -175,7 +176,7 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
 
 Result<Verdict> Verify(TickSource& recording, const sim::DataFolders& data, const Progress& progress, int threads,
                        FilesFrom files) {
-  Result<Rerun> rerun = Restart(recording, data, {.threads = threads, .files = files});
+  Result<Rerun> rerun = Restart(recording, data, {.threads = threads, .files = files, .origins = false});
   if (!rerun) return rerun.error();
   Verdict verdict;
   verdict.first_tick = recording.first_tick();

@@ -33,6 +33,7 @@ struct RerunSettings {
   int threads = 0;                                                      ///< Number of threads for minds; 0: one per
                                                                         ///< core.
   FilesFrom files = FilesFrom::kRecording;
+  bool origins = true;  ///< sim::SimulationSettings::records_origins.
 };
 
 /// Creates the simulation of a recording before its first tick, with the recorded inputs queued. Searches for its

@@ -53,8 +53,11 @@ class Minds final : public script::MindFactory {
 
   void SetSenseScript(SenseScript sense) { sense_script_ = std::move(sense); }
   void SetSenseSandbox(SenseSandbox sense) { sense_sandbox_ = std::move(sense); }
-  /// How much is recorded of minds that are created from now on.
-  void SetDetail(MindDetail detail) { detail_ = detail; }
+  /// How much is recorded of minds that are created from now on, and whether that includes origins.
+  void SetDetail(MindDetail detail, bool origins) {
+    detail_ = detail;
+    records_origins_ = origins;
+  }
   /// The memory limit of the world. If the world exceeds it, the mind that uses most memory is halted.
   void SetMemoryLimit(std::size_t bytes) { memory_limit_ = bytes; }
   /// How much of that memory scripts and bodies use.
@@ -241,6 +244,7 @@ class Minds final : public script::MindFactory {
   SenseScript sense_script_;
   SenseSandbox sense_sandbox_;
   MindDetail detail_ = MindDetail::kNone;
+  bool records_origins_ = true;
   std::vector<BodyKind> body_kinds_;
   std::vector<Mind> minds_;                 ///< In the order of creation, which may differ from the order of agent ids.
   std::vector<std::uint32_t> place_by_id_;  ///< Index in minds_ plus 1; 0 for agents without a mind.

@@ -456,7 +456,7 @@ Result<std::unique_ptr<Simulation>> Simulation::Create(const Scenario& scenario,
   impl->arena = std::make_unique<Arena>(impl->world, report);
   impl->foreign = std::make_unique<ForeignBodies>(impl->world, *impl->arena, report);
   impl->minds = std::make_unique<Minds>(impl->world, impl->scenario, *impl->soar, *impl->arena, report);
-  impl->minds->SetDetail(settings.mind_detail);
+  impl->minds->SetDetail(settings.mind_detail, settings.records_origins);
   impl->minds->SetMemoryLimit(settings.limits.memory_bytes);
   std::optional<ScenarioFile> definition;
   if (!scenario.definition.empty()) {
@@ -619,7 +619,8 @@ bool Simulation::NoteMind(std::string_view agent, MindDetail detail) {
   Minds::Mind* mind = impl_->minds->FindNamed(agent);
   if (mind == nullptr || mind->gone) return false;
   mind->settings.detail = detail;
-  mind->soar.SetDetail(detail);
+  mind->settings.origins = true;
+  mind->soar.SetDetail(detail, true);
   return true;
 }
 EventList Simulation::TakeEvents() {

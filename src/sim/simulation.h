@@ -50,8 +50,11 @@ struct SimulationSettings {
   bool every_command = false;                  ///< Report each command in each tick, not only changes.
   SoarSettings soar;                           ///< Its seed is ignored; `seed` is used.
   MindDetail mind_detail = MindDetail::kNone;  ///< How much Mind() reports.
-  script::WorldLimits limits;                  ///< For all scripts and minds together.
-  bool typed_by_strangers = false;             ///< Typed commands are restricted like those of a recording.
+  /// Whether minds on which Mind() reports also record the origins of elements, which answers to *why* contain. Turn it
+  /// off if nothing can ask during the run: a recording does not contain them.
+  bool records_origins = true;
+  script::WorldLimits limits;       ///< For all scripts and minds together.
+  bool typed_by_strangers = false;  ///< Typed commands are restricted like those of a recording.
 };
 
 /// Total real time of each part of all ticks so far, in seconds. For benchmarks and panels. Nothing in a run depends on
@@ -114,8 +117,8 @@ class Simulation {
   /// Inspects the mind of an agent. Null if there is no such agent with a Soar mind, or if its kernel is lost. Valid
   /// until the next tick.
   std::unique_ptr<explain::Inspector> Inspect(std::string_view agent) const;
-  /// Sets how much Mind() reports about this agent from the next tick on. Does not change the run. Returns false if it
-  /// has no Soar mind.
+  /// Sets how much Mind() reports about this agent from the next tick on; origins are recorded, too. Does not change
+  /// the run. Returns false if it has no Soar mind.
   bool NoteMind(std::string_view agent, MindDetail detail);
 
   const TickCosts& costs() const;

@@ -147,16 +147,16 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
     agent.ExecuteCommandLine("svs --enable");
     scene_ = std::make_unique<SceneSense>();
   }
-  SetDetail(settings.detail);
+  SetDetail(settings.detail, settings.origins);
 }
 
-void SoarMind::SetDetail(MindDetail detail) {
+void SoarMind::SetDetail(MindDetail detail, [[maybe_unused]] bool origins) {
   if (detail == MindDetail::kNone && !is_logged_) return;
   is_logged_ = detail != MindDetail::kNone;
   log_.Clear();
   log_.Listen(*agent_, detail);
 #ifdef SOARBOX_OWN_KERNEL
-  if (is_logged_) NoteOrigins(*agent_);
+  if (is_logged_ && origins) NoteOrigins(*agent_);
 #endif
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
     mirror->SetLog(is_logged_ ? &log_.events() : nullptr);

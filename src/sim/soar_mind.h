@@ -32,6 +32,7 @@ struct MindSettings {
                                           ///< unless a file of rules says otherwise (soar wait-snc off).
   bool imagines = false;                  ///< Its spatial visual system is on and receives what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much is recorded of what it does.
+  bool origins = true;                    ///< If something is recorded: the kernel also records origins for *why*.
 };
 
 /// An action that failed when a rule fired, or a rule that would fire endlessly.
@@ -106,8 +107,8 @@ class SoarMind {
   MindLog& log() { return log_; }
   const MindLog& log() const { return log_; }
   bool is_logged() const { return is_logged_; }
-  /// Sets how much is recorded from now on.
-  void SetDetail(MindDetail detail);
+  /// Sets how much is recorded from now on. `origins` as in MindSettings; origins that are recorded already stay on.
+  void SetDetail(MindDetail detail, bool origins);
 
  private:
   struct Standing {
