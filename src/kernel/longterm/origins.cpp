@@ -2,6 +2,7 @@
 #include "kernel/longterm/origins.h"
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 #include "kernel/base/known_symbols.h"
@@ -34,8 +35,8 @@ void Origins::Guarded(Work work) {
 void Origins::Begin(Describe describe) {
   describe_ = std::move(describe);
   if (on_) return;
-  if (!attached_) uses_.modules.Attach(*this, kPlace);
-  attached_ = on_ = true;
+  if (!is_module_) uses_.modules.Attach(*this, kPlace);
+  is_module_ = on_ = true;
   uses_.modules.SetHooks(*this, ModuleHook::kRulesFire | ModuleHook::kAsserted | ModuleHook::kAfterElaboration |
                                     ModuleHook::kFlush | ModuleHook::kChoices | ModuleHook::kStates);
   for (GoalLevel level = 1; level <= uses_.goals.depth(); ++level) installed_.push_back(level);
@@ -52,8 +53,9 @@ void Origins::OperatorInstalled(GoalLevel level, Symbol) {
 
 /// No rule has fired since the operators were installed. So the preferences in their slots are those of the decision.
 void Origins::RulesFire() {
-  if (installed_.empty()) return;
+  if (installed_.empty() && origins_.size() < next_collection_) return;
   Guarded([&] {
+    if (origins_.size() >= next_collection_) Collect();
     for (const GoalLevel level : installed_)
       if (level <= uses_.goals.depth()) NoteSelected(level);
     installed_.clear();
@@ -67,7 +69,6 @@ void Origins::Asserted(PreferenceId id) {
   Guarded([&] {
     const std::uint32_t origin = OriginOfFiring(MadeBy(preference), 0);
     if (origin == kNone) return;
-    Hold(origin);
     pending_.push_back({preference.id, preference.attribute, preference.value, origin});
   });
 }
@@ -84,20 +85,26 @@ void Origins::AfterElaboration() {
       const std::uint32_t old = Of(wme);
       if (old == kNone || !origins_[old].o_supported) Attach(wme, pending.origin);
     }
-    for (const Pending& pending : pending_) CutBehind(pending.origin);
-    for (const Pending& pending : pending_) Drop(pending.origin);
     pending_.clear();
   });
 }
 
 void Origins::Flushed(std::span<const WmeId>, std::span<const WmeId> removed) {
-  Guarded([&] {
-    for (const WmeId wme : removed) Detach(wme);
-  });
+  for (const WmeId wme : removed) {
+    const std::uint32_t origin = Of(wme);
+    if (origin == kNone) continue;
+    of_[Index(wme)] = kNone;
+    const Wme& content = uses_.memory.wme(wme);
+    if (!IsOutput(content.id)) continue;
+    Guarded([&] {
+      if (past_.size() == kMostPast) past_.erase(past_.begin());
+      past_.push_back({content.attribute, content.timetag, origin});
+    });
+  }
 }
 
 void Origins::StateRemoved(GoalLevel level) {
-  Guarded([&] { ForgetSelected(level); });
+  ForgetSelected(level);
 }
 
 void Origins::BeforeInit() {
@@ -105,13 +112,13 @@ void Origins::BeforeInit() {
 }
 
 void Origins::Mark(const std::function<void(Symbol)>& mark) {
-  for (const Origin& origin : origins_) {
-    if (origin.references == 0) continue;
+  if (origins_.empty()) return;
+  Guarded([&] { Collect(); });
+  for (const Origin& origin : origins_)
     for (const Symbol symbol : {origin.state, origin.op, origin.op_name})
       if (symbol) mark(symbol);
-    for (const OriginElement& element : origin.matched)
-      for (const Symbol symbol : {element.id, element.attribute, element.value}) mark(symbol);
-  }
+  for (const OriginElement& element : elements_)
+    for (const Symbol symbol : {element.id, element.attribute, element.value}) mark(symbol);
   for (const Past& past : past_) mark(past.attribute);
   for (const Pending& pending : pending_)
     for (const Symbol symbol : {pending.id, pending.attribute, pending.value}) mark(symbol);
@@ -158,20 +165,28 @@ std::span<const WmeId> Origins::MatchedBy(InstantiationId id) {
   return traced_;
 }
 
-/// The origin of the elements that a firing created: one for all of them in this elaboration. A new one has no
-/// references yet.
+/// The origin of the elements that a firing created: one for all of them in this elaboration.
 std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_t depth) {
   if (preference.instantiation == InstantiationId::kNone) return kNone;
   const Instantiation& firing = uses_.instantiations[preference.instantiation];
   if (firing.production == ProductionId::kNone) return kNone;
   if (depth == 0 && firing.serial == last_serial_ && last_origin_ != kNone) return last_origin_;
-  const std::span<const WmeId> span = MatchedBy(preference.instantiation);
-  const std::vector<WmeId> matched(span.begin(), span.end());
 
-  const std::uint32_t place = Take();
-  Hold(place);  // While it is being built.
+  // The origins of the matched elements come first. Recording one may change traced_.
+  const std::span<const WmeId> all = MatchedBy(preference.instantiation);
+  const std::size_t count = std::min(all.size(), kMostMatched);
+  std::array<WmeId, kMostMatched> matched;
+  std::array<std::uint32_t, kMostMatched> origins;
+  std::copy_n(all.begin(), count, matched.begin());
   Origin made;
-  made.rule = uses_.rete.production(firing.production);
+  made.left_out = static_cast<std::uint32_t>(all.size() - count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const WmeKind kind = uses_.memory.record(matched[i]).kind;
+    const bool is_by_rule = kind != WmeKind::kInput && kind != WmeKind::kArchitecture;
+    origins[i] = is_by_rule && uses_.memory.wme(matched[i]).live ? OriginOfElement(matched[i], depth + 1) : kNone;
+  }
+
+  made.rule = Hold(firing.production);
   made.serial = firing.serial;
   made.o_supported = preference.o_supported;
   made.level = firing.level;
@@ -184,40 +199,48 @@ std::uint32_t Origins::OriginOfFiring(const Preference& preference, std::uint32_
       made.op = uses_.memory.wme(uses_.memory.slot(slot).wmes).value;
       made.op_name = NameOf(made.op);
       made.op_origin = OfOperator(level);
-      if (made.op_origin != kNone) Hold(made.op_origin);
       break;
     }
   }
-  made.references = origins_[place].references;
-  made.seen = origins_[place].seen;
-  origins_[place] = std::move(made);
-  std::vector<OriginElement> elements;
-  for (const WmeId wme : matched) {
-    if (elements.size() >= kMostMatched) {
-      ++origins_[place].left_out;
-      continue;
-    }
-    const Wme& content = uses_.memory.wme(wme);
-    OriginElement element{
-        content.id, content.attribute, content.value, content.timetag, content.acceptable, OriginElement::Source::kRule,
-        kNone};
-    const WmeKind kind = uses_.memory.record(wme).kind;
-    if (kind == WmeKind::kInput) element.source = OriginElement::Source::kInput;
-    if (kind == WmeKind::kArchitecture) element.source = OriginElement::Source::kArchitecture;
-    if (content.live && element.source == OriginElement::Source::kRule) {
-      element.origin = OriginOfElement(wme, depth + 1);
-      if (element.origin != kNone) Hold(element.origin);
-    }
-    elements.push_back(element);
-  }
-  Origin& origin = origins_[place];
-  origin.matched = std::move(elements);
-  --origin.references;
+  const std::uint32_t place = AddFiring(made, {matched.data(), count}, {origins.data(), count});
   if (depth == 0) {
-    last_serial_ = uses_.instantiations[preference.instantiation].serial;
+    last_serial_ = firing.serial;
     last_origin_ = place;
   }
   return place;
+}
+
+std::uint32_t Origins::AddFiring(const Origin& made, std::span<const WmeId> matched,
+                                 std::span<const std::uint32_t> origins) {
+  const auto first = static_cast<std::uint32_t>(elements_.size());
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    const Wme& content = uses_.memory.wme(matched[i]);
+    const WmeKind kind = uses_.memory.record(matched[i]).kind;
+    using enum OriginElement::Source;
+    const OriginElement::Source source = kind == WmeKind::kInput          ? kInput
+                                         : kind == WmeKind::kArchitecture ? kArchitecture
+                                                                          : kRule;
+    elements_.push_back(
+        {content.id, content.attribute, content.value, content.timetag, content.acceptable, source, origins[i]});
+  }
+  const auto place = static_cast<std::uint32_t>(origins_.size());
+  Origin& added = origins_.emplace_back(made);
+  added.first = first;
+  added.count = static_cast<std::uint32_t>(matched.size());
+  return place;
+}
+
+/// Keeps the rule until no origin refers to it.
+const Production* Origins::Hold(ProductionId id) {
+  const ProductionPtr& rule = uses_.rete.production(id);
+  if (rule_places_.size() <= Index(id)) rule_places_.resize(Index(id) + 1u, kNone);
+  std::uint32_t& place = rule_places_[Index(id)];
+  // The number may belong to another rule now.
+  if (place == kNone || rules_[place] != rule) {
+    place = static_cast<std::uint32_t>(rules_.size());
+    rules_.push_back(rule);
+  }
+  return rule.get();
 }
 
 /// The origin of an element that a rule matched. An i-supported element has none, but its creator still matches:
@@ -254,37 +277,35 @@ void Origins::NoteSelected(GoalLevel level) {
   const Slot& slot = uses_.memory.slot(goal.operator_slot);
   if (slot.wmes == WmeId::kNone) return;
   const Symbol op = uses_.memory.wme(slot.wmes).value;
-  std::vector<PreferenceId> proposals;
+  std::array<std::uint32_t, kMostMatched> proposals;
+  std::uint32_t count = 0, left = kMostMatched;
   for (const PreferenceId first : {slot.acceptable, slot.others}) {
-    for (PreferenceId p = first; p != PreferenceId::kNone; p = uses_.memory.preference(p).next_in_slot) {
+    for (PreferenceId p = first; p != PreferenceId::kNone && left > 0; p = uses_.memory.preference(p).next_in_slot) {
       const Preference& preference = uses_.memory.preference(p);
       const bool proposes =
           preference.type == PreferenceType::kAcceptable || preference.type == PreferenceType::kRequire;
-      if (proposes && preference.value == op && proposals.size() < kMostMatched) proposals.push_back(p);
+      if (!proposes || preference.value != op) continue;
+      --left;
+      proposals[count] = OriginOfFiring(MadeBy(preference), 1);
+      if (proposals[count] != kNone) ++count;
     }
   }
-  const std::uint32_t place = Take();
-  Hold(place);  // For selected_ at this level.
-  {
-    Origin& origin = origins_[place];
-    origin.is_operator = true;
-    origin.decision = uses_.counters.decision_phases;
-    origin.level = level;
-    origin.state = goal.id;
-    origin.op = op;
-    origin.op_name = NameOf(op);
-    if (describe_) origin.decided = describe_(goal);
-    origin.attached = 1;
-  }
-  for (const PreferenceId p : proposals) {
-    const std::uint32_t proposal = OriginOfFiring(MadeBy(uses_.memory.preference(p)), 1);
-    if (proposal == kNone) continue;
-    Hold(proposal);
-    origins_[place].proposals.push_back(proposal);
-  }
+  Origin made;
+  made.is_operator = true;
+  made.decision = uses_.counters.decision_phases;
+  made.level = level;
+  made.state = goal.id;
+  made.op = op;
+  made.op_name = NameOf(op);
+  made.first = static_cast<std::uint32_t>(proposals_.size());
+  made.count = count;
+  made.text = static_cast<std::uint32_t>(texts_.size());
+  if (describe_) texts_ += describe_(goal);
+  made.text_size = static_cast<std::uint32_t>(texts_.size()) - made.text;
+  proposals_.insert(proposals_.end(), proposals.begin(), proposals.begin() + count);
+  origins_.push_back(made);
   if (selected_.size() <= level) selected_.resize(level + 1u, kNone);
-  selected_[level] = place;
-  CutBehind(place);
+  selected_[level] = static_cast<std::uint32_t>(origins_.size() - 1);
 }
 
 WmeId Origins::ElementOf(const Pending& pending) const {
@@ -305,124 +326,136 @@ WmeId Origins::ElementOf(const Pending& pending) const {
 
 void Origins::Attach(WmeId wme, std::uint32_t origin) {
   if (of_.size() <= Index(wme)) of_.resize(Index(wme) + 1u, kNone);
-  const std::uint32_t old = of_[Index(wme)];
-  if (old == origin) return;
-  Hold(origin);
-  ++origins_[origin].attached;
+  if (of_[Index(wme)] == origin) return;
   of_[Index(wme)] = origin;
-  if (old != kNone) {
-    --origins_[old].attached;
-    Drop(old);
-  }
+  attached_.push_back({wme, origin});
 }
 
-void Origins::Detach(WmeId wme) {
-  const std::uint32_t origin = Of(wme);
-  if (origin == kNone) return;
-  of_[Index(wme)] = kNone;
-  --origins_[origin].attached;
-  const Wme& content = uses_.memory.wme(wme);
-  if (content.id == uses_.goal_changes.output_link()) {
-    past_.push_back({content.attribute, content.timetag, origin});
-    if (past_.size() <= kMostPast) return;
-    const std::uint32_t oldest = past_.front().origin;
-    past_.erase(past_.begin());
-    Drop(oldest);
-    return;
-  }
-  Drop(origin);
+/// Whether a live element or a selected operator has this origin.
+bool Origins::IsAttached(std::uint32_t origin) const {
+  return std::ranges::find(selected_, origin) != selected_.end() ||
+         std::ranges::any_of(attached_,
+                             [&](const Attached& it) { return it.origin == origin && Of(it.wme) == origin; });
 }
 
 void Origins::ForgetSelected(GoalLevel level) {
-  const std::uint32_t origin = OfOperator(level);
-  if (origin == kNone) return;
-  selected_[level] = kNone;
-  --origins_[origin].attached;
-  Drop(origin);
+  if (level < selected_.size()) selected_[level] = kNone;
 }
 
-std::uint32_t Origins::Take() {
-  if (free_.empty()) {
-    origins_.emplace_back();
-    free_.reserve(origins_.capacity());
-    return static_cast<std::uint32_t>(origins_.size() - 1);
-  }
-  const std::uint32_t place = free_.back();
-  free_.pop_back();
-  return place;
+/// Removes the origins that are no longer needed. Changes the indices of the others.
+void Origins::Collect() {
+  FindNeeded();
+  KeepNeeded();
+  next_collection_ = std::max(kLeastRoom, 3 * origins_.size());
+  if (rules_.size() >= next_rules_) ForgetUnusedRules();
 }
 
-void Origins::ReleaseLinks(std::uint32_t place, std::vector<std::uint32_t>& work) {
-  Origin& origin = origins_[place];
-  for (OriginElement& element : origin.matched)
-    if (element.origin != kNone) work.push_back(std::exchange(element.origin, kNone));
-  if (origin.op_origin != kNone) work.push_back(std::exchange(origin.op_origin, kNone));
-  for (const std::uint32_t proposal : origin.proposals) work.push_back(proposal);
-  origin.proposals.clear();
+void Origins::FindNeeded() {
+  std::erase_if(attached_, [&](const Attached& it) { return Of(it.wme) != it.origin; });
+  needs_.assign(origins_.size(), Need::kNone);
+  seen_.assign(origins_.size(), kNone);
+  const auto add_root = [&](std::uint32_t origin) {
+    if (origin != kNone) needs_[origin] = Need::kRoot;
+  };
+  for (const Attached& attached : attached_) add_root(attached.origin);
+  for (const std::uint32_t origin : selected_) add_root(origin);
+  for (const Pending& pending : pending_) add_root(pending.origin);
+  for (const Past& past : past_) add_root(past.origin);
+  for (std::uint32_t origin = 0; origin < needs_.size(); ++origin)
+    if (needs_[origin] == Need::kRoot) FindBehind(origin);
 }
 
-/// Chains of origins may be as long as the reasoning was, so this is a loop instead of a recursion.
-void Origins::Drop(std::uint32_t dropped) {
-  std::vector<std::uint32_t> work = std::exchange(work_, {});
-  work.assign(1, dropped);
-  while (!work.empty()) {
-    const std::uint32_t place = work.back();
-    work.pop_back();
-    if (--origins_[place].references != 0) continue;
-    ReleaseLinks(place, work);
-    if (place == last_origin_) last_origin_ = kNone;
-    const std::uint32_t seen = origins_[place].seen;
-    origins_[place] = Origin{};
-    origins_[place].seen = seen;
-    free_.push_back(place);
-  }
-  work_ = std::move(work);
-}
-
-/// Limits the origins that can be reached from `first`. Visits them breadth first. If an origin is beyond the limits
-/// and its elements were all removed, its own references to other origins are dropped.
-void Origins::CutBehind(std::uint32_t first) {
-  ++seen_;
-  queue_.assign(1, {first, 0});
-  origins_[first].seen = seen_;
-  std::vector<std::uint32_t> dropped;
+/// Visits the origins that a root leads to, breadth first, up to other roots.
+void Origins::FindBehind(std::uint32_t root) {
+  queue_.assign(1, {root, 0});
   for (std::size_t n = 0; n < queue_.size(); ++n) {
     const auto [place, distance] = queue_[n];
-    if (distance >= kDeepest || n >= kMostBehind) {
-      if (origins_[place].attached == 0) ReleaseLinks(place, dropped);
-      continue;
-    }
+    if (distance >= kDeepest || n >= kMostBehind) break;
     const auto visit = [&, next = distance + 1](std::uint32_t to) {
-      if (to == kNone || origins_[to].seen == seen_) return;
-      origins_[to].seen = seen_;
+      if (to == kNone || seen_[to] == root || needs_[to] == Need::kRoot) return;
+      seen_[to] = root;
+      needs_[to] = Need::kKept;
       queue_.emplace_back(to, next);
     };
-    for (const OriginElement& element : origins_[place].matched) visit(element.origin);
-    visit(origins_[place].op_origin);
-    for (const std::uint32_t proposal : origins_[place].proposals) visit(proposal);
+    const Origin& origin = origins_[place];
+    for (const OriginElement& element : Matched(origin)) visit(element.origin);
+    visit(origin.op_origin);
+    for (const std::uint32_t proposal : Proposals(origin)) visit(proposal);
   }
-  for (const std::uint32_t origin : dropped) Drop(origin);
+}
+
+/// Moves the needed origins to the beginning, in their order.
+void Origins::KeepNeeded() {
+  places_.assign(origins_.size(), kNone);
+  const auto place_of = [&](std::uint32_t origin) { return origin == kNone ? kNone : places_[origin]; };
+  std::uint32_t kept = 0, elements = 0, proposals = 0, texts = 0;
+  for (std::uint32_t from = 0; from < origins_.size(); ++from) {
+    if (needs_[from] == Need::kNone) continue;
+    places_[from] = kept;
+    Origin& origin = origins_[kept++] = origins_[from];
+    const std::uint32_t first = origin.first;
+    origin.op_origin = place_of(origin.op_origin);
+    if (!origin.is_operator) {
+      origin.first = elements;
+      for (std::uint32_t i = 0; i < origin.count; ++i) {
+        OriginElement& element = elements_[elements++] = elements_[first + i];
+        element.origin = place_of(element.origin);
+      }
+      continue;
+    }
+    origin.first = proposals;
+    for (std::uint32_t i = 0; i < origin.count; ++i)
+      if (const std::uint32_t proposal = place_of(proposals_[first + i]); proposal != kNone)
+        proposals_[proposals++] = proposal;
+    origin.count = proposals - origin.first;
+    std::copy_n(texts_.begin() + origin.text, origin.text_size, texts_.begin() + texts);
+    origin.text = texts;
+    texts += origin.text_size;
+  }
+  origins_.resize(kept);
+  elements_.resize(elements);
+  proposals_.resize(proposals);
+  texts_.resize(texts);
+  for (Attached& attached : attached_) of_[Index(attached.wme)] = attached.origin = place_of(attached.origin);
+  for (std::uint32_t& origin : selected_) origin = place_of(origin);
+  for (Pending& pending : pending_) pending.origin = place_of(pending.origin);
+  for (Past& past : past_) past.origin = place_of(past.origin);
+  last_origin_ = place_of(last_origin_);
+}
+
+void Origins::ForgetUnusedRules() {
+  std::vector<const Production*> used;
+  for (const Origin& origin : origins_) used.push_back(origin.rule);
+  std::ranges::sort(used);
+  std::erase_if(rules_, [&](const ProductionPtr& rule) { return !std::ranges::binary_search(used, rule.get()); });
+  std::ranges::fill(rule_places_, kNone);
+  next_rules_ = std::max(kLeastRoom, 2 * rules_.size());
 }
 
 void Origins::Clear() {
   origins_.clear();
-  free_.clear();
+  elements_.clear();
+  proposals_.clear();
+  texts_.clear();
   of_.clear();
   selected_.clear();
+  attached_.clear();
   pending_.clear();
   past_.clear();
   installed_.clear();
+  rules_.clear();
+  rule_places_.clear();
+  next_collection_ = next_rules_ = kLeastRoom;
   last_serial_ = asked_serial_ = 0;
   last_origin_ = kNone;
 }
 
 std::size_t Origins::Bytes() const {
-  std::size_t bytes = origins_.capacity() * sizeof(Origin) +
-                      (free_.capacity() + of_.capacity() + selected_.capacity()) * sizeof(std::uint32_t);
-  for (const Origin& origin : origins_)
-    bytes += origin.matched.capacity() * sizeof(OriginElement) + origin.decided.capacity() +
-             origin.proposals.capacity() * sizeof(std::uint32_t);
-  return bytes;
+  return origins_.capacity() * sizeof(Origin) + elements_.capacity() * sizeof(OriginElement) + texts_.capacity() +
+         attached_.capacity() * sizeof(Attached) + rules_.capacity() * sizeof(ProductionPtr) +
+         (proposals_.capacity() + of_.capacity() + selected_.capacity() + rule_places_.capacity() + seen_.capacity() +
+          places_.capacity()) *
+             sizeof(std::uint32_t);
 }
 
 }  // namespace soarbox::kernel

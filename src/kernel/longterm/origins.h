@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,36 +42,36 @@ struct OriginElement {
 /// What created an element: the rule, and the elements that it matched when it fired. For a selected operator: its
 /// proposals.
 struct Origin {
-  ProductionPtr rule;          ///< Valid even after the rule was excised. Null for an operator.
+  /// Valid even after the rule was excised. Null for an operator.
+  const Production* rule = nullptr;
   std::uint64_t decision = 0;  ///< The decision of the firing or selection; 0 if unknown.
-  bool o_supported = false;
-  bool is_operator = false;
-  GoalLevel level = 0;  ///< Level of `state`.
-  Symbol state;         ///< The lowest state that the rule matched, or the state in which the operator was selected.
+  Symbol state;  ///< The lowest state that the rule matched, or the state in which the operator was selected.
   /// The operator that was selected in `state`, or in the nearest state above that had one; else none. For an operator:
   /// itself.
   Symbol op, op_name;
   std::uint32_t op_origin = 0xFFFFFFFFu;
-  std::vector<OriginElement> matched;    ///< At most Origins::kMostMatched.
-  std::uint32_t left_out = 0;            ///< Number of further matched elements.
-  std::vector<std::uint32_t> proposals;  ///< For an operator: the origins of its proposals.
-  std::string decided;                   ///< For an operator: why it was selected, as returned by Origins::Describe.
+  std::uint32_t left_out = 0;  ///< Number of matched elements beyond Origins::kMostMatched.
+  GoalLevel level = 0;         ///< Level of `state`.
+  bool o_supported = false;
+  bool is_operator = false;
 
  private:
   friend class Origins;
-  std::uint32_t references = 0;  ///< 0: the entry is free.
-  std::uint32_t serial = 0;      ///< Serial number of the instantiation, to check whether it still exists.
-  std::uint32_t seen = 0;
-  std::uint32_t attached = 0;  ///< Number of live elements and selected operators with this origin.
+  std::uint32_t serial = 0;  ///< Serial number of the instantiation, to check whether it still exists.
+  /// Index of its first matched element; for an operator, of its first proposal. Their number.
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t text = 0, text_size = 0;  ///< For an operator: position of the reason of its selection.
 };
 
 /// Records the origin of each o-supported element, of each element whose firing also created an element directly on the
 /// output link, and of each selected operator. Off until it is first needed; it records only what is created
 /// afterwards.
 ///
-/// Limits: an origin is freed with its element, unless a newer origin refers to it. A chain of references from an
-/// origin contains at most kDeepest origins of removed elements. In total, an origin leads to at most kMostBehind of
-/// them.
+/// Origins are appended to a log. They refer to older ones only. When the log has grown to a multiple of what it kept
+/// last time, Collect copies the origins that are still needed to its beginning.
+///
+/// Limits: an origin is kept as long as its element, and longer if a newer origin leads to it. Of origins of removed
+/// elements, an origin leads to those within kDeepest references, and to at most kMostBehind of them (IsWithin).
 ///
 /// Read-only: the agent's behaviour does not depend on it.
 class Origins final : public Module {
@@ -84,8 +85,8 @@ class Origins final : public Module {
   /// The agent must outlive this object. Nothing is recorded before Begin.
   explicit Origins(const AgentParts& parts);
 
-  /// Returns the encoded reason why the operator of a goal is selected (Agent::ExplainDecision).
-  using Describe = std::function<std::string(const Goal&)>;
+  /// Returns the encoded reason why the operator of a goal is selected (Agent::ExplainDecision). It is copied.
+  using Describe = std::function<std::string_view(const Goal&)>;
 
   /// Starts recording. Call it between two runs. A second call has no effect on what was recorded.
   void Begin(Describe describe);
@@ -95,7 +96,26 @@ class Origins final : public Module {
   std::uint32_t Of(WmeId wme) const { return Index(wme) < of_.size() ? of_[Index(wme)] : kNone; }
   /// The index of the origin of the operator selected at a level, or kNone.
   std::uint32_t OfOperator(GoalLevel level) const { return level < selected_.size() ? selected_[level] : kNone; }
+  /// Origins and their parts are valid until the agent runs again.
   const Origin& at(std::uint32_t place) const { return origins_[place]; }
+  /// The elements that the rule matched, at most kMostMatched. None for an operator.
+  std::span<const OriginElement> Matched(const Origin& origin) const {
+    if (origin.is_operator) return {};
+    return std::span(elements_).subspan(origin.first, origin.count);
+  }
+  /// The origins of an operator's proposals.
+  std::span<const std::uint32_t> Proposals(const Origin& origin) const {
+    if (!origin.is_operator) return {};
+    return std::span(proposals_).subspan(origin.first, origin.count);
+  }
+  /// Why an operator was selected, as returned by Describe.
+  std::string_view Decided(const Origin& origin) const {
+    return std::string_view(texts_).substr(origin.text, origin.text_size);
+  }
+  /// Whether to follow the references of an origin that is the nth one, at this distance from the first one.
+  bool IsWithin(std::uint32_t place, std::uint32_t distance, std::size_t n) const {
+    return (distance < kDeepest && n < kMostBehind) || IsAttached(place);
+  }
   /// A removed element that was directly on the output link. The last kMostPast of them are kept.
   struct Past {
     Symbol attribute;
@@ -109,8 +129,8 @@ class Origins final : public Module {
       if (test(past_[n])) return &past_[n];
     return nullptr;
   }
-  /// The number of origins.
-  std::size_t count() const { return origins_.size() - free_.size(); }
+  /// The number of origins, including those that are no longer needed.
+  std::size_t count() const { return origins_.size(); }
   /// Approximate size in bytes. Not part of the agent's MemoryBytes, because limits must not depend on observers.
   std::size_t Bytes() const;
 
@@ -124,9 +144,15 @@ class Origins final : public Module {
   void BeforeInit() override;
   void Mark(const std::function<void(Symbol)>& mark) override;
 
+  static constexpr std::size_t kLeastRoom = 32;
+
   /// An element that is about to be created.
   struct Pending {
     Symbol id, attribute, value;
+    std::uint32_t origin = kNone;
+  };
+  struct Attached {
+    WmeId wme = WmeId::kNone;
     std::uint32_t origin = kNone;
   };
 
@@ -142,14 +168,16 @@ class Origins final : public Module {
   void NoteSelected(GoalLevel level);
   Symbol NameOf(Symbol op) const;
   WmeId ElementOf(const Pending& pending) const;
+  const Production* Hold(ProductionId id);
   void Attach(WmeId wme, std::uint32_t origin);
-  void Detach(WmeId wme);
+  bool IsAttached(std::uint32_t origin) const;
+  std::uint32_t AddFiring(const Origin& made, std::span<const WmeId> matched, std::span<const std::uint32_t> origins);
   void ForgetSelected(GoalLevel level);
-  std::uint32_t Take();
-  void Hold(std::uint32_t origin) { ++origins_[origin].references; }
-  void Drop(std::uint32_t origin);
-  void ReleaseLinks(std::uint32_t origin, std::vector<std::uint32_t>& work);
-  void CutBehind(std::uint32_t origin);
+  void Collect();
+  void FindNeeded();
+  void FindBehind(std::uint32_t root);
+  void KeepNeeded();
+  void ForgetUnusedRules();
   void Clear();
 
   /// The parts of the agent that it uses.
@@ -163,21 +191,30 @@ class Origins final : public Module {
     Modules& modules;
   };
   Uses uses_;
-  bool on_ = false, attached_ = false;
+  bool on_ = false, is_module_ = false;
   Describe describe_;
-  std::vector<Origin> origins_;
-  std::vector<std::uint32_t> free_, of_, selected_;  ///< of_: by element; selected_: by level.
-  std::vector<Pending> pending_;                     ///< Each holds its origin.
-  std::vector<Past> past_;                           ///< Oldest first. Each holds its origin.
-  std::vector<GoalLevel> installed_;                 ///< Levels whose operators are not recorded yet.
+  std::vector<Origin> origins_;          ///< Each refers to smaller indices only.
+  std::vector<OriginElement> elements_;  ///< What rules matched, in the order of the origins.
+  std::vector<std::uint32_t> proposals_;
+  std::string texts_;                         ///< Reasons why operators were selected.
+  std::vector<std::uint32_t> of_, selected_;  ///< of_: by element; selected_: by level.
+  std::vector<Attached> attached_;            ///< Elements with origins; also some that were removed since.
+  std::vector<Pending> pending_;
+  std::vector<Past> past_;                  ///< Oldest first.
+  std::vector<ProductionPtr> rules_;        ///< Those of the origins, so that they outlive their removal.
+  std::vector<std::uint32_t> rule_places_;  ///< By rule: its index in rules_.
+  std::size_t next_collection_ = kLeastRoom, next_rules_ = kLeastRoom;  ///< Numbers of origins and rules.
+  std::vector<GoalLevel> installed_;  ///< Levels whose operators are not recorded yet.
   /// The last origin recorded in this elaboration for an instantiation, by its serial number.
   std::uint32_t last_serial_ = 0, last_origin_ = kNone;
   std::uint32_t asked_serial_ = 0;
   bool gives_command_ = false;  ///< For the firing with asked_serial_.
-  std::uint32_t seen_ = 0;
-  std::vector<std::uint32_t> work_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> queue_;
   std::vector<WmeId> traced_;
+  // Temporary, while the log is collected.
+  enum class Need : std::uint8_t { kNone, kKept, kRoot };
+  std::vector<Need> needs_;                   ///< By origin.
+  std::vector<std::uint32_t> seen_, places_;  ///< By origin: the last root; the new index.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> queue_;
 };
 
 }  // namespace soarbox::kernel

@@ -34,7 +34,9 @@ class OriginReader {
   std::vector<mind::OriginFact> Read(std::uint32_t first) {
     PlaceOf(first);
     for (std::size_t n = 0; n < found_.size(); ++n) {
-      mind::OriginFact fact = ReadOne(origins_.at(found_[n]));
+      distance_ = found_[n].distance + 1;
+      follows_ = origins_.IsWithin(found_[n].origin, found_[n].distance, n);
+      mind::OriginFact fact = ReadOne(origins_.at(found_[n].origin));
       facts_.push_back(std::move(fact));
     }
     return std::move(facts_);
@@ -42,12 +44,12 @@ class OriginReader {
 
  private:
   std::uint32_t PlaceOf(std::uint32_t origin) {
-    if (origin == Origins::kNone) return mind::kNoOrigin;
+    if (origin == Origins::kNone || !follows_) return mind::kNoOrigin;
     const auto known = places_.find(origin);
     if (known != places_.end()) return known->second;
     if (found_.size() >= kMostReported) return mind::kNoOrigin;
     const auto place = static_cast<std::uint32_t>(found_.size());
-    found_.push_back(origin);
+    found_.push_back({origin, distance_});
     places_.emplace(origin, place);
     return place;
   }
@@ -66,10 +68,10 @@ class OriginReader {
     fact.op_name = Text(origin.op_name);
     fact.op_origin = PlaceOf(origin.op_origin);
     fact.left_out = origin.left_out;
-    if (!origin.decided.empty()) fact.decided = mind::Unpack(origin.decided);
-    for (const std::uint32_t proposal : origin.proposals)
+    if (origin.is_operator && !origins_.Decided(origin).empty()) fact.decided = mind::Unpack(origins_.Decided(origin));
+    for (const std::uint32_t proposal : origins_.Proposals(origin))
       if (const std::uint32_t place = PlaceOf(proposal); place != mind::kNoOrigin) fact.proposals.push_back(place);
-    for (const kernel::OriginElement& matched : origin.matched) {
+    for (const kernel::OriginElement& matched : origins_.Matched(origin)) {
       mind::OriginElementFact& element = fact.matched.emplace_back();
       element.element = {matched.timetag,     Text(matched.id),   Text(matched.attribute),
                          Text(matched.value), matched.acceptable, matched.value.IsIdentifier()};
@@ -82,7 +84,13 @@ class OriginReader {
   const kernel::Agent& agent_;
   const Origins& origins_;
   std::vector<mind::OriginFact> facts_;
-  std::vector<std::uint32_t> found_;  ///< By index in facts_.
+  struct Found {
+    std::uint32_t origin = Origins::kNone;
+    std::uint32_t distance = 0;  ///< From the first one.
+  };
+  std::vector<Found> found_;    ///< By index in facts_.
+  std::uint32_t distance_ = 0;  ///< Of the origins that are found next.
+  bool follows_ = true;         ///< Whether the references of the origin that is being read are followed.
   std::map<std::uint32_t, std::uint32_t> places_;
 };
 
@@ -104,7 +112,7 @@ void NoteOrigins(HostedAgent& hosted) {
   if (hosted.origins->on() || hosted.agent().running() || hosted.agent().out_of_memory()) return;
   const auto packer = std::make_shared<DecisionPacker>();
   hosted.origins->Begin([packer, &agent = hosted.agent()](const kernel::Goal& goal) {
-    return std::string(packer->Pack(agent, agent.ExplainDecision(goal)));
+    return packer->Pack(agent, agent.ExplainDecision(goal));
   });
 }
 
