@@ -14,8 +14,9 @@ bool BlockBuilder::Add(TickRecord& tick) {
     frame_.first_tick = tick.tick;
     minds_.Clear();
   }
-  ByteWriter out(payload_);
+  BufferedWriter out(payload_);
   WriteTick(out, frame_.ticks == 0 ? kNothing : before_, tick, minds_);
+  out.Flush();
   for (const MindRecord& mind : tick.minds) made_of_ += mind.events.bytes().size();
   std::swap(before_, tick);
   // Ends a block early if it becomes large, for example because of many debug lines.

@@ -49,7 +49,7 @@ const Bones& GivenBefore(const BodyBones& before) {
   return before.pose() == nullptr ? before.value() : kNone;
 }
 
-void PutGiven(ByteWriter& out, const Bones& before, const Bones& now) {
+void PutGiven(BufferedWriter& out, const Bones& before, const Bones& now) {
   std::vector<std::uint32_t> bits, earlier;
   bits.reserve(now.size() * kNumbersPerBone);
   AppendBits(now, bits);
@@ -108,7 +108,7 @@ void EachNumber(Before& before, Now& now, See&& see) {
   }
 }
 
-void PutSame(ByteWriter& out, const Pose& before, const Pose& now) {
+void PutSame(BufferedWriter& out, const Pose& before, const Pose& now) {
   std::uint64_t mask = 0, bit = 1;
   EachNumber(before, now, [&](float was, float is) {
     if (Bits(was) != Bits(is)) mask |= bit;
@@ -122,7 +122,7 @@ void PutSame(ByteWriter& out, const Pose& before, const Pose& now) {
   out.Append(numbers.bytes());
 }
 
-void PutMovements(ByteWriter& out, std::uint8_t rig, const Pose& pose) {
+void PutMovements(BufferedWriter& out, std::uint8_t rig, const Pose& pose) {
   out.Byte(rig);
   if (rig == kModelRig) out.Text(pose.rig->model);
   out.Number(pose.parts.size());
@@ -172,7 +172,7 @@ void GetMovements(ByteReader& in, Pose& pose) {
 
 }  // namespace
 
-void PutBones(ByteWriter& out, const BodyBones& before, const BodyBones& now) {
+void PutBones(BufferedWriter& out, const BodyBones& before, const BodyBones& now) {
   const Pose* const pose = now.pose();
   const std::optional<std::uint8_t> rig = pose == nullptr ? std::nullopt : NumberOf(pose->rig);
   const auto put_form = [&](Form form) { out.Byte(static_cast<std::uint8_t>(form)); };

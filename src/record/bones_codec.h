@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "bytes/buffered_writer.h"
 #include "bytes/byte_stream.h"
 #include "world/animation/body_bones.h"
 
@@ -10,7 +11,7 @@ namespace soarbox::record {
 
 /// Writes the bones of a body as the difference from the tick before. If the movements of the body are known, they are
 /// written; otherwise the position of each bone.
-void PutBones(ByteWriter& out, const world::BodyBones& before, const world::BodyBones& now);
+void PutBones(BufferedWriter& out, const world::BodyBones& before, const world::BodyBones& now);
 
 /// Reads a difference and applies it to the bones of the tick before.
 void GetBones(ByteReader& in, world::BodyBones& bones);

@@ -2,6 +2,7 @@
 #include "record/byte_difference.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,7 +18,11 @@ std::size_t EqualRun(std::string_view a, std::string_view b, std::size_t from) {
     std::uint64_t x, y;
     std::memcpy(&x, a.data() + at, sizeof x);
     std::memcpy(&y, b.data() + at, sizeof y);
-    if (x != y) break;
+    if (x != y) {
+      if constexpr (std::endian::native == std::endian::little)
+        return at - from + static_cast<std::size_t>(std::countr_zero(x ^ y)) / 8;
+      break;
+    }
     at += 8;
   }
   while (at < end && a[at] == b[at]) ++at;
@@ -26,7 +31,7 @@ std::size_t EqualRun(std::string_view a, std::string_view b, std::size_t from) {
 
 }  // namespace
 
-void WriteDifference(ByteWriter& out, std::string_view before, std::string_view now) {
+void WriteDifference(BufferedWriter& out, std::string_view before, std::string_view now) {
   constexpr std::size_t kWorth = 3;  // Shorter runs of equal bytes are stored as new bytes.
   out.Number(before.size() == now.size() ? 0 : now.size());
   for (std::size_t at = 0; at < now.size();) {

@@ -74,7 +74,7 @@ void MindsEncoder::Clear() {
 
 /// Writes which mind follows: 0 and its name if it is new in the block, else 1 plus the difference of its number from
 /// the expected number.
-std::uint32_t MindsEncoder::FindMind(ByteWriter& out, const std::string& agent, std::uint32_t expected) {
+std::uint32_t MindsEncoder::FindMind(BufferedWriter& out, const std::string& agent, std::uint32_t expected) {
   std::uint32_t number = expected;
   if (expected >= minds_.size() || minds_[expected].agent != agent) {
     const std::uint32_t hash = TextBook::Hash(agent);
@@ -91,7 +91,7 @@ std::uint32_t MindsEncoder::FindMind(ByteWriter& out, const std::string& agent, 
   return number;
 }
 
-void MindsEncoder::Write(ByteWriter& out, const std::vector<MindRecord>& minds) {
+void MindsEncoder::Write(BufferedWriter& out, const std::vector<MindRecord>& minds) {
   out.Number(minds.size());
   std::uint32_t expected = 0;
   for (const MindRecord& mind : minds) {
@@ -101,7 +101,7 @@ void MindsEncoder::Write(ByteWriter& out, const std::vector<MindRecord>& minds) 
   }
 }
 
-void MindsEncoder::WriteEvents(ByteWriter& out, std::uint32_t mind, std::string_view log) {
+void MindsEncoder::WriteEvents(BufferedWriter& out, std::uint32_t mind, std::string_view log) {
   next_percept_ = next_path_ = 0;
   std::string_view earlier = minds_[mind].others;
   std::string& now = minds_[mind].new_others;
@@ -132,7 +132,7 @@ void MindsEncoder::WriteEvents(ByteWriter& out, std::uint32_t mind, std::string_
 }
 
 /// Returns false, and writes nothing, if it cannot be stored in this way.
-bool MindsEncoder::WritePercept(ByteWriter& out, std::uint32_t mind, bool is_gone, std::string_view path,
+bool MindsEncoder::WritePercept(BufferedWriter& out, std::uint32_t mind, bool is_gone, std::string_view path,
                                 std::string_view value) {
   constexpr std::uint32_t kAhead = 8;
   std::vector<MindMemory::Percept>& percepts = minds_[mind].percepts;
@@ -184,7 +184,8 @@ bool MindsEncoder::WritePercept(ByteWriter& out, std::uint32_t mind, bool is_gon
   return true;
 }
 
-void MindsEncoder::WriteOther(ByteWriter& out, std::string_view event, std::string_view& earlier, std::string& now) {
+void MindsEncoder::WriteOther(BufferedWriter& out, std::string_view event, std::string_view& earlier,
+                              std::string& now) {
   constexpr std::uint64_t kMostPassed = 24;
   now += event;
   std::string_view ahead = earlier;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bytes/buffered_writer.h"
 #include "bytes/byte_stream.h"
 #include "record/percept_book.h"
 #include "record/tick_record.h"
@@ -33,13 +34,14 @@ class MindsEncoder {
  public:
   /// Begins a block.
   void Clear();
-  void Write(ByteWriter& out, const std::vector<MindRecord>& minds);
+  void Write(BufferedWriter& out, const std::vector<MindRecord>& minds);
 
  private:
-  std::uint32_t FindMind(ByteWriter& out, const std::string& agent, std::uint32_t expected);
-  void WriteEvents(ByteWriter& out, std::uint32_t mind, std::string_view log);
-  bool WritePercept(ByteWriter& out, std::uint32_t mind, bool is_gone, std::string_view path, std::string_view value);
-  void WriteOther(ByteWriter& out, std::string_view event, std::string_view& earlier, std::string& now);
+  std::uint32_t FindMind(BufferedWriter& out, const std::string& agent, std::uint32_t expected);
+  void WriteEvents(BufferedWriter& out, std::uint32_t mind, std::string_view log);
+  bool WritePercept(BufferedWriter& out, std::uint32_t mind, bool is_gone, std::string_view path,
+                    std::string_view value);
+  void WriteOther(BufferedWriter& out, std::string_view event, std::string_view& earlier, std::string& now);
 
   TextBook names_;    ///< Of the minds, by number.
   TextBook paths_;    ///< Path, attribute and key of percepts, as bytes.

@@ -20,8 +20,9 @@ std::vector<std::string> Encode(const std::vector<Minds>& ticks) {
   std::vector<std::string> encoded;
   MindsEncoder encoder;
   for (const Minds& minds : ticks) {
-    ByteWriter out(encoded.emplace_back());
+    BufferedWriter out(encoded.emplace_back());
     encoder.Write(out, minds);
+    out.Flush();
   }
   return encoded;
 }
@@ -166,12 +167,13 @@ TEST(MindsCodec, TakesAnyBytesForLogs) {
                                                         : random.Below(3));
     MindsEncoder encoder;
     std::string bytes;
-    ByteWriter out(bytes);
+    BufferedWriter out(bytes);
     std::vector<Minds> ticks;
     for (const std::string& log : logs) {
       ticks.push_back({{"scout", mind::EventLog(log)}});
       encoder.Write(out, ticks.back());
     }
+    out.Flush();
     MindsDecoder decoder;
     ByteReader in(bytes);
     for (const Minds& minds : ticks) {

@@ -25,40 +25,40 @@ concept HasFields = requires(const T& value) {
   FieldsOf(value);
 };
 
-void Put(ByteWriter& out, float value) {
+void Put(BufferedWriter& out, float value) {
   out.Float(value);
 }
-void Put(ByteWriter& out, double value) {
+void Put(BufferedWriter& out, double value) {
   out.Double(value);
 }
-void Put(ByteWriter& out, const std::string& value) {
+void Put(BufferedWriter& out, const std::string& value) {
   out.Text(value);
 }
-void Put(ByteWriter& out, const Vec3& value) {
-  out.ManyFloats(value.x, value.y, value.z);
+void Put(BufferedWriter& out, const Vec3& value) {
+  for (const float part : {value.x, value.y, value.z}) out.Float(part);
 }
-void Put(ByteWriter& out, const Quat& value) {
-  out.ManyFloats(value.w, value.x, value.y, value.z);
+void Put(BufferedWriter& out, const Quat& value) {
+  for (const float part : {value.w, value.x, value.y, value.z}) out.Float(part);
 }
-void Put(ByteWriter& out, const Color& value) {
-  out.ManyFloats(value.r, value.g, value.b, value.a);
+void Put(BufferedWriter& out, const Color& value) {
+  for (const float part : {value.r, value.g, value.b, value.a}) out.Float(part);
 }
 template <typename T>
 requires std::is_integral_v<T> || std::is_enum_v<T>
-void Put(ByteWriter& out, T value) {
+void Put(BufferedWriter& out, T value) {
   // Negative numbers are rare (layers of panels) and use ten bytes.
   out.Number(static_cast<std::uint64_t>(value));
 }
 template <typename T, std::size_t N>
-void Put(ByteWriter& out, const T (&values)[N]) {
+void Put(BufferedWriter& out, const T (&values)[N]) {
   for (const T& value : values) Put(out, value);
 }
 template <typename T, std::size_t N>
-void Put(ByteWriter& out, const std::array<T, N>& values) {
+void Put(BufferedWriter& out, const std::array<T, N>& values) {
   for (const T& value : values) Put(out, value);
 }
 template <HasFields T>
-void Put(ByteWriter& out, const T& value) {
+void Put(BufferedWriter& out, const T& value) {
   std::apply([&](auto... members) { (Put(out, value.*members), ...); }, FieldsOf(value));
 }
 
@@ -171,9 +171,9 @@ auto PartsOf(Quat& value) {
 }
 
 template <typename T>
-void PutMoved(ByteWriter& out, T before, T now) {
+void PutMoved(BufferedWriter& out, T before, T now) {
   const auto earlier = PartsOf(before), parts = PartsOf(now);
-  char bytes[1 + sizeof(T)];
+  char* const bytes = out.Room(1 + sizeof(T));
   std::size_t size = 1;
   unsigned kinds = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -184,7 +184,7 @@ void PutMoved(ByteWriter& out, T before, T now) {
     for (unsigned at = 0; at <= kind; ++at) bytes[size++] = static_cast<char>(bits >> (8 * at));
   }
   bytes[0] = static_cast<char>(kinds);
-  out.Append({bytes, size});
+  out.Wrote(size);
 }
 
 template <typename T>
@@ -271,9 +271,8 @@ std::uint64_t Differences(const E& expected, const T& now, bool same_texts = fal
 }
 
 template <HasFields T, typename E>
-void PutMembers(ByteWriter& out, std::uint64_t mask, const E& expected, const T& now, ShortWriter head = {}) {
-  head.Number(mask);
-  out.Append(head.bytes());
+void PutMembers(BufferedWriter& out, std::uint64_t mask, const E& expected, const T& now) {
+  out.Number(mask);
   const auto put = [&](auto member) {
     if ((mask & 1) != 0) {
       using Member = std::remove_cvref_t<decltype(now.*member)>;
@@ -317,36 +316,34 @@ enum class Step : std::uint8_t { kEnd, kChanged, kGone, kNew };
 template <HasFields T>
 class StepWriter {
  public:
-  explicit StepWriter(ByteWriter& out) : out_(out) {}
+  explicit StepWriter(BufferedWriter& out) : out_(out) {}
 
   void Same(std::size_t count) { unchanged_ += count; }
   void Gone() { Put(Step::kGone); }
   void New(const T& value) {
     static const T kNothing{};
     const Expected<T> expected = Expect(kNothing, value);
-    ShortWriter head = Head(Step::kNew);
-    head.Number(value.id);
-    PutMembers(out_, Differences(expected, value), expected, value, head);
+    Put(Step::kNew);
+    out_.Number(value.id);
+    PutMembers(out_, Differences(expected, value), expected, value);
   }
   /// An entry that exists in both lists, whether it changed or not.
   template <typename E>
   void Next(const E& expected, const T& value, bool same_texts = false) {
     const std::uint64_t mask = Differences(expected, value, same_texts);
     if (mask == 0) return Same(1);
-    PutMembers(out_, mask, expected, value, Head(Step::kChanged));
+    Put(Step::kChanged);
+    PutMembers(out_, mask, expected, value);
   }
   void End() { Put(Step::kEnd); }
 
  private:
-  ShortWriter Head(Step kind) {
-    ShortWriter head;
-    head.Number(std::exchange(unchanged_, 0));
-    head.Byte(static_cast<std::uint8_t>(kind));
-    return head;
+  void Put(Step kind) {
+    out_.Number(std::exchange(unchanged_, 0));
+    out_.Byte(static_cast<std::uint8_t>(kind));
   }
-  void Put(Step kind) { out_.Append(Head(kind).bytes()); }
 
-  ByteWriter& out_;
+  BufferedWriter& out_;
   std::size_t unchanged_ = 0;
 };
 
@@ -392,7 +389,7 @@ struct Expected<world::AgentSnapshot> {
 
 /// `expect(earlier)`: the expected entry. `same_texts(earlier, value)`: whether its texts are known to be unchanged.
 template <HasFields T, typename Expect, typename SameTexts>
-void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now, Expect&& expect,
+void WriteList(BufferedWriter& out, const std::vector<T>& before, const std::vector<T>& now, Expect&& expect,
                SameTexts&& same_texts) {
   StepWriter<T> steps(out);
   std::size_t old = 0;
@@ -411,7 +408,7 @@ void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<
 }
 
 template <HasFields T>
-void WriteList(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+void WriteList(BufferedWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
   WriteList(
       out, before, now, [](const T& earlier) { return Expected<T>{earlier}; },
       [](const T&, const T&) { return false; });
@@ -453,7 +450,7 @@ void ReadList(ByteReader& in, std::vector<T>& list) {
 
 /// Blocks that both lists share are equal.
 template <HasFields T>
-void WriteList(ByteWriter& out, const SharedList<T>& before, const SharedList<T>& now) {
+void WriteList(BufferedWriter& out, const SharedList<T>& before, const SharedList<T>& now) {
   StepWriter<T> steps(out);
   typename SharedList<T>::Place old, at;
   while (!now.IsEnd(at)) {
@@ -521,7 +518,7 @@ void ReadList(ByteReader& in, SharedList<T>& list) {
 /// Lists of items without ids, which exist for one tick. Each item is compared with the one at the same index in the
 /// tick before.
 template <HasFields T>
-void WritePlain(ByteWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
+void WritePlain(BufferedWriter& out, const std::vector<T>& before, const std::vector<T>& now) {
   static const T kNothing;
   out.Number(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -538,7 +535,7 @@ void ReadPlain(ByteReader& in, std::vector<T>& list) {
 
 }  // namespace
 
-void WriteScene(ByteWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now) {
+void WriteScene(BufferedWriter& out, const world::SceneSnapshot& before, const world::SceneSnapshot& now) {
   const Expected<world::SceneSnapshot> expected{before};
   PutMembers(out, Differences(expected, now), expected, now);
   WriteList(out, before.drawables, now.drawables);

@@ -8,7 +8,8 @@
 namespace soarbox::record {
 namespace {
 
-void WriteTexts(ByteWriter& out, const std::vector<std::string>& texts) {
+template <typename Writer>
+void WriteTexts(Writer& out, const std::vector<std::string>& texts) {
   out.Number(texts.size());
   for (const std::string& text : texts) out.Text(text);
 }
@@ -18,7 +19,7 @@ void ReadTexts(ByteReader& in, std::vector<std::string>& texts) {
   for (std::string& text : texts) text = in.Text();
 }
 
-void WriteDiagnostic(ByteWriter& out, const Diagnostic& diagnostic) {
+void WriteDiagnostic(BufferedWriter& out, const Diagnostic& diagnostic) {
   out.Byte(static_cast<std::uint8_t>(diagnostic.severity));
   out.Byte(static_cast<std::uint8_t>(diagnostic.topic));
   for (const std::string* text : {&diagnostic.file, &diagnostic.message, &diagnostic.excerpt, &diagnostic.hint,
@@ -47,7 +48,7 @@ bool HasDiagnostic(sim::EventKind kind) {
          kind == sim::EventKind::kMindFailed;
 }
 
-void WriteEvent(ByteWriter& out, const sim::RunEvent& event) {
+void WriteEvent(BufferedWriter& out, const sim::RunEvent& event) {
   out.Byte(static_cast<std::uint8_t>(event.kind));
   out.Text(event.agent);
   for (const std::string* text : {&event.text, &event.news, &event.parameters}) out.Text(*text);
@@ -93,7 +94,7 @@ const MindRecord* FindMind(const TickRecord& record, std::string_view agent) {
   return at == record.minds.end() ? nullptr : &*at;
 }
 
-void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now, MindsEncoder& minds) {
+void WriteTick(BufferedWriter& out, const TickRecord& before, const TickRecord& now, MindsEncoder& minds) {
   out.Number(now.tick);
   out.Fixed64(now.state_hash);
   WriteTexts(out, now.inputs);

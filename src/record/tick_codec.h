@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bytes/buffered_writer.h"
 #include "bytes/byte_stream.h"
 #include "record/file_format.h"
 #include "record/minds_codec.h"
@@ -14,7 +15,7 @@ namespace soarbox::record {
 
 /// Writes a tick as its difference from the one before and from earlier ones of its block, which `minds` contains. If
 /// both are empty, the output is complete.
-void WriteTick(ByteWriter& out, const TickRecord& before, const TickRecord& now, MindsEncoder& minds);
+void WriteTick(BufferedWriter& out, const TickRecord& before, const TickRecord& now, MindsEncoder& minds);
 
 /// Reads a difference and applies it to `record`. If the bytes are invalid, `in` has failed.
 void ReadTick(ByteReader& in, TickRecord& record, MindsDecoder& minds);

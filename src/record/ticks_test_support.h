@@ -119,9 +119,10 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
 /// All data of a record as bytes.
 inline std::string Bytes(const TickRecord& tick) {
   std::string bytes;
-  ByteWriter out(bytes);
+  BufferedWriter out(bytes);
   MindsEncoder minds;
   WriteTick(out, {}, tick, minds);
+  out.Flush();
   return bytes;
 }
 }  // namespace soarbox::record

@@ -21,9 +21,10 @@ using namespace soarbox::record;
 
 std::string Alone(const TickRecord& record) {
   std::string bytes;
-  ByteWriter out(bytes);
+  BufferedWriter out(bytes);
   MindsEncoder minds;
   WriteTick(out, {}, record, minds);
+  out.Flush();
   return bytes;
 }
 
