@@ -27,11 +27,8 @@ class BufferedWriter {
     bytes_[size_++] = static_cast<char>(value);
   }
   void Number(std::uint64_t value) {
-    Reserve(10);
-    char* at = bytes_ + size_;
-    for (; value >= 0x80; value >>= 7) *at++ = static_cast<char>(value | 0x80);
-    *at++ = static_cast<char>(value);
-    size_ = static_cast<std::size_t>(at - bytes_);
+    if (value < 0x80) return Byte(static_cast<std::uint8_t>(value));
+    LargeNumber(value);
   }
   void Fixed32(std::uint32_t value) { Fixed(value, 4); }
   void Fixed64(std::uint64_t value) { Fixed(value, 8); }
@@ -59,6 +56,13 @@ class BufferedWriter {
   void Reserve(std::size_t most) {
     if (most > sizeof bytes_ - size_) [[unlikely]]
       Flush();
+  }
+  [[gnu::noinline]] void LargeNumber(std::uint64_t value) {
+    Reserve(10);
+    char* at = bytes_ + size_;
+    for (; value >= 0x80; value >>= 7) *at++ = static_cast<char>(value | 0x80);
+    *at++ = static_cast<char>(value);
+    size_ = static_cast<std::size_t>(at - bytes_);
   }
   [[gnu::noinline]] void AppendPastEnd(std::string_view bytes) {
     Flush();

@@ -261,7 +261,7 @@ template <HasFields T, typename E>
 std::uint64_t Differences(const E& expected, const T& now, bool same_texts = false) {
   std::uint64_t mask = 0;
   std::uint64_t bit = 1;
-  const auto compare = [&](auto member) {
+  const auto compare = [&](auto member) __attribute__((always_inline)) {
     constexpr bool kIsText = std::is_same_v<std::remove_cvref_t<decltype(now.*member)>, std::string>;
     if (!(kIsText && same_texts) && !Same(expected->*member, now.*member)) mask |= bit;
     bit <<= 1;
