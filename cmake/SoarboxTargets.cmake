@@ -83,7 +83,7 @@ endif()
 # names should still differ between neighbouring files. ALWAYS: independent of the option. In libraries with LARGE_BATCHES, a batch has up to
 # SOARBOX_BATCH_BYTES, and files that define the same name are put into different batches (soarbox_sort_into_batches).
 option(SOARBOX_UNITY "Compile files in batches (the builds with sanitizers)" OFF)
-set(SOARBOX_BATCH_BYTES 160000 CACHE STRING "Text of a large batch, at most, if it has more than one file")
+set(SOARBOX_BATCH_BYTES 235000 CACHE STRING "Text of a large batch, at most, if it has more than one file")
 function(soarbox_in_batches target)
   if(SOARBOX_UNITY OR "ALWAYS" IN_LIST ARGN)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)

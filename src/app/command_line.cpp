@@ -26,7 +26,7 @@
 #include "app/usage_errors.h"
 #include "app/usage_text.h"
 #include "app/window.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 #include "record/client_recording.h"
 #include "record/header.h"
 #include "record/manifest.h"

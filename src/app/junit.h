@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnostics/result.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 
 namespace soarbox::app {
 

@@ -10,7 +10,7 @@
 #include "app/own_world.h"
 #include "diagnostics/result.h"
 #include "mission/account.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 
 namespace soarbox::app {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 
 namespace soarbox::app {
 

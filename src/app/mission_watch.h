@@ -9,7 +9,7 @@
 
 #include "mission/evaluator.h"
 #include "mission/gather_facts.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 #include "sim/mind_log.h"
 #include "sim/run_event.h"
 #include "sim/scenario.h"

@@ -13,9 +13,9 @@
 #include "diagnostics/read_text.h"
 #include "explain/rule_text.h"
 #include "mission/check_sentences.h"
-#include "mission/missions_test_support.h"
 #include "mission/read_mission.h"
 #include "mission/scenario_names.h"
+#include "mission/testing.h"
 #include "sim/check.h"
 #include "sim/scenario_file.h"
 

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 #include "record/recorder.h"
 #include "world/world.h"
 

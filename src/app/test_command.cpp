@@ -21,9 +21,9 @@
 #include "diagnostics/problem.h"
 #include "dis/dis_settings.h"
 #include "mission/check_sentences.h"
-#include "mission/missions_test_support.h"
 #include "mission/read_mission.h"
 #include "mission/statistics.h"
+#include "mission/testing.h"
 #include "sim/replaced_rules.h"
 
 namespace soarbox::app {

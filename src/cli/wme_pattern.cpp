@@ -51,7 +51,7 @@ class PatternLexer {
 };
 
 /// Parses a field; false if the word is not allowed there or names nothing that exists.
-bool ReadField(Agent& agent, const std::string& word, Symbol& field) {
+bool ReadPatternField(Agent& agent, const std::string& word, Symbol& field) {
   if (word == "*") return true;
   if (word.empty() || word == ")" || word == "(" || word == "^" || word.front() == '@') return false;
   if (word.front() != '|' && word.front() != '"') {
@@ -86,7 +86,7 @@ WmePattern ParseWmePattern(Agent& agent, std::string_view text) {
     const std::string word = lexer.Next();
     if (IsVariable(word)) {
       pattern.error = "Expected identifier (or context variable)\n";
-    } else if (!ReadField(agent, word, field)) {
+    } else if (!ReadPatternField(agent, word, field)) {
       pattern.error = IsContextVariable(word) ? "There is no current " + word + ".\n"
                                               : "Expected identifier or constant in wme pattern\n";
     }

@@ -355,7 +355,7 @@ void FindKeptValues(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-bool IsForTheTop(const RuleText& rule) {
+bool IsOnlyForTheTop(const RuleText& rule) {
   return std::ranges::any_of(rule.conditions, [](const RuleAttribute& condition) {
     return condition.on_state && condition.attribute == "superstate" && condition.value == "nil";
   });
@@ -401,7 +401,7 @@ void FindLinksOfSubstates(const std::vector<RuleText>& rules, std::vector<Slip>&
     const std::size_t before = slips.size();
     FindLinksBelow(rule, rules, slips);
     if (slips.size() > before) continue;
-    if (rule.applies.empty() || rule.applies.contains("") || IsForTheTop(rule)) continue;
+    if (rule.applies.empty() || rule.applies.contains("") || IsOnlyForTheTop(rule)) continue;
     const std::set<std::string> states = StatesOf(rule);
     const bool tests_io = std::ranges::any_of(rule.conditions, [&](const RuleAttribute& condition) {
       return condition.attribute == "io" && !condition.negated && condition.on_state && states.contains(condition.id);

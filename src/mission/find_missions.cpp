@@ -4,9 +4,9 @@
 #include <system_error>
 
 #include "diagnostics/read_text.h"
-#include "mission/missions_test_support.h"
 #include "mission/read_mission.h"
 #include "mission/scenario_names.h"
+#include "mission/testing.h"
 #include "sim/scenario_file.h"
 
 namespace soarbox::mission {

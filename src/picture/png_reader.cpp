@@ -120,7 +120,7 @@ Parts ReadParts(std::string_view file) {
   return parts;
 }
 
-int Predicted(int left, int above, int corner) {
+int PredictedByte(int left, int above, int corner) {
   const int to_left = std::abs(above - corner), to_above = std::abs(left - corner),
             to_corner = std::abs(left + above - 2 * corner);
   if (to_left <= to_above && to_left <= to_corner) return left;
@@ -137,7 +137,7 @@ bool Unfilter(std::uint8_t filter, std::uint8_t* row, const std::uint8_t* above,
     if (filter == 1) add = left;
     if (filter == 2) add = up;
     if (filter == 3) add = (left + up) / 2;
-    if (filter == 4) add = Predicted(left, up, corner);
+    if (filter == 4) add = PredictedByte(left, up, corner);
     row[i] = static_cast<std::uint8_t>(row[i] + add);
   }
   return true;

@@ -62,7 +62,7 @@ bool IsBelow(const fs::path& file, const fs::path& folder) {
 }
 
 /// Files that the scenario names and that are in other folders, or are too large to keep.
-void AddNamedFiles(const sim::Scenario& scenario, OrderedJson& digests) {
+void AddFilesNamedIn(const sim::Scenario& scenario, OrderedJson& digests) {
   std::vector<fs::path> named = {scenario.script, scenario.definition, scenario.rules};
   for (const auto& [agent, file] : scenario.replaced_rules) named.push_back(file);
   const std::vector<fs::path> library = LibraryFolders(scenario);
@@ -135,7 +135,7 @@ std::string ManifestOf(const sim::Scenario& scenario, const Header& header) {
   made["seed"] = header.seed;
   OrderedJson& digests = made["sha256"] = OrderedJson::object();
   AddKeptFiles(scenario, header, digests);
-  AddNamedFiles(scenario, digests);
+  AddFilesNamedIn(scenario, digests);
   AddLibrary(scenario, made);
   return made.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }

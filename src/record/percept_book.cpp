@@ -142,7 +142,7 @@ bool IsDecimal(double value, std::uint8_t scale, std::int64_t& number) {
 
 /// The number of a float as an integer, preferably in the scale of the last one. Logs store it as a float if that is
 /// exact, else as a double; others are stored by their bits.
-LastValue NumberOf(double value, bool is_float, std::uint64_t bits, const LastValue& last) {
+LastValue NumberFromBits(double value, bool is_float, std::uint64_t bits, const LastValue& last) {
   const LastValue by_bits{is_float ? kFloatBits : kDoubleBits, static_cast<std::int64_t>(bits)};
   if (last.scale == by_bits.scale) return by_bits;  // It seldom becomes a decimal number.
   if (!is_float && static_cast<double>(static_cast<float>(value)) == value) return by_bits;
@@ -155,7 +155,7 @@ LastValue NumberOf(double value, bool is_float, std::uint64_t bits, const LastVa
 }
 
 /// The difference of two numbers, modulo 2^64.
-std::uint64_t DifferenceOf(const LastValue& a, const LastValue& b) {
+std::uint64_t DifferenceOfPercepts(const LastValue& a, const LastValue& b) {
   return Zigzag(static_cast<std::int64_t>(static_cast<std::uint64_t>(a.number) - static_cast<std::uint64_t>(b.number)));
 }
 
@@ -187,19 +187,20 @@ Stored WriteValue(ShortWriter& out, std::string_view bytes, LastValue& last) {
     case 2: {
       if (content.size() != 4) return Stored::kNot;
       const std::uint64_t bits = FixedAt(content);
-      value = NumberOf(static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits))), true, bits, last);
+      value =
+          NumberFromBits(static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits))), true, bits, last);
       break;
     }
     case 3: {
       if (content.size() != 8) return Stored::kNot;
       const std::uint64_t bits = FixedAt(content);
-      value = NumberOf(std::bit_cast<double>(bits), false, bits, last);
+      value = NumberFromBits(std::bit_cast<double>(bits), false, bits, last);
       break;
     }
     default:
       return Stored::kNot;
   }
-  const std::uint64_t difference = DifferenceOf(value, last);
+  const std::uint64_t difference = DifferenceOfPercepts(value, last);
   if (value.scale == last.scale && difference < ~std::uint64_t{0} - kDifference) {
     out.Number(kDifference + difference);
   } else {

@@ -7,7 +7,7 @@
 #include "diagnostics/read_text.h"
 #include "mission/check_sentences.h"
 #include "mission/gather_facts.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 #include "record/manifest.h"
 #include "record/reader.h"
 #include "record/rerun.h"

@@ -83,7 +83,7 @@ int Insert(lua_State* state) {
   return CallBuiltIn(state);
 }
 
-int Remove(lua_State* state) {
+int GuardedRemove(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   const auto size = static_cast<double>(lua_objlen(state, 1));
   ChargeFor(state, MovePrice(size, luaL_optnumber(state, 2, std::max(size, 1.0))));
@@ -163,7 +163,7 @@ struct Guard {
 };
 
 constexpr Guard kGuards[] = {
-    {"table", "sort", Sort},       {"table", "insert", Insert},         {"table", "remove", Remove},
+    {"table", "sort", Sort},       {"table", "insert", Insert},         {"table", "remove", GuardedRemove},
     {"table", "concat", Concat},   {"table", "maxn", LargestNumber},    {"table", "foreachi", WalkTable},
     {"string", "rep", Repeat},     {"string", "reverse", WalkText},     {"string", "upper", WalkText},
     {"string", "lower", WalkText}, {"coroutine", "resume", CallNested}, {"coroutine", "wrap", Wrap},

@@ -15,7 +15,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr int kDeepest = 60;  ///< Maximum nesting of brackets and operators.
+constexpr int kDeepestExpression = 60;  ///< Maximum nesting of brackets and operators.
 
 struct Operator {
   std::string_view text;
@@ -94,7 +94,7 @@ class Reader {
 
   /// Pushes the value of an expression whose operators bind more strongly than `limit`.
   void Read(int limit) {
-    if (++depth_ > kDeepest) Fail("the expression is too deep");
+    if (++depth_ > kDeepestExpression) Fail("the expression is too deep");
     luaL_checkstack(state_, 10, "the expression is too long");
     ReadUnary();
     while (const Operator* found = PeekOperator()) {

@@ -11,7 +11,7 @@
 namespace soarbox::script {
 namespace {
 
-constexpr int kDeepest = 8;
+constexpr int kDeepestTable = 8;
 constexpr int kMostFields = 1000;
 
 void CopyFields(lua_State* state, int index, Table& table, int depth, int& left, const std::string& list_name);
@@ -42,7 +42,7 @@ void CopyValue(lua_State* state, const std::string& name, Table& table, int dept
       }
       return;
     case LUA_TTABLE: {
-      if (depth >= kDeepest) return;
+      if (depth >= kDeepestTable) return;
       // A list becomes several attributes with the list's name; any other table becomes an object.
       lua_rawgeti(state, top, 1);
       const bool is_list = !lua_isnil(state, -1);

@@ -21,12 +21,12 @@
 namespace soarbox::script {
 namespace {
 
-constexpr std::size_t kMostFrames = 200, kMostFields = 500, kMostReferences = 20'000;
+constexpr std::size_t kMostFrames = 200, kMostShownFields = 500, kMostReferences = 20'000;
 constexpr std::size_t kLongestText = 300, kPreviewed = 4;
 /// Limit of the built-in functions of one expression, in instructions.
 constexpr std::uint64_t kEvaluationBudget = 5'000'000;
 
-std::string Quoted(const char* text, std::size_t length) {
+std::string QuotedText(const char* text, std::size_t length) {
   std::string quoted = "\"";
   for (std::size_t i = 0; i < std::min(length, kLongestText); ++i) {
     const char sign = text[i];
@@ -40,7 +40,7 @@ std::string Quoted(const char* text, std::size_t length) {
   return quoted + (length > kLongestText ? "...\"" : "\"");
 }
 
-bool IsName(std::string_view text) {
+bool IsFieldName(std::string_view text) {
   if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) != 0) return false;
   return std::ranges::all_of(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
 }
@@ -80,7 +80,7 @@ std::vector<Key> PushKeys(lua_State* state, int index, std::size_t most) {
       std::size_t length = 0;
       const char* text = lua_tolstring(state, -1, &length);
       key.rank = 1;
-      key.text = IsName({text, length}) ? std::string(text, length) : "[" + Quoted(text, length) + "]";
+      key.text = IsFieldName({text, length}) ? std::string(text, length) : "[" + QuotedText(text, length) + "]";
     } else {
       key.rank = 2;
       key.text = std::string("[") + luaL_typename(state, -1) + "]";
@@ -99,7 +99,7 @@ std::string Described(lua_State* state, int index, bool is_inner = false);
 std::string DescribedTable(lua_State* state, int index, bool is_inner) {
   if (is_inner) return "{...}";
   const int top = lua_gettop(state);
-  const std::vector<Key> keys = PushKeys(state, index, kMostFields);
+  const std::vector<Key> keys = PushKeys(state, index, kMostShownFields);
   const int list = lua_gettop(state);
   std::string text = "{";
   for (std::size_t i = 0; i < std::min(keys.size(), kPreviewed); ++i) {
@@ -161,7 +161,7 @@ std::string Described(lua_State* state, int index, bool is_inner) {
     case LUA_TSTRING: {
       std::size_t length = 0;
       const char* text = lua_tolstring(state, index, &length);
-      return Quoted(text, length);
+      return QuotedText(text, length);
     }
     case LUA_TTABLE:
       return DescribedTable(state, index, is_inner);
@@ -303,7 +303,7 @@ std::vector<ScriptVariable> ScriptView::Globals(std::uint32_t owner) {
     const int globals = lua_gettop(state);
     lua_getfield(state, LUA_REGISTRYINDEX, "_LOADED");
     const int loaded = lua_gettop(state);
-    const std::vector<Key> keys = PushKeys(state, globals, kMostFields);
+    const std::vector<Key> keys = PushKeys(state, globals, kMostShownFields);
     const int names = lua_gettop(state);
     for (const Key& key : keys) {
       static const std::set<std::string_view> kOurs{"_G",      "_VERSION", "decoda_name",      "debug",
@@ -332,14 +332,15 @@ std::vector<ScriptVariable> ScriptView::Globals(std::uint32_t owner) {
 
 std::vector<ScriptVariable> ScriptView::FieldsAt(LuaMachine& machine, lua_State* state, int index) {
   std::vector<ScriptVariable> list;
-  const std::vector<Key> keys = PushKeys(state, index, kMostFields);
+  const std::vector<Key> keys = PushKeys(state, index, kMostShownFields);
   const int names = lua_gettop(state);
   for (const Key& key : keys) {
     lua_rawgeti(state, names, key.place);
     lua_rawget(state, index);
     list.push_back(Take(machine, state, key.text));
   }
-  if (keys.size() == kMostFields) list.push_back({"...", "only " + std::to_string(kMostFields) + " are listed", "", 0});
+  if (keys.size() == kMostShownFields)
+    list.push_back({"...", "only " + std::to_string(kMostShownFields) + " are listed", "", 0});
   if (lua_getmetatable(state, index) != 0) list.push_back(Take(machine, state, "(metatable)"));
   return list;
 }

@@ -33,7 +33,7 @@ std::string_view YesNo(bool truth) {
   return truth ? "yes" : "no";
 }
 
-double Seconds(const Actor& actor, std::uint64_t ticks) {
+double SecondsOf(const Actor& actor, std::uint64_t ticks) {
   return static_cast<double>(ticks) * static_cast<double>(actor.world().settings().step_s);
 }
 
@@ -126,7 +126,7 @@ void SenseMessages(const Actor& actor, std::size_t first, Sink& sink) {
     sink.Open(RowOf("message"), message.number);
     sink.Word(RowOf("message.from"), NameOfAgent(actor, message.from));
     sink.Word(RowOf("message.about"), message.about);
-    sink.Number(RowOf("message.time"), Seconds(actor, message.tick));
+    sink.Number(RowOf("message.time"), SecondsOf(actor, message.tick));
     for (const world::Message::Field& field : message.fields) sink.Other(field.name, field.value);
     sink.Close();
   }
@@ -142,7 +142,7 @@ void SenseHappenings(const Actor& actor, Sink& sink) {
     if (!happening.by.empty()) sink.Word(RowOf("event.by"), happening.by);
     sink.Number(RowOf("event.bearing"), static_cast<double>(happening.bearing_deg));
     if (happening.damage > 0) sink.Number(RowOf("event.damage"), static_cast<double>(happening.damage));
-    sink.Number(RowOf("event.time"), Seconds(actor, happening.tick));
+    sink.Number(RowOf("event.time"), SecondsOf(actor, happening.tick));
     sink.Close();
   }
 }
@@ -154,7 +154,7 @@ void SenseOrder(const Actor& actor, Sink& sink) {
   sink.Open(RowOf("order"), message.number);
   const std::string_view from = NameOfAgent(actor, message.from);
   sink.Word(RowOf("order.from"), from.empty() ? "user" : from);
-  sink.Number(RowOf("order.time"), Seconds(actor, message.tick));
+  sink.Number(RowOf("order.time"), SecondsOf(actor, message.tick));
   for (const world::Message::Field& field : message.fields) sink.Other(field.name, field.value);
   sink.Close();
 }
@@ -213,7 +213,7 @@ void SenseAgents(const Actor& actor, Sink& sink) {
     sink.Number(RowOf("agent.facing"),
                 std::abs(static_cast<double>(BearingToRound(contact.position, contact.forward, here.position))));
     sink.Word(RowOf("agent.alive"), YesNo(contact.alive));
-    const double age_s = Seconds(actor, actor.world().tick() - contact.noticed_tick);
+    const double age_s = SecondsOf(actor, actor.world().tick() - contact.noticed_tick);
     const double base = contact.visible ? 1 : contact.source == Contact::Source::kHearing ? 0.6 : 0.9;
     sink.Number(RowOf("agent.last-seen"), contact.visible ? 0 : age_s);
     const double memory_s = static_cast<double>(std::max(0.1f, actor.kind().senses.memory_s));
@@ -269,7 +269,8 @@ void SenseObjects(const Actor& actor, Sink& sink) {
     sink.Word(RowOf("object.name"), thing.name);
     sink.Word(RowOf("object.kind"), thing.kind);
     sink.Word(RowOf("object.visible"), YesNo(thing.visible));
-    sink.Number(RowOf("object.last-seen"), thing.visible ? 0 : Seconds(actor, actor.world().tick() - thing.seen_tick));
+    sink.Number(RowOf("object.last-seen"),
+                thing.visible ? 0 : SecondsOf(actor, actor.world().tick() - thing.seen_tick));
     sink.Word(RowOf("object.nearest"), YesNo(best != nearest.end() && best->second.second == id));
     sink.Number(RowOf("object.range"), static_cast<double>(FlatDistance(here.position, thing.position)));
     sink.Number(RowOf("object.bearing"), here.BearingTo(thing.position));
@@ -400,7 +401,7 @@ void NoticeOthers(Actor& actor, std::span<const world::EntityId> near, const Fie
     if (!seen && !heard) {
       if (contact.noticed_tick + 1 < world.tick() && contact.source == Contact::Source::kSight)
         contact.source = Contact::Source::kMemory;
-      if (Seconds(actor, world.tick() - contact.noticed_tick) > static_cast<double>(senses.memory_s)) {
+      if (SecondsOf(actor, world.tick() - contact.noticed_tick) > static_cast<double>(senses.memory_s)) {
         contacts.Erase(known);
       } else {
         ++known;
@@ -450,7 +451,7 @@ void NoticeThings(Actor& actor, const FieldOfView& view, const world::BodiesArou
   std::erase_if(things, [&](const auto& known) {
     const SeenThing& thing = known.second;
     if (thing.visible) return false;
-    if (Seconds(actor, world.tick() - thing.seen_tick) > memory_s) return true;
+    if (SecondsOf(actor, world.tick() - thing.seen_tick) > memory_s) return true;
     return view.Holds(thing.position) && HasLineOfSight(world, actor.body(), thing.position, known.first, around);
   });
 }

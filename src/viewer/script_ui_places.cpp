@@ -57,7 +57,7 @@ std::vector<ScreenPoint> CornersInWorld(const UiSnapshot& ui, ScreenPoint begin,
 }
 
 /// Whether a point lies on the same side of all edges.
-bool IsInside(const std::vector<ScreenPoint>& corners, ScreenPoint at) {
+bool IsInsideRectangle(const std::vector<ScreenPoint>& corners, ScreenPoint at) {
   int left = 0, right = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const ScreenPoint a = corners[i], b = corners[(i + 1) % corners.size()];
@@ -76,7 +76,7 @@ const UiSnapshot* ButtonAt(const world::SceneSnapshot& snapshot, const ScreenRoo
   for (const UiSnapshot& ui : snapshot.ui) {
     if (!ui.visible || ui.button.empty() || (found != nullptr && found->layer > ui.layer)) continue;
     const auto [corner, top] = places.Of(ui);
-    const bool is_over = top->in_world ? IsInside(CornersInWorld(ui, corner, *top, projection), pixel)
+    const bool is_over = top->in_world ? IsInsideRectangle(CornersInWorld(ui, corner, *top, projection), pixel)
                                        : pixel.x >= corner.x && pixel.x < corner.x + ui.width && pixel.y >= corner.y &&
                                              pixel.y < corner.y + ui.height;
     if (is_over) found = &ui;

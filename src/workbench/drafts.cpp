@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// One name for a file, regardless of how its path was written.
-std::string NameOf(const fs::path& file) {
+std::string NameOfDraft(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
   return error ? file.string() : whole.string();
@@ -33,7 +33,7 @@ fs::path Drafts::Folder() {
 
 fs::path Drafts::PlaceOf(const fs::path& file) const {
   std::uint64_t hash = 14695981039346656037u;
-  for (const char c : NameOf(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  for (const char c : NameOfDraft(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   char name[32];
   std::snprintf(name, sizeof name, "-%016llx.draft", static_cast<unsigned long long>(hash));
   return folder_ / (file.stem().string().substr(0, 60) + name);
@@ -48,7 +48,7 @@ Result<void> Drafts::Keep(const fs::path& file, const std::string& text) const {
   {
     // The first line is the path of the file.
     std::ofstream out(half, std::ios::binary | std::ios::trunc);
-    out << NameOf(file) << '\n' << text;
+    out << NameOfDraft(file) << '\n' << text;
     if (!out.flush()) error = std::make_error_code(std::errc::io_error);
   }
   if (!error) fs::rename(half, place, error);
@@ -72,7 +72,7 @@ std::optional<std::string> Drafts::Find(const fs::path& file) const {
   if (folder_.empty()) return std::nullopt;
   std::ifstream in(PlaceOf(file), std::ios::binary);
   std::string owner;
-  if (!in || !std::getline(in, owner) || owner != NameOf(file)) return std::nullopt;
+  if (!in || !std::getline(in, owner) || owner != NameOfDraft(file)) return std::nullopt;
   std::ostringstream text;
   // A draft can be empty, if the user has deleted everything.
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();

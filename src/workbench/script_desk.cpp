@@ -38,7 +38,7 @@ script::ScriptStep StepOf(ScriptGoRequest::How how) {
 
 /// The name that the run uses for a file: of the file with this path, or with this name if it is no path. Scripts
 /// choose the names of the chunks that they load, so the name may be that of no file of the run.
-std::string FileOf(const std::set<std::string>& files, const std::string& file) {
+std::string FileOfScript(const std::set<std::string>& files, const std::string& file) {
   if (files.contains(file)) return file;
   const fs::path wanted(file), name = wanted.filename();
   for (const std::string& each : files)
@@ -90,7 +90,7 @@ void ScriptDesk::Wait() {
   has_news_ = true;
   place_ = stops_.Place();
   const std::set<std::string> files = FilesOfRun();
-  place_.file = FileOf(files, place_.file);
+  place_.file = FileOfScript(files, place_.file);
   if (files.contains(place_.file)) files_.Edit(EditRequest{place_.file, place_.line}, {});
   is_in_tick_ = true;
   wait_();
@@ -148,7 +148,7 @@ void ScriptDesk::Obey(const LineStopRequest& request) {
   if (!CanStop())
     return common_.surroundings.Tell("Scripts cannot stop here: they stop in a run in a window or on a server's page");
   const std::set<std::string> files = FilesOfRun();
-  const std::string file = FileOf(files, request.file);
+  const std::string file = FileOfScript(files, request.file);
   if (!request.is_on) return stops_.Clear(file, request.line);
   if (!IsScript(file))
     return common_.note_problem(ProblemIn(file, "this is not a script", "name a file in Lua that the run uses"), {});
@@ -208,7 +208,8 @@ void ScriptDesk::Fill(Contents& contents, bool is_visible) {
   if (is_visible) std::ranges::copy_if(files, std::back_inserter(shown.files), IsScript);
   if (!is_stopped()) return;
   shown.stopped = stops_.Look(call_, open_, watches_);
-  for (script::ScriptFrame& call : shown.stopped->calls) call.file = call.file.empty() ? "" : FileOf(files, call.file);
+  for (script::ScriptFrame& call : shown.stopped->calls)
+    call.file = call.file.empty() ? "" : FileOfScript(files, call.file);
   if (shown.stopped->calls.empty()) return;
   const script::ScriptFrame& call = shown.stopped->calls[shown.stopped->call];
   if (files.contains(call.file)) {

@@ -52,7 +52,7 @@ std::vector<std::string_view> Views(const Names& names) {
   return views;
 }
 
-std::string Quoted(std::string_view what, std::string_view name) {
+std::string UnknownName(std::string_view what, std::string_view name) {
   return "unknown " + std::string(what) + " \"" + std::string(name) + "\"";
 }
 
@@ -92,25 +92,25 @@ bool MediaCatalog::HasMaterial(std::string_view name) const {
 MeshBounds MediaCatalog::LookUpMesh(std::string_view name) {
   const auto found = meshes_.find(name);
   if (found != meshes_.end()) return found->second;
-  Warn(Quoted("mesh", name), Hint(name, Views(meshes_), "a box of 1 m is shown instead"));
+  Warn(UnknownName("mesh", name), Hint(name, Views(meshes_), "a box of 1 m is shown instead"));
   return {};
 }
 
 std::string MediaCatalog::LookUpMaterial(std::string_view name) {
   if (HasMaterial(name)) return std::string(name);
-  Warn(Quoted("material", name), Hint(name, Views(materials_), "\"White\" is used instead"));
+  Warn(UnknownName("material", name), Hint(name, Views(materials_), "\"White\" is used instead"));
   return "White";
 }
 
 std::string MediaCatalog::LookUpSky(std::string_view name) {
   if (skies_.find(name) != skies_.end()) return std::string(name);
-  Warn(Quoted("sky", name), Hint(name, Views(skies_), "the sky stays plain"));
+  Warn(UnknownName("sky", name), Hint(name, Views(skies_), "the sky stays plain"));
   return {};
 }
 
 std::string MediaCatalog::LookUpParticle(std::string_view name) {
   if (particles_.find(name) != particles_.end()) return std::string(name);
-  Warn(Quoted("particle effect", name), Hint(name, Views(particles_), "nothing is drawn in its place"));
+  Warn(UnknownName("particle effect", name), Hint(name, Views(particles_), "nothing is drawn in its place"));
   return {};
 }
 
@@ -119,7 +119,7 @@ bool MediaCatalog::CheckResource(std::string_view name) {
       particles_.find(name) != particles_.end()) {
     return true;
   }
-  Warn(Quoted("resource", name), Hint(name, Views(meshes_), "it is not loaded"));
+  Warn(UnknownName("resource", name), Hint(name, Views(meshes_), "it is not loaded"));
   return false;
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr Color kFill{0, 1, 1, 32.0f / 255};
 constexpr Color kEdge{0, 0.5f, 0.5f, 1};
 /// Drawn above the mesh, so that floors do not cover it.
-constexpr Vec3 kLift_m{0, 0.02f, 0};
+constexpr Vec3 kDrawnLift_m{0, 0.02f, 0};
 
 std::string Quoted(std::string_view name) {
   return "\"" + std::string(name) + "\"";
@@ -29,10 +29,10 @@ std::string Quoted(std::string_view name) {
 /// Adds a mesh to the triangles and lines of a snapshot.
 void AddMesh(const NavigationMesh& mesh, auto& out) {
   for (const auto& [a, b, c] : mesh.triangles()) {
-    out.triangles.push_back({a + kLift_m, b + kLift_m, c + kLift_m, kFill});
-    out.lines.push_back({a + kLift_m, b + kLift_m, kEdge});
-    out.lines.push_back({b + kLift_m, c + kLift_m, kEdge});
-    out.lines.push_back({c + kLift_m, a + kLift_m, kEdge});
+    out.triangles.push_back({a + kDrawnLift_m, b + kDrawnLift_m, c + kDrawnLift_m, kFill});
+    out.lines.push_back({a + kDrawnLift_m, b + kDrawnLift_m, kEdge});
+    out.lines.push_back({b + kDrawnLift_m, c + kDrawnLift_m, kEdge});
+    out.lines.push_back({c + kDrawnLift_m, a + kDrawnLift_m, kEdge});
   }
 }
 

@@ -33,7 +33,7 @@ Vec3 FromFloats(const float* v) {
   return {v[0], v[1], v[2]};
 }
 
-Diagnostic Fault(std::string message, std::string hint) {
+Diagnostic MeshFault(std::string message, std::string hint) {
   return NewProblem(std::move(message), std::move(hint));
 }
 
@@ -120,16 +120,16 @@ Result<void> NavigationMesh::Check(const NavigationGeometry& geometry, const Nav
   };
   for (const Range& range : ranges) {
     if (range.value >= range.min && range.value <= range.max) continue;
-    return Fault(std::string(range.name) + " is " + Text(range.value),
-                 "it is a number from " + Text(range.min) + " to " + Text(range.max));
+    return MeshFault(std::string(range.name) + " is " + Text(range.value),
+                     "it is a number from " + Text(range.min) + " to " + Text(range.max));
   }
   if (geometry.empty()) {
-    return Fault("there is no fixed object to walk on",
-                 "make boxes or meshes of mass 0 first (Core.SetMass(object, 0)); planes are not walked on");
+    return MeshFault("there is no fixed object to walk on",
+                     "make boxes or meshes of mass 0 first (Core.SetMass(object, 0)); planes are not walked on");
   }
   if (geometry.triangles.size() / 3 > kMaxTriangles || CoveredCells(geometry, config) > kMaxCoveredCells) {
-    return Fault("the fixed objects are too many or too large for one navigation mesh",
-                 "use fewer or smaller ones, or a greater CellSize");
+    return MeshFault("the fixed objects are too many or too large for one navigation mesh",
+                     "use fewer or smaller ones, or a greater CellSize");
   }
   return {};
 }
@@ -160,7 +160,7 @@ Result<std::unique_ptr<NavigationMesh>> NavigationMesh::Build(const NavigationGe
   if (!built.ok()) return built.error();
 
   auto impl = std::make_unique<Impl>();
-  const Diagnostic no_memory = Fault("there is no memory for the navigation mesh", "use a greater CellSize");
+  const Diagnostic no_memory = MeshFault("there is no memory for the navigation mesh", "use a greater CellSize");
   if (!impl->mesh || !impl->query ||
       dtStatusFailed(impl->mesh->init(built->tile, built->tile_size, DT_TILE_FREE_DATA))) {
     dtFree(built->tile);

@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint64_t kMultiplier = 6364136223846793005ull;
 
 // Spreads similar seeds and stream numbers over all 64 bits (Stafford's mix 13).
-std::uint64_t Mix(std::uint64_t x) {
+std::uint64_t MixBits(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
   return x ^ (x >> 31);
@@ -15,12 +15,12 @@ std::uint64_t Mix(std::uint64_t x) {
 
 }  // namespace
 
-RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream) : increment_((Mix(stream + 1) << 1) | 1) {
+RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream) : increment_((MixBits(stream + 1) << 1) | 1) {
   Reseed(seed);
 }
 
 void RandomStream::Reseed(std::uint64_t seed) {
-  state_ = Mix(seed + 0x9e3779b97f4a7c15ull) + increment_;
+  state_ = MixBits(seed + 0x9e3779b97f4a7c15ull) + increment_;
   Next();
 }
 

@@ -18,7 +18,7 @@
 #include "app/sibling_program.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 #include "record/reader.h"
 #include "serve/random_id.h"
 #include "serve/server.h"

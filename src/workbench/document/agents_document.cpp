@@ -69,7 +69,7 @@ std::string HintOf(const AgentRow& row) {
   return text;
 }
 
-TableRow RowOf(const Contents& contents, const AgentRow& agent) {
+TableRow RowOfAgent(const Contents& contents, const AgentRow& agent) {
   const bool is_dull = !agent.alive || agent.failed;
   TableRow row;
   row.key = agent.name;
@@ -108,7 +108,7 @@ Nodes AgentsDocument(const Contents& contents) {
   table.is_sortable = true;
   table.filter = "Filter";
   table.none_fits = {"No agent has this text.", ""};
-  for (const AgentRow& agent : contents.agents) table.rows.push_back(RowOf(contents, agent));
+  for (const AgentRow& agent : contents.agents) table.rows.push_back(RowOfAgent(contents, agent));
   return {std::move(table)};
 }
 

@@ -38,7 +38,7 @@ Facts FactsOf(const ExerciseContents& exercise) {
   return facts;
 }
 
-TableRow RowOf(const Contents& contents, const ExerciseContents::Entity& one) {
+TableRow RowOfEntity(const Contents& contents, const ExerciseContents::Entity& one) {
   const bool has_body = !one.agent.empty();
   TableRow row;
   row.key = one.id;
@@ -79,7 +79,7 @@ Nodes ExerciseDocument(const Contents& contents) {
   table.key = "entities";
   table.columns = {{"Name"}, {"Id"}, {"Heard", true}};
   table.press = RowAction{{SelectRequest{}}, "agent", 1};
-  for (const ExerciseContents::Entity& one : exercise.entities) table.rows.push_back(RowOf(contents, one));
+  for (const ExerciseContents::Entity& one : exercise.entities) table.rows.push_back(RowOfEntity(contents, one));
   nodes.push_back(std::move(table));
   return nodes;
 }

@@ -23,7 +23,7 @@ Role RoleOfStatus(const std::string& status) {
   return status == "interrupted" ? Role::kQuiet : Role::kWarn;
 }
 
-TableRow RowOf(const CommandRow& command) {
+TableRow RowOfCommand(const CommandRow& command) {
   std::string parameters;
   for (const MemoryRow& row : command.parameters)
     parameters += (parameters.empty() ? "^" : "  ^") + row.element.attribute + " " + ShortNumber(row.element.value);
@@ -96,7 +96,7 @@ Nodes LinksDocument(const Contents& contents) {
     table.key = "commands";
     table.has_heads = false;
     table.columns = {{"Command"}, {"Parameters", false, false, true}, {"Status", false, false, true}};
-    for (const CommandRow& command : io.commands) table.rows.push_back(RowOf(command));
+    for (const CommandRow& command : io.commands) table.rows.push_back(RowOfCommand(command));
     nodes.push_back(std::move(table));
   }
   if (!io.output.rows.empty()) {

@@ -130,7 +130,7 @@ std::string WhichEpisode(const Contents& contents) {
   return text + ", taken in decision" + range(from, facts.decisions[last - 1]);
 }
 
-Nodes Episodes(const Contents& contents) {
+Nodes EpisodesPart(const Contents& contents) {
   const debugger::LongTermView& view = contents.long_term;
   const std::size_t episodes = view.facts.episodes, chosen = contents.episode.number;
   if (episodes == 0) {
@@ -186,7 +186,7 @@ Nodes LongTermDocument(const Contents& contents) {
   tabs.pages.push_back({"Recalled " + std::to_string(contents.recalls == nullptr ? 0 : contents.recalls->count()),
                         "What rules asked of long-term memory, what came, and why", Recalled(contents)});
   tabs.pages.push_back(
-      {"Episodes " + std::to_string(facts.episodes), "What episodic memory holds", Episodes(contents)});
+      {"Episodes " + std::to_string(facts.episodes), "What episodic memory holds", EpisodesPart(contents)});
   nodes.push_back(std::move(tabs));
   return nodes;
 }

@@ -70,7 +70,7 @@ class Unfolded {
   std::set<std::string> seen_;
 };
 
-Section Story(const Contents& contents, const debugger::ElementStory& story) {
+Section ElementStoryPart(const Contents& contents, const debugger::ElementStory& story) {
   const mind::ElementFact& element = story.element;
   Section section{"element", {{ElementText(element), Role::kStrong}}, {}};
   section.is_story = true;
@@ -130,7 +130,7 @@ Nodes MemoryDocument(const Contents& contents) {
   search.action.request = SearchMemoryRequest{};
   search.fields.push_back({Field::Kind::kLine, "text", "Search in memory", "Search", contents.memory_search});
   nodes.push_back(std::move(search));
-  if (contents.story) nodes.push_back(Story(contents, *contents.story));
+  if (contents.story) nodes.push_back(ElementStoryPart(contents, *contents.story));
   if (!contents.memory_search.empty()) {
     const std::size_t count = contents.found.size();
     nodes.push_back(Heading(count >= kMostFound ? std::to_string(count) + " elements or more"

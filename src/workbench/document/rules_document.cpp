@@ -114,7 +114,7 @@ void AddMatches(const mind::MatchFacts& facts, Nodes& nodes) {
   nodes.push_back(std::move(section));
 }
 
-Section Story(const Contents& contents, const debugger::RuleView& view) {
+Section RuleStoryPart(const Contents& contents, const debugger::RuleView& view) {
   const mind::RuleFact& rule = view.rule;
   const std::string& text = contents.rule_text.empty() ? view.source : contents.rule_text;
   Section section{"rule", {{rule.name, Role::kStrong}}, {}};
@@ -160,7 +160,7 @@ Nodes RulesDocument(const Contents& contents) {
   if (auto without = WithoutMind(contents)) return std::move(*without);
   Nodes nodes;
   NoteRecorded(contents, nodes);
-  if (contents.rule) nodes.push_back(Story(contents, *contents.rule));
+  if (contents.rule) nodes.push_back(RuleStoryPart(contents, *contents.rule));
   Tabs tabs{"pages", {}};
   tabs.pages.push_back({"Rules", "All rules with how often they fired", {List(contents)}});
   tabs.pages.push_back({"Coverage", "Which rules took part in the run, and where the others stop", Coverage(contents)});

@@ -21,7 +21,7 @@ std::string NameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
-std::string PlaceOf(const std::string& file, int line) {
+std::string ScriptPlace(const std::string& file, int line) {
   return NameOf(file) + ":" + std::to_string(line);
 }
 
@@ -49,7 +49,7 @@ Table Calls(const Contents& contents, const StoppedScript& stopped) {
     row.is_chosen = i == stopped.call;
     row.cells = {TextCell(call.function, Role::kName), {}};
     if (!call.file.empty())
-      row.cells.back().spans.push_back(FileLink(contents, call.file, call.line, PlaceOf(call.file, call.line)));
+      row.cells.back().spans.push_back(FileLink(contents, call.file, call.line, ScriptPlace(call.file, call.line)));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -76,7 +76,7 @@ Table Source(const ScriptContents& script, const script::ScriptFrame& call) {
   return table;
 }
 
-TreeRow RowOf(const ScriptRow& variable) {
+TreeRow RowOfVariable(const ScriptRow& variable) {
   TreeRow row;
   row.key = variable.key;
   row.spans = {{variable.name, Role::kName},
@@ -84,7 +84,7 @@ TreeRow RowOf(const ScriptRow& variable) {
   row.folds = variable.folds;
   row.is_open = variable.is_open;
   if (variable.folds) row.arguments = {variable.key};
-  for (const ScriptRow& below : variable.below) row.below.push_back(RowOf(below));
+  for (const ScriptRow& below : variable.below) row.below.push_back(RowOfVariable(below));
   return row;
 }
 
@@ -93,7 +93,7 @@ void AddVariables(const char* key, const char* title, const std::vector<ScriptRo
   nodes.push_back(Heading(title));
   Tree tree{key, title, {}};
   tree.unfold = RowAction{{ScriptValueRequest{}}, "key", 1};
-  for (const ScriptRow& variable : variables) tree.rows.push_back(RowOf(variable));
+  for (const ScriptRow& variable : variables) tree.rows.push_back(RowOfVariable(variable));
   nodes.push_back(std::move(tree));
 }
 
@@ -118,7 +118,7 @@ void AddWatches(const ScriptContents& script, Nodes& nodes) {
     if (script.stopped && i < script.stopped->watches.size()) {
       const debugger::ScriptWatch& watch = script.stopped->watches[i];
       if (watch.fault.empty()) {
-        row = RowOf(watch.value);
+        row = RowOfVariable(watch.value);
       } else {
         row.spans = {{what, Role::kName}, {"  " + watch.fault, Role::kBad}};
       }
@@ -167,7 +167,7 @@ void AddStops(const Contents& contents, Nodes& nodes) {
   table.columns = {{"Line", false, false, true}, {""}};
   for (const LineStop& stop : script.stops) {
     TableRow row;
-    row.key = PlaceOf(stop.file, stop.line);
+    row.key = ScriptPlace(stop.file, stop.line);
     row.cells = {{{FileLink(contents, stop.file, stop.line, row.key)}},
                  {{Span{kRemove, Role::kTag, Action{LineStopRequest{stop.file, stop.line, false}}, "Remove"}}}};
     if (!stop.condition.empty()) row.cells.front().spans.push_back({" if " + stop.condition, Role::kCode});
@@ -199,7 +199,7 @@ Nodes ScriptDocument(const Contents& contents) {
                                {" "},
                                {stopped.script, Role::kStrong},
                                {" in " + call.function + ", "},
-                               FileLink(contents, call.file, call.line, PlaceOf(call.file, call.line))}));
+                               FileLink(contents, call.file, call.line, ScriptPlace(call.file, call.line))}));
     if (!stopped.error.empty()) nodes.push_back(Text(stopped.error, Role::kBad));
     nodes.push_back(Steps());
     AddVariables("locals", "Local variables", stopped.locals, nodes);

@@ -13,9 +13,9 @@ namespace {
 using debugger::TraceKind;
 using debugger::TraceLine;
 
-constexpr std::size_t kMostLines = 300;
+constexpr std::size_t kMostTraceLines = 300;
 
-Role RoleOf(TraceKind kind) {
+Role TraceRole(TraceKind kind) {
   switch (kind) {
     case TraceKind::kError:
       return Role::kBad;
@@ -83,11 +83,12 @@ Form FilterForm(const Contents& contents) {
   return form;
 }
 
-TableRow RowOf(const Contents& contents, const TraceLine& line, std::size_t number) {
+TableRow RowOfTraceLine(const Contents& contents, const TraceLine& line, std::size_t number) {
   TableRow row;
   row.key = std::to_string(number);
   row.arguments = {std::to_string(line.tick)};
-  Span text{std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text, RoleOf(line.kind)};
+  Span text{std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text,
+            TraceRole(line.kind)};
   if (line.kind == TraceKind::kError)
     if (const auto place = debugger::FindFilePlace(line.text)) {
       text = FileLink(contents, place->file, place->line, line.text);
@@ -114,8 +115,9 @@ Nodes TraceDocument(const Contents& contents) {
   table.has_heads = false;
   table.press = RowAction{{SeekRequest{}}, "tick", 1};
   const auto add = [&](const auto& found) {
-    for (std::size_t i = found.size(); i > 0 && table.rows.size() < kMostLines; --i)
-      if (found[i - 1]->tick <= contents.moment.shown_tick) table.rows.push_back(RowOf(contents, *found[i - 1], i));
+    for (std::size_t i = found.size(); i > 0 && table.rows.size() < kMostTraceLines; --i)
+      if (found[i - 1]->tick <= contents.moment.shown_tick)
+        table.rows.push_back(RowOfTraceLine(contents, *found[i - 1], i));
   };
   contents.trace_found != nullptr ? add(*contents.trace_found) : add(contents.trace->Find(contents.trace_filter));
   if (table.rows.empty())

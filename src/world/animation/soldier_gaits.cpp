@@ -11,7 +11,7 @@
 namespace soarbox::world {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kHalfTurn = std::numbers::pi_v<float>;
 using Size = SoldierSize;
 
 enum class Carry { kReady, kAim, kPort, kNothing };
@@ -35,7 +35,7 @@ struct Gait {
 };
 
 /// A smooth transition from 0 to 1.
-float Ease(float t) {
+float EaseGait(float t) {
   t = std::clamp(t, 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
@@ -58,7 +58,7 @@ SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
   Vec3 ankle;
   if (phase < gait.stance) {
     const float t = phase / gait.stance;
-    foot.pitch = t < 0.2f ? landing * (1 - Ease(t / 0.2f)) : leaving * Ease((t - 0.5f) / 0.5f) * Ease(t);
+    foot.pitch = t < 0.2f ? landing * (1 - EaseGait(t / 0.2f)) : leaving * EaseGait((t - 0.5f) / 0.5f) * EaseGait(t);
     ankle = AnkleOver(ahead * (middle + way * (0.5f - t)), foot.pitch);
     foot.toe_pitch = -std::max(foot.pitch, 0.0f);
   } else {
@@ -70,10 +70,12 @@ SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
     const float t2 = t * t, t3 = t2 * t;
     const float place = 3 * t2 - 2 * t3, tangents = speed * (2 * t3 - 3 * t2 + t);
     ankle = from + (to - from) * place + ahead * tangents;
-    ankle.y = from.y + (to.y - from.y) * Ease(t) + gait.lift_m * std::sin(kPi * std::pow(t, gait.runs ? 0.75f : 0.9f));
+    ankle.y = from.y + (to.y - from.y) * EaseGait(t) +
+              gait.lift_m * std::sin(kHalfTurn * std::pow(t, gait.runs ? 0.75f : 0.9f));
     const float kick = gait.runs && forward ? 0.9f : 0.15f;
-    foot.pitch = leaving + (landing - leaving) * Ease(t * 1.15f) + kick * gait.push_off * std::sin(kPi * t) * (1 - t);
-    foot.toe_pitch = -leaving * (1 - Ease(t * 4));
+    foot.pitch =
+        leaving + (landing - leaving) * EaseGait(t * 1.15f) + kick * gait.push_off * std::sin(kHalfTurn * t) * (1 - t);
+    foot.toe_pitch = -leaving * (1 - EaseGait(t * 4));
   }
   foot.ankle = ankle + Vec3{side * gait.side_m, 0, 0};
   foot.yaw = side * (gait.runs ? 0.04f : 0.10f);
@@ -83,10 +85,10 @@ SoldierPose::Foot FootAt(const Gait& gait, float phase, float side) {
 SoldierPose GaitPose(const Gait& gait, float phase) {
   const bool aims = gait.carry == Carry::kAim, is_free = gait.carry == Carry::kNothing;
   SoldierPose pose = aims ? StandAiming() : is_free ? StandFree() : StandReady();
-  const float cycle = 2 * kPi * phase;
+  const float cycle = 2 * kHalfTurn * phase;
   const float mid_stance = 0.5f * gait.stance;
-  const float beat = gait.runs ? std::cos(2 * (cycle - 2 * kPi * mid_stance)) : std::cos(2 * cycle);
-  const float swing = std::cos(cycle), sway = std::cos(cycle - 2 * kPi * mid_stance);
+  const float beat = gait.runs ? std::cos(2 * (cycle - 2 * kHalfTurn * mid_stance)) : std::cos(2 * cycle);
+  const float swing = std::cos(cycle), sway = std::cos(cycle - 2 * kHalfTurn * mid_stance);
   const float forward = std::cos(gait.heading);
   pose.hips = {0.022f * sway, gait.hips_m - gait.bob_m * beat, 0.0f};
   const float blade = aims ? -0.28f : 0.0f;
@@ -199,7 +201,7 @@ constexpr Gait kWalks[] = {
      .speed_mps = 1.0f,
      .period_s = 1.0f,
      .stance = 0.62f,
-     .heading = kPi,
+     .heading = kHalfTurn,
      .hips_m = 0.875f,
      .bob_m = 0.012f,
      .lift_m = 0.05f,
@@ -209,7 +211,7 @@ constexpr Gait kWalks[] = {
      .speed_mps = 2.2f,
      .period_s = 0.70f,
      .stance = 0.42f,
-     .heading = kPi,
+     .heading = kHalfTurn,
      .hips_m = 0.855f,
      .bob_m = 0.02f,
      .lift_m = 0.10f,
@@ -221,7 +223,7 @@ constexpr Gait kWalks[] = {
      .speed_mps = 1.0f,
      .period_s = 0.80f,
      .stance = 0.58f,
-     .heading = kPi / 2,
+     .heading = kHalfTurn / 2,
      .hips_m = 0.868f,
      .bob_m = 0.012f,
      .lift_m = 0.06f,
@@ -231,7 +233,7 @@ constexpr Gait kWalks[] = {
      .speed_mps = 1.0f,
      .period_s = 0.80f,
      .stance = 0.58f,
-     .heading = -kPi / 2,
+     .heading = -kHalfTurn / 2,
      .hips_m = 0.868f,
      .bob_m = 0.012f,
      .lift_m = 0.06f,
@@ -241,7 +243,7 @@ constexpr Gait kWalks[] = {
      .speed_mps = 1.0f,
      .period_s = 1.0f,
      .stance = 0.62f,
-     .heading = kPi,
+     .heading = kHalfTurn,
      .hips_m = 0.885f,
      .bob_m = 0.012f,
      .lift_m = 0.05f,
@@ -273,7 +275,7 @@ constexpr Gait kCrouches[] = {
      .speed_mps = 0.8f,
      .period_s = 0.95f,
      .stance = 0.62f,
-     .heading = kPi,
+     .heading = kHalfTurn,
      .hips_m = 0.60f,
      .bob_m = 0.012f,
      .lift_m = 0.06f,
@@ -287,15 +289,15 @@ SoldierPose TurningPose(const SoldierPose& stance, float phase, float way) {
   SoldierPose pose = stance;
   const auto step = [&](SoldierPose::Foot& foot, float own_phase) {
     // For half of the cycle a foot is on the ground, and rotates against the turn relative to the body.
-    const float t = own_phase < 0.5f ? 1 - 4 * own_phase : -1 + 4 * Ease((own_phase - 0.5f) * 2) * 0.5f;
+    const float t = own_phase < 0.5f ? 1 - 4 * own_phase : -1 + 4 * EaseGait((own_phase - 0.5f) * 2) * 0.5f;
     const Quat round = Turn({0, 1, 0}, way * 0.30f * t);
     foot.ankle = Rotate(round, foot.ankle);
     foot.yaw += way * 0.30f * t;
-    if (own_phase >= 0.5f) foot.ankle.y += 0.06f * std::sin(kPi * (own_phase - 0.5f) * 2);
+    if (own_phase >= 0.5f) foot.ankle.y += 0.06f * std::sin(kHalfTurn * (own_phase - 0.5f) * 2);
   };
   step(pose.left, phase);
   step(pose.right, std::fmod(phase + 0.5f, 1.0f));
-  pose.hips.y -= 0.015f + 0.006f * std::cos(4 * kPi * phase);
+  pose.hips.y -= 0.015f + 0.006f * std::cos(4 * kHalfTurn * phase);
   return pose;
 }
 

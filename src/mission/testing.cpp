@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "mission/missions_test_support.h"
+#include "mission/testing.h"
 
 #include <unistd.h>
 
