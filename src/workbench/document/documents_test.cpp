@@ -276,7 +276,7 @@ TEST_F(Documents, OfMissionsShowGradesWithoutFoldersAndLeadToTheNextLesson) {
   lesson.is_passed = true;
   EXPECT_THAT(
       TextOf(PanelId::kMission),
-      AllOf(HasSubstr("You have passed: 1. A rule fires"), HasSubstr("[Next lesson: Operators] 1 of 2 lessons passed"),
+      AllOf(HasSubstr("You have passed: 1. A rule fires"), HasSubstr("[Next lesson] Operators 1 of 2 lessons passed"),
             HasSubstr("yes: anna is greeted"), HasSubstr("[Grade] [Hint 2 of 3]\n")));
   lesson.next.clear();
   EXPECT_THAT(TextOf(PanelId::kMission), HasSubstr("That was the last lesson."));

@@ -64,14 +64,15 @@ bool IsPass(const LessonContents& lesson) {
 }
 
 /// The button that opens the next lesson.
-Button NextLesson(const Contents& contents, bool with_title) {
-  const std::string& next = contents.lesson->next;
-  const auto offer = std::ranges::find(contents.lessons, next, &LessonOffer::name);
-  Button button{"Next lesson", Action{LessonRequest{What::kOpen, next}},
-                "Every lesson is open, whether this one is passed or not"};
-  if (with_title) button.label += ": " + (offer == contents.lessons.end() ? next : offer->title);
-  button.is_main = with_title;
-  return button;
+Button NextLesson(const LessonContents& lesson) {
+  return {"Next lesson", Action{LessonRequest{What::kOpen, lesson.next}},
+          "Every lesson is open, whether this one is passed or not"};
+}
+
+/// The title of a lesson.
+std::string TitleOf(const Contents& contents, const std::string& name) {
+  const auto offer = std::ranges::find(contents.lessons, name, &LessonOffer::name);
+  return offer == contents.lessons.end() ? name : offer->title;
 }
 
 /// The progress of the grading, or its result: the headline and its reasons. A pass leads to the next lesson.
@@ -97,7 +98,12 @@ Section GradeSection(const Contents& contents) {
   if (is_pass) {
     const auto passed = std::ranges::count_if(contents.lessons, &LessonOffer::is_passed);
     Line line;
-    if (!lesson.next.empty()) line.nodes.push_back(NextLesson(contents, true));
+    if (!lesson.next.empty()) {
+      Button next = NextLesson(lesson);
+      next.is_main = true;
+      line.nodes.push_back(std::move(next));
+      line.nodes.push_back(Text(TitleOf(contents, lesson.next)));
+    }
     if (lesson.next.empty()) line.nodes.push_back(Text("That was the last lesson."));
     if (!contents.lessons.empty())
       line.nodes.push_back(Text(
@@ -225,7 +231,7 @@ Actions ActionsOf(const Contents& contents) {
     hint.is_enabled = shown < lesson.hint_count;
     actions.nodes.push_back(std::move(hint));
   }
-  if (!lesson.next.empty() && !IsPass(lesson)) actions.nodes.push_back(NextLesson(contents, false));
+  if (!lesson.next.empty() && !IsPass(lesson)) actions.nodes.push_back(NextLesson(lesson));
   return actions;
 }
 
