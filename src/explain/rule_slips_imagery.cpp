@@ -12,16 +12,16 @@ namespace soarbox::explain {
 namespace {
 
 using Parameter = SceneKinds::Parameter;
-using Kind = SceneKinds::Kind;
+using SceneKind = SceneKinds::Kind;
 
-std::vector<std::string_view> KindNames(const std::vector<Kind>& kinds) {
+std::vector<std::string_view> KindNames(const std::vector<SceneKind>& kinds) {
   std::vector<std::string_view> names;
-  for (const Kind& kind : kinds) names.emplace_back(kind.name);
+  for (const SceneKind& kind : kinds) names.emplace_back(kind.name);
   return names;
 }
 
-const Kind* Find(const std::vector<Kind>& kinds, std::string_view name) {
-  const auto found = std::ranges::find(kinds, name, &Kind::name);
+const SceneKind* Find(const std::vector<SceneKind>& kinds, std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &SceneKind::name);
   return found == kinds.end() ? nullptr : &*found;
 }
 
@@ -65,7 +65,7 @@ class SceneChecker {
   void Check(const RuleText& rule) {
     for (const RuleAttribute& action : rule.actions) {
       if (!IsOnCommandLink(rule, action) || !IsConstantAttribute(action.attribute) || action.removes) continue;
-      const Kind* const kind = Find(kinds_.commands, action.attribute);
+      const SceneKind* const kind = Find(kinds_.commands, action.attribute);
       if (kind == nullptr) {
         const std::vector<std::string_view> names = KindNames(kinds_.commands);
         const std::string_view near = Suggest(action.attribute, names);
@@ -135,7 +135,7 @@ class SceneChecker {
     }
     const std::string name = SoleConstant(type->value);
     if (name.empty()) return;
-    const Kind* const kind = Find(kinds_.filters, name);
+    const SceneKind* const kind = Find(kinds_.filters, name);
     if (kind == nullptr) {
       const std::string_view near = Suggest(name, KindNames(kinds_.filters));
       Tell(rule, name, false, "rule " + rule.name + " asks for the filter " + name + ", which does not exist",
@@ -152,7 +152,7 @@ class SceneChecker {
     }
   }
 
-  void CheckParameters(const RuleText& rule, const std::string& id, const Kind& kind, const std::string& what) {
+  void CheckParameters(const RuleText& rule, const std::string& id, const SceneKind& kind, const std::string& what) {
     std::vector<std::string_view> names;
     for (const Parameter& parameter : kind.parameters) names.emplace_back(parameter.name);
     std::set<std::string> given, misspelt;
