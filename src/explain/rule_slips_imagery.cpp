@@ -273,7 +273,7 @@ bool IsBelowScene(const std::vector<std::string>& path) {
 
 SceneKinds ReadSceneKinds(std::string_view text) {
   SceneKinds kinds;
-  std::vector<Kind>* list = nullptr;
+  std::vector<SceneKind>* list = nullptr;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
