@@ -161,7 +161,7 @@ int Main(int argc, char** argv, const Contents& contents) {
   if (program.got_subcommand("list")) return List();
   if (contents.windowless == nullptr) {
     GoOnAs("soarbox", argv);
-    return Refuse("this program only opens windows", "./dev build release builds soarbox, which has all commands");
+    return Refuse("this program does not have this command", "soarbox has it; ./dev build release builds it");
   }
   return contents.windowless(program.get_subcommands().front()->get_name(), options);
 }

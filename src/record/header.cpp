@@ -14,6 +14,9 @@ namespace soarbox::record {
 namespace fs = std::filesystem;
 namespace {
 
+/// Bits of the byte about the minds' kernels.
+constexpr std::uint8_t kOwnKernel = 1, kHasOrigins = 2;
+
 constexpr std::array<std::string_view, 3> kLevels = {"world", "decisions", "all"};
 
 std::string& TheBuildId() {
@@ -38,6 +41,7 @@ Header HeaderOf(const sim::Scenario& scenario, const sim::SimulationSettings& se
   header.step_s = step_s;
   header.level = level;
   header.own_kernel = settings.soar.remote_host.empty();
+  header.has_origins = settings.records_origins;
   for (const auto& [name, file] : scenario.replaced_rules)
     header.replaced_rules.emplace_back(name, scenario.Original(file).string());
   header.memory_mb = settings.limits.memory_bytes >> 20;
@@ -56,7 +60,7 @@ std::string EncodeHeader(const Header& header) {
   out.Number(header.screen_height_px);
   out.Double(header.step_s);
   out.Byte(static_cast<std::uint8_t>(header.level));
-  out.Byte(header.own_kernel ? 1 : 0);
+  out.Byte(static_cast<std::uint8_t>((header.own_kernel ? kOwnKernel : 0) | (header.has_origins ? kHasOrigins : 0)));
   out.Text(header.branched_from);
   out.Number(header.branch_tick);
   out.Number(header.files.size());
@@ -89,7 +93,9 @@ Result<Header> DecodeHeader(std::string_view bytes) {
   const std::uint64_t height = in.Number();
   header.step_s = in.Double();
   const std::uint8_t level = in.Byte();
-  header.own_kernel = in.Byte() != 0;
+  const std::uint8_t minds = in.Byte();
+  header.own_kernel = (minds & kOwnKernel) != 0;
+  header.has_origins = (minds & kHasOrigins) != 0;
   header.branched_from = in.Text();
   header.branch_tick = in.Number();
   constexpr std::size_t kMostFiles = 100'000;  // Far more than are ever kept.

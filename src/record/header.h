@@ -30,6 +30,7 @@ struct Header {
   double step_s = 1.0 / 30;  ///< Simulated seconds per tick.
   Level level = Level::kDecisions;
   bool own_kernel = true;         ///< False: minds ran in another kernel, which reports less.
+  bool has_origins = false;       ///< The kernels noted origins for *Why*, which keep identifiers in memory.
   std::vector<KeptFile> files;    ///< The files of the run as they were at its beginning; empty if they were not kept.
   std::string branched_from;      ///< The recording of the run from which this one branched; empty if it did not.
   std::uint64_t branch_tick = 0;  ///< The last tick that both have in common.

@@ -40,6 +40,7 @@ inline Header SomeHeader() {
   header.scenario_digest = 0x123456789abcdef0;
   header.seed = 77;
   header.level = Level::kAll;
+  header.has_origins = true;
   header.files = {{0, "scout.soar", "sp {a (state <s>) --> (halt)}\n"}, {1, "more/x.lua", ""}};
   header.replaced_rules = {{"scout", "/a/better.soar"}};
   header.branched_from = "/somewhere/run.soarrec";

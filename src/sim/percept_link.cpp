@@ -116,7 +116,13 @@ void PerceptLink::EndDirect::operator()(Direct* direct) const {
 
 PerceptLink::~PerceptLink() = default;
 
+void PerceptLink::Close() {
+  is_closed_ = true;
+  direct_.reset();
+}
+
 std::uint64_t PerceptLink::InputLink() {
+  if (is_closed_) return 0;
 #ifdef SOARBOX_OWN_KERNEL
   if (direct_ != nullptr) return static_cast<std::uint64_t>(DirectInput::Object::kInputLink);
 #endif
@@ -124,6 +130,7 @@ std::uint64_t PerceptLink::InputLink() {
 }
 
 bool PerceptLink::Add(std::uint64_t parent, PerceptSlot& slot) {
+  if (is_closed_) return false;
 #ifdef SOARBOX_OWN_KERNEL
   if (direct_ != nullptr) return AddDirectly(parent, slot);
 #endif
@@ -134,6 +141,7 @@ bool PerceptLink::Add(std::uint64_t parent, PerceptSlot& slot) {
 }
 
 void PerceptLink::Change(const PerceptSlot& slot) {
+  if (is_closed_) return;
 #ifdef SOARBOX_OWN_KERNEL
   if (direct_ != nullptr) {
     DirectInput& input = *direct_->input;
@@ -155,6 +163,7 @@ void PerceptLink::Change(const PerceptSlot& slot) {
 }
 
 void PerceptLink::Remove(const PerceptSlot& slot) {
+  if (is_closed_) return;
 #ifdef SOARBOX_OWN_KERNEL
   if (direct_ != nullptr) {
     if (direct_->input->IsUsable()) direct_->input->Remove(Direct::ElementOf(slot));

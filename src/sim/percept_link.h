@@ -58,7 +58,9 @@ using PerceptSlots = std::vector<PerceptSlot>;
 /// * to our kernel in this process, if no other client can see the input: directly (soarbox_DirectInput.h). After
 ///   init-soar, the link writes all percepts again, in the order in which they were first added;
 /// * to any other kernel: through the client API, which does this itself and has its own copy of the input.
-/// Both have the same effects on the agent: the same elements, in the same order, with the same time tags.
+/// Both have the same effects on the agent: the same elements, in the same order, with the same time tags. If others
+/// write the input of the agent, too, use kClientApi: after init-soar, the elements of the client API are written
+/// first.
 ///
 /// `element` and `handle` of slots are values of the present way. Use it while no other thread uses the kernel. Destroy
 /// it before its agent, and with its InputMirrors.
@@ -70,9 +72,11 @@ class PerceptLink {
   PerceptLink(const PerceptLink&) = delete;
   PerceptLink& operator=(const PerceptLink&) = delete;
 
-  /// Percepts directly on the input link that must be written again after init-soar. Not owned. In call order if they
-  /// were added at the same time.
+  /// Percepts directly on the input link that must be written again after init-soar. Not owned.
   void Include(PerceptSlots& top) { tops_.push_back(&top); }
+
+  /// Forgets the agent, which may be destroyed before this then. Nothing is added or changed any more.
+  void Close();
 
   /// The handle of the input link.
   std::uint64_t InputLink();
@@ -95,6 +99,7 @@ class PerceptLink {
 
   sml::Agent& agent_;
   std::unique_ptr<Direct, EndDirect> direct_;  ///< Null: the client API is used.
+  bool is_closed_ = false;
   std::vector<PerceptSlots*> tops_;
   std::uint32_t added_ = 0;  ///< Number of percepts that were added directly.
 };

@@ -119,6 +119,37 @@ TEST_F(PerceptLinkTest, APerceptOfADestroyedAgentHasNoEffect) {
   EXPECT_EQ(direct_.first.changes(), 1u);  // The object that could not be created.
 }
 
+TEST_F(PerceptLinkTest, AfterItIsClosedNothingIsAddedOrChanged) {
+  ShowBoth(&Mind::first, [](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
+  for (Mind* mind : {&direct_, &client_}) {
+    const std::string before = mind->Memory();
+    mind->link.Close();
+    mind->first.Show([](InputMirror& mirror) {
+      TellAgent(mirror, 1, "blue", 3);
+      TellAgent(mirror, 2, "blue", 3);
+    });
+    mind->first.Show([](InputMirror&) {});
+    mind->agent.RunSelf(1);
+    EXPECT_EQ(mind->Memory(), before);
+  }
+  // Also if the kernel is gone, as for the mind of an agent that was removed.
+  kernel_->DestroyAgent(&direct_.agent);
+  direct_.first.Show([](InputMirror& mirror) { TellAgent(mirror, 3, "red", 2); });
+}
+
+TEST_F(PerceptLinkTest, ASecondLinkToAnAgentUsesTheClientApi) {
+  PerceptLink link(direct_.agent);
+  {
+    InputMirror mirror(link);
+    mirror.Show([](InputMirror& told) { TellAgent(told, 9, "late", 9); });
+    EXPECT_EQ(direct_.agent.GetInputLink()->GetNumberChildren(), 1);
+  }
+  direct_.first.Show([](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
+  direct_.agent.InitSoar();
+  direct_.agent.RunSelf(1);
+  EXPECT_NE(direct_.Memory().find("^near red"), std::string::npos) << "the first link writes again";
+}
+
 TEST(PerceptLink, TheInputGoesThroughTheClientApiIfOtherClientsCanSeeIt) {
   std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kUseAnyPort));
   if (kernel->GetListenerPort() > 0) {

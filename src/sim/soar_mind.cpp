@@ -122,7 +122,8 @@ void SoarMind::EndWriting::operator()(Writing* writing) const {
 
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
     : agent_(&agent),
-      link_(std::make_unique<PerceptLink>(agent)),
+      link_(std::make_unique<PerceptLink>(
+          agent, settings.shares_input ? PerceptLink::Way::kClientApi : PerceptLink::Way::kShortest)),
       own_body_(*link_),
       messages_(*link_),
       surroundings_(*link_),
@@ -406,7 +407,7 @@ void SoarMind::AllowMemory(std::size_t) {}
 
 void SoarMind::Forget() {
   writing_.reset();
-  link_.reset();
+  link_->Close();
   log_.Listen(*agent_, MindDetail::kNone);
   standing_.clear();
   commands_.clear();

@@ -32,6 +32,7 @@ struct MindSettings {
                                           ///< unless a file of rules says otherwise (soar wait-snc off).
   bool imagines = false;                  ///< Its spatial visual system is on and receives what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much is recorded of what it does.
+  bool shares_input = false;              ///< Others write its input link, too: the board of a game, or a client.
   bool origins = true;                    ///< If something is recorded: the kernel also records origins for *why*.
 };
 

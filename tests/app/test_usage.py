@@ -125,7 +125,7 @@ class Usage(ScenarioCase):
         shutil.copy(window, alone)
         refused = done(alone, "check", "soar_hallway")
         self.assertEqual((refused.returncode, refused.stdout), (3, ""), refused.stderr)
-        self.assertIn("this program only opens windows", refused.stderr)
+        self.assertIn("soarbox has it", refused.stderr)
 
     def test_says_where_the_server_comes_from_where_it_is_not_beside_it(self):
         alone = pathlib.Path(self.folder) / "soarbox"

@@ -12,6 +12,11 @@ import pictures
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs" / "images"
 BY_BROWSER = {"report", "side_by_side"}  # Scripts in web/ take these pictures.
+SITE_SCRIPT = ROOT / "tests" / "docs" / "site_pictures.mjs"
+
+
+def of_the_site():
+    return set(re.findall(r'name: "(site_\w+)"', SITE_SCRIPT.read_text(encoding="utf-8")))
 
 
 def there():
@@ -33,7 +38,7 @@ def colours(file):
 
 class Pictures(unittest.TestCase):
     def test_a_script_takes_each_picture(self):
-        self.assertEqual(there(), set(pictures.PICTURES) | BY_BROWSER)
+        self.assertEqual(there(), set(pictures.PICTURES) | BY_BROWSER | of_the_site())
         self.assertIn("docs/images/side_by_side.png", (ROOT / "web" / "side_by_side.mjs").read_text(encoding="utf-8"))
         self.assertIn("docs/images/report.png", (ROOT / "web" / "e2e" / "report.mjs").read_text(encoding="utf-8"))
 

@@ -73,7 +73,8 @@ struct Origin {
 /// Limits: an origin is kept as long as its element, and longer if a newer origin leads to it. Of origins of removed
 /// elements, an origin leads to those within kDeepest references, and to at most kMostBehind of them (IsWithin).
 ///
-/// Read-only: the agent's behaviour does not depend on it.
+/// What the agent does, does not depend on it. But it keeps identifiers and constants in memory, so an agent near its
+/// memory limit may be stopped in another decision.
 class Origins final : public Module {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -131,7 +132,7 @@ class Origins final : public Module {
   }
   /// The number of origins, including those that are no longer needed.
   std::size_t count() const { return origins_.size(); }
-  /// Approximate size in bytes. Not part of the agent's MemoryBytes, because limits must not depend on observers.
+  /// Approximate size in bytes. Not part of the agent's MemoryBytes.
   std::size_t Bytes() const;
 
  private:

@@ -41,7 +41,8 @@ DirectInput::Element AddTo(sml::AgentData& data, DirectInput::Object parent, std
 std::unique_ptr<DirectInput> DirectInput::Open(sml::Agent& agent, std::function<void()> write_again) {
   sml::AgentData& data = sml::AgentData::Of(agent);
   auto* const link = sml::LocalLinkOf(agent);
-  if (link == nullptr || link->host().Port() != 0 || link->hosted().log != nullptr) return nullptr;
+  if (link == nullptr || link->host().Port() != 0 || link->hosted().log != nullptr || data.write_direct_input)
+    return nullptr;
   data.write_direct_input = std::move(write_again);
   return std::unique_ptr<DirectInput>(new DirectInput(data));
 }
