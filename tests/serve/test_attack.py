@@ -325,7 +325,7 @@ class Rules(Attack):
         for line in ("ls", "pwd", "source /etc/passwd"):
             page.ask(request="console", agent=agent, line=line)
         page.ask(request="console", agent=agent, line="echo the end")
-        lines = str(page.until_contents("console", lambda console: any("the end" in str(line) for line in console["lines"]))["lines"])
+        lines = page.until_printed("the end")
         self.assertIn("'ls'", lines)
         self.assertNotIn("Type it yourself", lines)
         self.assertNotIn(str(self.folder), lines)

@@ -310,13 +310,13 @@ class Runs(ServeCase):
         page = self.opened(server, server.new_place(), "scenario:soar_hallway", "console")
         agent = page.messages[-1] and next(message for message in page.messages if message["message"] == "hello")["minds"][0]
         page.ask(request="console", agent=agent, line="print s1")
-        page.until_contents("console", lambda console: any("^io" in str(line) for line in console["lines"]))
+        page.until_printed("^io")
         written = self.folder / "stolen.txt"
         for line in (f"output log {written}", "source /etc/passwd", f"rete-net --save {written}", "visualize",
                      f"save percepts --open {written}"):
             page.ask(request="console", agent=agent, line=line)
         page.ask(request="console", agent=agent, line="echo the end")
-        page.until_contents("console", lambda console: any("the end" in str(line) for line in console["lines"]))
+        page.until_printed("the end")
         self.assertFalse(written.exists())
 
     def test_rules_are_completed_as_in_an_editor(self):

@@ -24,6 +24,12 @@ class Gone(Exception):
     """The other side has closed the connection."""
 
 
+def printed(console):
+    """The lines of a console's document, in one text."""
+    lines = [line for node in console["document"] if node["is"] == "transcript" for line in node["lines"]]
+    return "".join((line if isinstance(line, str) else line[0]) + "\n" for line in lines)
+
+
 class WebSocket:
     """A page's connection. Text frames become messages; binary frames are stored in `blocks`."""
 
@@ -118,6 +124,10 @@ class WebSocket:
         if name not in self.contents or not accepts(self.contents[name]):
             self.until(lambda message: name in message.get("contents", {}) and accepts(message["contents"][name]))
         return self.contents[name]
+
+    def until_printed(self, text):
+        """Receives until the console has a line with this text, and returns the console's lines in one text."""
+        return printed(self.until_contents("console", lambda console: text in printed(console)))
 
     def close(self):
         self.socket.close()
