@@ -7,12 +7,14 @@ namespace soarbox::workbench {
 
 void ConsoleDesk::Bring(Belongings belongings) {
   consoles_ = std::move(belongings.consoles);
-  lines_ = belongings.lines + 1;
+  counts_ = std::move(belongings.counts);
+  for (auto& [agent, count] : counts_) ++count;
 }
 
 void ConsoleDesk::Type(const ConsoleRequest& request) {
   sim::Simulation* const world = common_.Looked();
-  ++lines_;
+  ++counts_[request.agent];
+  unsent_[request.agent] = {{}, true};
   if (world == nullptr) return ConsoleOf(request.agent).Refuse(request.line, common_.past.rebuilt().Note());
   ConsoleOf(request.agent).Run(*world, request.line);
   if (common_.run == nullptr) common_.past.rebuilt().Spoil();
@@ -30,7 +32,7 @@ void ConsoleDesk::Add(const sim::EventList& events) {
   for (auto& [agent, console] : consoles_) {
     const std::size_t before = console.lines().size();
     console.Add(events);
-    if (console.lines().size() != before) ++lines_;
+    if (console.lines().size() != before) ++counts_[agent];
   }
 }
 
@@ -53,7 +55,7 @@ const std::string& ConsoleDesk::BegunLine(const std::string& agent) {
 
 void ConsoleDesk::Fill(Contents& contents) {
   contents.console = contents.agent.empty() ? nullptr : &ConsoleOf(contents.agent);
-  contents.console_lines = lines_;
+  contents.console_lines = counts_[contents.agent];
   contents.completion = completion_;
   contents.completed_line = completed_line_;
   contents.begun_line = BegunLine(contents.agent);

@@ -23,9 +23,9 @@ class ConsoleDesk {
   /// The state that is passed on to the next run.
   struct Belongings {
     std::map<std::string, debugger::Console> consoles;
-    std::uint64_t lines = 0;
+    std::map<std::string, std::uint64_t> counts;
   };
-  Belongings Take() { return {std::move(consoles_), lines_}; }
+  Belongings Take() { return {std::move(consoles_), std::move(counts_)}; }
   void Bring(Belongings belongings);
 
   void Type(const ConsoleRequest& request);
@@ -57,8 +57,8 @@ class ConsoleDesk {
   std::filesystem::path world_;
   Drafts drafts_{Drafts::Folder()};
   std::map<std::string, debugger::Console> consoles_;
-  std::uint64_t lines_ = 0;                   ///< Incremented for each new line.
-  std::map<std::string, UnsentLine> unsent_;  ///< By agent: agents that were selected, or for which Keep was called.
+  std::map<std::string, std::uint64_t> counts_;  ///< By agent: incremented for each new line.
+  std::map<std::string, UnsentLine> unsent_;     ///< By agent: agents that were selected, or for which Keep was called.
   std::string completed_line_;
   debugger::Completion completion_;
 };

@@ -251,7 +251,7 @@ struct Contents {
   std::optional<LessonContents> lesson;
   std::vector<LessonOffer> lessons;  ///< All lessons, in order.
   const debugger::Console* console = nullptr;
-  std::uint64_t console_lines = 0;  ///< Incremented for each new line.
+  std::uint64_t console_lines = 0;  ///< Incremented for each new line of this console.
   debugger::Completion completion;  ///< Of `completed_line`.
   std::string completed_line;       ///< The line for which completions were last requested.
   std::string begun_line;           ///< The unsent line of this agent, perhaps typed in another window.

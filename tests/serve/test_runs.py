@@ -8,7 +8,7 @@ import struct
 import unittest
 import zlib
 
-from web_client import LESSONS, BrowserRun, ServeCase
+from web_client import LESSONS, BrowserRun, ServeCase, printed
 
 
 def first_file(edit):
@@ -318,6 +318,32 @@ class Runs(ServeCase):
         page.ask(request="console", agent=agent, line="echo the end")
         page.until_printed("the end")
         self.assertFalse(written.exists())
+
+    def test_a_line_is_begun_until_it_is_sent_and_each_agent_has_its_own_count_of_lines(self):
+        server = self.serve()
+        page = self.opened(server, server.new_place(), "lesson:01-a-rule", "console")
+        one, other = next(message for message in page.messages if message["message"] == "hello")["minds"][:2]
+
+        def transcript(console):
+            return console["document"][0]
+
+        def begun(console):
+            return console["document"][1]["nodes"][-1]["fields"][0].get("value", "")
+
+        def shown_of(agent, accepts=lambda console: True):
+            page.ask(request="select", agent=agent)
+            return page.until_contents("console", lambda console: transcript(console).get("key") == f"output {agent}" and accepts(console))
+
+        page.ask(request="select", agent=one)
+        page.ask(request="keep-line", agent=one, line="print s1")
+        shown_of(one, lambda console: begun(console) == "print s1")
+        before = transcript(shown_of(other))["count"]
+        # A page keeps the whole line, and then sends it.
+        page.ask(request="console", agent=one, line="print s1")
+        after = shown_of(one, lambda console: "print s1" in printed(console))
+        self.assertEqual(begun(after), "")
+        self.assertGreater(transcript(after)["count"], 0)
+        self.assertEqual(transcript(shown_of(other))["count"], before)
 
     def test_rules_are_completed_as_in_an_editor(self):
         server = self.serve()
