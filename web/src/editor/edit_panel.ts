@@ -4,6 +4,7 @@ import { FLOWS } from "../app/flow_table";
 import type { Contents, Problem } from "../run/contents";
 import { EMPTY } from "../panels/panel_table";
 import { infoOf, type Panel, type PanelContext } from "../panels/panel";
+import { Applying } from "./applying";
 import type { Editor, EditorCommand } from "./editor";
 import { unpackText } from "../app/address";
 import { fileName, firstFile } from "./first_file";
@@ -38,10 +39,7 @@ export class EditPanel implements Panel {
   private asked = "";
   private loading = false;
   private what = "";
-  /** Rules were sent to be applied, and the run has not answered yet. */
-  private isApplying = false;
-  /** How often the run had reloaded the text before that. */
-  private reloads = 0;
+  private readonly applying = new Applying();
   private wanted = "";
   private tellsAgain = false;
   private offered: { file: string; text: string } | null = null;
@@ -269,8 +267,8 @@ export class EditPanel implements Panel {
       apply: (text) => {
         void this.client.tell(text);
         if (!this.context.run.ask("edit-text", { what: "save", text })) return;
-        this.isApplying = true;
-        this.reloads = this.context.run.contents.edit?.edit.reload_count ?? 0;
+        const edit = this.context.run.contents.edit?.edit;
+        if (edit !== undefined) this.applying.begin(edit, text);
         this.context.run.ask("edit-text", { what: "apply", text });
         this.moveStops();
       },
@@ -343,16 +341,10 @@ export class EditPanel implements Panel {
     this.context.run.remark(`This text of ${offered.file} came with the link.`, "Apply puts it into effect. Revert brings your own back.", false);
   }
 
-  private noteApplied(): void {
-    if (!this.isApplying || (this.context.run.contents.edit?.edit.reload_count ?? 0) === this.reloads) return;
-    this.isApplying = false;
-    this.applied();
-  }
-
   /** Called when new contents have arrived. */
   take(contents: Contents): void {
-    this.noteApplied();
     const edit = contents.edit?.edit, editor = this.editor;
+    if (this.applying.isDone(edit)) this.applied();
     if (editor === null || edit === undefined || edit.file === "") return;
     const isNew = edit.file !== this.file || edit.version !== this.version;
     if (isNew || (!this.isOwn && edit.text !== editor.text)) {
