@@ -54,7 +54,8 @@ Form FormOf(const Contents& contents) {
   Field field;
   field.kind = Field::Kind::kCommand;
   field.name = "line";
-  field.label = contents.agent + ">";
+  field.label = (contents.has_mind ? "A Soar command for " : "A line of Lua for ") + contents.agent;
+  field.prompt = contents.agent + ">";
   field.placeholder = contents.has_mind ? "a Soar command; Tab completes" : "a line of Lua";
   field.value = contents.begun_line;
   field.is_needed = true;

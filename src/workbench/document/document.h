@@ -101,6 +101,7 @@ struct Field {
       {};                  ///< Values and labels. kCheck: off, then on; kSuggested: suggestions for the line.
   bool is_needed = false;  ///< The form is not sent while the field is empty.
   std::optional<CommandLine> command = std::nullopt;  ///< Of kCommand.
+  std::string prompt = {};  ///< Of kCommand: drawn before the field; the label is then for screen readers only.
 };
 
 /// Fields that are sent together, by a button or by Enter.
@@ -230,7 +231,8 @@ struct Checklist {
 };
 std::string_view WordOf(CheckResult result);
 
-/// Lines that a run or a user appends. The newest line is visible, unless the user has scrolled to an earlier one.
+/// Lines that a run or a user appends. The newest line is visible, unless the user has scrolled to an earlier one. When
+/// the user sends a command line of the same document, the newest line becomes visible again.
 struct Transcript {
   std::string key, label;
   Spans lines;              ///< One span for each line.

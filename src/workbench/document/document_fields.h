@@ -119,6 +119,7 @@ void Fields(auto& visit, const Field& field) {
   visit.Known("options", field.options, "values and labels; of `check`: off, then on; of `suggested`: suggestions");
   visit.Known("needed", field.is_needed, "the form is not sent while it is empty");
   visit.Known("command", field.command, "of `command`: it has a history (arrow keys) and completion (Tab)");
+  visit.Known("prompt", field.prompt, "of `command`: shown before the field instead of the label");
 }
 void Fields(auto& visit, const Form& form) {
   visit.Type("Form", "Fields that are sent together.");

@@ -114,8 +114,8 @@ class TextWriter {
   static std::string FormText(const Form& form) {
     std::string all;
     for (const Field& field : form.fields)
-      all +=
-          (all.empty() ? "" : " ") + field.label + "{" + (field.value.empty() ? field.placeholder : field.value) + "}";
+      all += (all.empty() ? "" : " ") + (field.prompt.empty() ? field.label : field.prompt) + "{" +
+             (field.value.empty() ? field.placeholder : field.value) + "}";
     return form.button.empty() ? all : all + " [" + form.button + "]";
   }
   std::string Inline(const Nodes& nodes) const {

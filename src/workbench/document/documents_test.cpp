@@ -321,6 +321,8 @@ TEST_F(Documents, OfConsolesHoldWhatWasSaidAndALineThatCanBeCompleted) {
   const debugger::Json& field = json[1]["nodes"][1]["fields"][0];
   EXPECT_EQ(field["command"]["words"].dump(), R"(["print"])");
   EXPECT_EQ(field["command"]["complete"][0]["request"], "complete");
+  EXPECT_EQ(field["label"], "A Soar command for walker");
+  EXPECT_EQ(field["prompt"], "walker>");
   // Lines that name a place in a file lead there.
   debugger::Console console("walker");
   console.Refuse("print", "see walker.soar:3 about it");

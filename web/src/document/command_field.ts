@@ -11,22 +11,27 @@ export interface CommandUses {
   redraw(): void;
 }
 
+/** The lines that were sent by the command fields of a document, and the place of the arrow keys among them. */
+export interface CommandHistory {
+  readonly lines: string[];
+  at: number;
+}
+
 /** A field for commands: Tab completes the typed line, and the arrow keys bring earlier lines back. */
 export class CommandField {
   line: string;
-  private place: number;
   private asked = "";
 
-  constructor(text: string, private readonly history: string[], private readonly uses: CommandUses) {
+  constructor(text: string, private readonly history: CommandHistory, private readonly uses: CommandUses) {
     this.line = text;
-    this.place = history.length;
   }
 
   /** The line was sent: it is stored in the history, and the field is empty again. */
   sent(): void {
-    if (this.history.at(-1) !== this.line) this.history.push(this.line);
+    const { lines } = this.history;
+    if (lines.at(-1) !== this.line) lines.push(this.line);
+    this.history.at = lines.length;
     this.set("");
-    this.place = this.history.length;
   }
 
   view(field: Field): Child[] {
@@ -34,7 +39,7 @@ export class CommandField {
     const words = isAnswer ? command.words : [];
     if (words.length > 0 && command.common.length > this.line.length - command.begin) this.take(command.begin, command.common);
     return [
-      h("label", null, h("span.attribute", null, field.label), h("input.source", {
+      h("label", null, h("span.attribute", { attributes: { "aria-hidden": field.prompt === undefined ? undefined : "true" } }, field.prompt ?? field.label), h("input.source", {
         value: this.line, attributes: { type: "text", "aria-label": field.label, placeholder: field.placeholder, spellcheck: false, autocomplete: "off", autocapitalize: "off" },
         on: {
           input: (event) => (this.line = (event.target as HTMLInputElement).value),
@@ -54,8 +59,9 @@ export class CommandField {
       this.uses.ask(complete, this.line);
     } else if (step !== 0) {
       event.preventDefault();
-      this.place = Math.min(Math.max(this.place + step, 0), this.history.length);
-      this.set(this.history[this.place] ?? "");
+      const { lines } = this.history;
+      this.history.at = Math.min(Math.max(this.history.at + step, 0), lines.length);
+      this.set(lines[this.history.at] ?? "");
     }
   }
 

@@ -179,7 +179,7 @@ test("a command line is completed with Tab, sent with Enter, and brought back wi
   const nodes = (agent: string, command: { completed_line: string; begin: number; words: string[]; common: string }, value = ""): Document => [
     { is: "transcript", key: `output ${agent}`, label: "Output", count: 2, lines: [["> print s1", "name"], "(S1 ^io I1)", ["a.soar:3: error", "bad", [{ request: "edit", file: "a.soar", line: 3 }, "edit"]]] },
     { is: "actions", nodes: [{ is: "form", key: `command ${agent}`, do: [{ request: "console", agent, line: "" }], button: "Send", clears: true, fields: [
-      { kind: "command", name: "line", label: `${agent}>`, value, needed: true, command: { complete: [{ request: "complete", agent, line: "" }], keep: [{ request: "keep-line", agent, line: "" }], ...command } },
+      { kind: "command", name: "line", label: `A Soar command for ${agent}`, prompt: `${agent}>`, value, needed: true, command: { complete: [{ request: "complete", agent, line: "" }], keep: [{ request: "keep-line", agent, line: "" }], ...command } },
     ] }] },
   ];
   const none = { completed_line: "", begin: 0, words: [], common: "" };
@@ -190,7 +190,8 @@ test("a command line is completed with Tab, sent with Enter, and brought back wi
   assert.deepEqual(all(shown).filter((one) => one.tag === "li").map(textOf), ["> print s1", "(S1 ^io I1)", "a.soar:3: error"]);
   submit(shown);
   assert.deepEqual(asked, [], "an empty line is not sent");
-  type(shown, "porter>", "pri");
+  type(shown, "A Soar command for porter", "pri");
+  assert.match(textOf(shown), /porter>Send/, "the prompt is shown");
   key(shown, "Tab");
   assert.deepEqual(asked.splice(0), [["complete", { agent: "porter", line: "pri" }]]);
   shown = view.view(nodes("porter", { completed_line: "pri", begin: 0, words: ["print", "prints"], common: "print" }));
@@ -201,7 +202,7 @@ test("a command line is completed with Tab, sent with Enter, and brought back wi
   asked.length = 0;
   field(shown).props.on!.change!({} as Event);
   assert.deepEqual(asked.splice(0), [["keep-line", { agent: "porter", line: "prints" }]]);
-  type(shown, "porter>", "print s1");
+  type(shown, "A Soar command for porter", "print s1");
   assert.equal(field(view.view(nodes("anna", none, "begun"))).props.value, "begun", "another agent has its own line");
   assert.equal(field(view.view(nodes("porter", none))).props.value, "print s1", "and this one keeps its own");
   submit(shown);
@@ -211,7 +212,45 @@ test("a command line is completed with Tab, sent with Enter, and brought back wi
   key(shown, "ArrowUp");
   assert.equal(field(view.view(nodes("porter", none))).props.value, "print s1");
   key(shown, "ArrowDown");
+  const other = view.view(nodes("anna", none, "begun"));
+  type(other, "A Soar command for anna", "matches x");
+  submit(other);
+  key(shown, "ArrowUp");
+  assert.equal(field(view.view(nodes("porter", none))).props.value, "matches x", "the newest line comes first, whichever agent it was for");
+  key(shown, "ArrowDown");
   assert.equal(field(view.view(nodes("porter", none))).props.value, "");
+});
+
+test("a transcript follows its newest line unless the user reads earlier ones, and shows the answer to a sent line", () => {
+  const { view } = made();
+  const nodes = (count: number): Document => [
+    { is: "transcript", key: "output porter", label: "Output", count, lines: ["a line"] },
+    { is: "form", key: "command porter", do: [{ request: "console", agent: "porter", line: "" }], button: "Send", fields: [{ kind: "command", name: "line", label: "Command", value: "", command: {
+      complete: [{ request: "complete", agent: "porter", line: "" }], keep: [{ request: "keep-line", agent: "porter", line: "" }], completed_line: "", begin: 0, words: [], common: "" } }] },
+  ];
+  const list = { scrollTop: 0, scrollHeight: 1000, clientHeight: 200, dataset: {} as Record<string, string> }, element = list as unknown as HTMLElement;
+  const draw = (count: number, height: number, hook: "mounted" | "patched" = "patched"): number => {
+    const shown = all(view.view(nodes(count))).find((one) => one.classes === "transcript")!;
+    list.dataset["count"] = String(count);
+    list.scrollHeight = height;
+    shown.props[hook]!(element);
+    list.scrollTop = Math.min(list.scrollTop, height - list.clientHeight);
+    return list.scrollTop;
+  };
+  assert.equal(draw(1, 1000, "mounted"), 800);
+  assert.equal(draw(2, 1500), 1300, "many lines at once are followed, too");
+  list.clientHeight = 100;
+  assert.equal(draw(2, 1500), 1400, "a lower panel shows the newest line, too");
+  list.clientHeight = 200;
+  list.scrollTop = 400;
+  assert.equal(draw(3, 1600), 400, "who reads earlier lines is left alone");
+  const shown = view.view(nodes(3));
+  type(shown, "Command", "print s1");
+  all(shown).find((one) => one.tag === "form")!.props.on!.submit!({ preventDefault: () => {} } as SubmitEvent);
+  assert.equal(draw(3, 1600), 400, "the answer is not there yet");
+  assert.equal(draw(4, 1700), 1500);
+  list.scrollTop = 400;
+  assert.equal(draw(5, 1800), 400, "once");
 });
 
 test("news of a section bring its panel to the front, but neither the first ones nor empty ones", () => {

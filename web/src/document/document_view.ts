@@ -3,7 +3,7 @@ import { button, h, type Child, type View } from "../dom/view";
 import type { PanelContext } from "../panels/panel";
 import { clock, filterField, toggle } from "../panels/parts";
 import { icon } from "../app/icons";
-import { CommandField } from "./command_field";
+import { CommandField, type CommandHistory } from "./command_field";
 import { plainText, type Action, type Button, type Checklist, type Code, type Document, type DocumentNode, type Field, type Form, type Paragraph,
   type RowAction, type Section, type Span, type Spans, type Strip, type Tabs, type Tree, type TreeRow } from "./document";
 import { PlotViews } from "./plot_view";
@@ -16,6 +16,9 @@ const SIGNS = { passed: "check", failed: "cross", open: "open" } as const;
 
 /** The word of a part, the same for each lesson: "grade" of "grade 01-a-rule". */
 const partOf = (section: Section): string => section.key.split(" ")[0]!;
+
+/** A transcript that is scrolled back by less than this follows its newest line. */
+const NEAR_END_PX = 80;
 
 /** Requests that only the user of the run can make, not somebody who watches. */
 const OF_USERS = new Set(["lesson", "flow"]);
@@ -31,7 +34,9 @@ export class DocumentView {
   private readonly folds = new Map<string, boolean>();
   private readonly filters = new Map<string, string>();
   private readonly commands = new Map<string, CommandField>();
-  private readonly history: string[] = [];
+  private readonly history: CommandHistory = { lines: [], at: 0 };
+  /** A command line was sent: its answer is to be seen. */
+  private showsNewest = false;
   /** What sections had to say last, by key. */
   private readonly news = new Map<string, string>();
   /** The section that is to be scrolled to. */
@@ -84,7 +89,7 @@ export class DocumentView {
       case "plot": return this.plots.view(node, this.step, node.button === undefined ? false : this.button(node.button, "button.small"));
       case "strip": return this.strip(node);
       case "checklist": return checklist(node, (spans) => this.spans(spans));
-      case "transcript": return h("ol.transcript", { key: node.key, attributes: { "aria-label": node.label, "aria-live": "polite", "data-count": node.count }, mounted: toNewest, patched: followNewest }, node.lines.map((line) => h("li", null, this.span(line))));
+      case "transcript": return h("ol.transcript", { key: node.key, attributes: { "aria-label": node.label, "aria-live": "polite", "data-count": node.count }, mounted: toNewest, patched: (element) => this.followNewest(element) }, node.lines.map((line) => h("li", null, this.span(line))));
       case "progress": return h("div.row", null, h("span.quiet", null, node.text), h("progress", { attributes: { max: Math.max(node.of, 1), value: node.value, "aria-label": node.text } }));
       case "section": return this.section(node);
       case "actions": return this.mayPress && h("div.row.actions", { key: "actions" }, this.nodes(node.nodes));
@@ -178,7 +183,9 @@ export class DocumentView {
         values[field.name] = typeof form.do[0][field.name] === "number" ? Math.max(0, Math.floor(Number(text))) || 0 : text.trim();
       }
       if (!this.press(form.do, values)) return;
-      this.commands.get(form.key)?.sent();
+      const command = this.commands.get(form.key);
+      if (command !== undefined) this.showsNewest = true;
+      command?.sent();
       if (form.clears !== true) return;
       for (const field of form.fields) if (field.kind === "line") this.stateOf(form, field).text = "";
       this.redraw();
@@ -246,6 +253,16 @@ export class DocumentView {
     }, hasTitle && h("h3", null, this.spans(section.title)), this.nodes(section.nodes));
   }
 
+  /** Scrolls to the newest line, unless the user had scrolled back before it came. A sent command line always leads there. */
+  private followNewest(element: HTMLElement): void {
+    const { shown, count, height, room } = element.dataset, hasMore = shown !== count;
+    // As it was before: lines have come, and the panel may have become lower.
+    const isNear = Number(height ?? 0) - element.scrollTop - Math.max(element.clientHeight, Number(room ?? 0)) < NEAR_END_PX;
+    if (isNear || (hasMore && this.showsNewest)) toNewest(element);
+    else noteShown(element);
+    if (hasMore) this.showsNewest = false;
+  }
+
   /** Scrolls to the awaited section, and focuses it unless the user is typing elsewhere. */
   private bring(section: Section, element: HTMLElement): void {
     if (section.key !== this.awaited) return;
@@ -307,13 +324,14 @@ function checklist(list: Checklist, spans: (spans: Spans) => Child[]): View {
     h("span.text", null, spans(one.s), one.below !== undefined && h("span.below", null, spans(one.below))))));
 }
 
-const toNewest = (element: HTMLElement): void => {
+/** Scrolls to the newest line of a transcript, and notes what was shown then. */
+function toNewest(element: HTMLElement): void {
   element.scrollTop = element.scrollHeight;
-};
+  noteShown(element);
+}
 
-/** Scrolls to the newest line unless the user has scrolled back. */
-function followNewest(element: HTMLElement): void {
-  const isNear = element.scrollHeight - element.scrollTop - element.clientHeight < 80;
-  if (isNear || element.dataset["shown"] !== element.dataset["count"]) toNewest(element);
+function noteShown(element: HTMLElement): void {
   element.dataset["shown"] = element.dataset["count"];
+  element.dataset["height"] = String(element.scrollHeight);
+  element.dataset["room"] = String(element.clientHeight);
 }

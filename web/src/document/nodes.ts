@@ -109,6 +109,8 @@ export interface Field {
   readonly needed?: boolean;
   /** of `command`: it has a history (arrow keys) and completion (Tab) */
   readonly command?: CommandLine;
+  /** of `command`: shown before the field instead of the label */
+  readonly prompt?: string;
 }
 
 /** What a command line needs. Its requests get the typed text as `line`. */
