@@ -255,8 +255,8 @@ struct Section {
   bool is_story = false;                       ///< It shows the details of an item, above the list that contains the
                                                ///< item.
   std::optional<Role> box = std::nullopt;  ///< If set, the section is set off from the rest, in the color of this role.
-  /// What the user waits for. When this text changes to another that is not empty, renderers bring the panel to the
-  /// front and scroll to the section.
+  /// What the user waits for. When this text changes to another that is not empty, renderers scroll to the section. The
+  /// page also brings the panel to the front.
   std::optional<std::string> news = std::nullopt;
 };
 
