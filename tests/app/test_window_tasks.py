@@ -92,6 +92,46 @@ class TypedText(WindowUser):
             expect-not "# mine"
             """)
 
+    def test_the_field_of_the_console_keeps_the_keyboard(self):
+        self.play("""
+            until 0.3
+            key P
+            expect "Paused"
+            click-agent walker
+            click "Console"
+            click "a Soar command"
+            key Return
+            type "print s1"
+            expect "print s1"
+            expect "walker>"
+            click-agent idler
+            expect "idler>"
+            type "echo typed-without-a-click"
+            key Return
+            expect "> echo typed-without-a-click"
+            key Return
+            key Up
+            expect "echo typed-without-a-click" 4
+            """)
+
+    def test_earlier_lines_of_the_console_can_be_read_and_copied(self):
+        many = "\n".join(f"            type \"echo line-{i}\"\n            key Return\n            expect \"> echo line-{i}\"" for i in range(30))
+        self.play(f"""
+            until 0.3
+            key P
+            expect "Paused"
+            click-agent walker
+            click "Console"
+            click "a Soar command"
+{many}
+            expect-not "> echo line-0"
+            right-click "> echo line-29"
+            click "Copy all"
+            click "a Soar command"
+            key Ctrl+V
+            expect "echo line-29line-29"
+            """)
+
     def test_a_click_on_the_ground_takes_neither_panels_nor_the_keyboard_away(self):
         self.play("""
             until 0.3

@@ -31,7 +31,8 @@ bool CommandField::Draw(PanelFrame& frame, const workbench::document::Field& fie
   Complete(*field.command);
   ImGui::AlignTextToFramePadding();
   constexpr float kMostOfLine = 0.4f;
-  CutText(field.label, ImGui::GetContentRegionAvail().x * kMostOfLine, theme::kAccent);
+  CutText(field.prompt.empty() ? field.label : field.prompt, ImGui::GetContentRegionAvail().x * kMostOfLine,
+          theme::kAccent);
   ImGui::SameLine();
   constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory |
                                          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways |
@@ -47,7 +48,9 @@ bool CommandField::Draw(PanelFrame& frame, const workbench::document::Field& fie
     is_entered = ImGui::InputTextWithHint(("##" + field.label).c_str(), field.placeholder.c_str(), line_.data(),
                                           line_.capacity() + 1, kFlags, &CommandField::OnEdit, this);
   }
-  if (ImGui::IsItemActive() && !line_.empty()) KeepKeyboard();
+  is_active_ = ImGui::IsItemActive();
+  if (is_active_ && !line_.empty()) KeepKeyboard();
+  if (is_entered) wants_focus_ = true;  // Enter ends the input, although an empty line is not sent.
   if (asks_) AskAbout(frame, field.command->complete.request, line_);
   if (line_ != kept_) AskAbout(frame, field.command->keep.request, kept_ = line_);
   return is_entered;
@@ -58,7 +61,6 @@ void CommandField::Sent(CommandHistory& history) {
   history.at = history.lines.size();
   line_.clear();
   offered_.clear();
-  wants_focus_ = true;
 }
 
 void CommandField::Complete(const workbench::document::CommandLine& command) {

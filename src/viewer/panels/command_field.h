@@ -22,6 +22,10 @@ class CommandField {
  public:
   /// Draws the field with its label. Leaves `right` px free at the right. Returns true if Enter was pressed.
   bool Draw(PanelFrame& frame, const workbench::document::Field& field, float right, CommandHistory& history);
+  /// The next Draw gives the keyboard to the field.
+  void Focus() { wants_focus_ = true; }
+  /// Whether the field had the keyboard when it was last drawn.
+  bool is_active() const { return is_active_; }
   const std::string& text() const { return line_; }
   /// The words that Tab offers, in one line; empty if there are fewer than two.
   const std::string& offered() const { return offered_; }
@@ -36,7 +40,7 @@ class CommandField {
 
   std::string line_, offered_, waiting_for_, replacement_;
   std::string kept_;  ///< The application's copy of line_.
-  bool is_set_ = false, asks_ = false, replaces_ = false, wants_focus_ = false;
+  bool is_set_ = false, asks_ = false, replaces_ = false, wants_focus_ = false, is_active_ = false;
   CommandHistory* history_ = nullptr;  ///< While the field is drawn.
 };
 

@@ -456,7 +456,7 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) FocusNextField();
     if (field.kind == doc::Field::Kind::kLine && focused_form_ == form.key) focused_form_.clear();
     if (field.kind == doc::Field::Kind::kCommand) {
-      sends |= commands_[form.key].Draw(frame, field, button, history_);
+      sends |= DrawCommand(frame, form, field, button);
     } else {
       sends |= DrawField(form, field, is_last ? button : 0);
     }
@@ -470,6 +470,19 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
   if (const auto command = commands_.find(form.key); command != commands_.end() && !command->second.offered().empty())
     CutText(command->second.offered(), theme::kQuiet);
   if (sends) Send(frame, form);
+}
+
+bool DocumentView::DrawCommand(PanelFrame& frame, const doc::Form& form, const doc::Field& field, float right) {
+  CommandField& command = commands_[form.key];
+  // The field of another agent takes the place of one that had the keyboard.
+  const int now = ImGui::GetFrameCount();
+  if (active_command_ != form.key && active_frame_ + 1 == now) command.Focus();
+  const bool is_entered = command.Draw(frame, field, right, history_);
+  if (command.is_active()) {
+    active_command_ = form.key;
+    active_frame_ = now;
+  }
+  return is_entered;
 }
 
 void DocumentView::Send(PanelFrame& frame, const doc::Form& form) {
@@ -492,7 +505,11 @@ void DocumentView::Send(PanelFrame& frame, const doc::Form& form) {
   for (const doc::Field& field : form.fields)
     if (field.kind == doc::Field::Kind::kSuggested && !form.button.empty())
       fields_[form.key + "/" + field.name].text.clear();
-  if (command != commands_.end()) return command->second.Sent(history_);
+  if (command != commands_.end()) {
+    shows_newest_ = true;
+    command->second.Focus();
+    return command->second.Sent(history_);
+  }
   if (!form.clears) return;
   for (const doc::Field& field : form.fields) fields_[form.key + "/" + field.name].text.clear();
   if (form.repeats) focused_form_ = form.key;
@@ -579,6 +596,12 @@ void DocumentView::DrawTranscript(PanelFrame& frame, const doc::Transcript& tran
   ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kField);
   const Part part(transcript.key.c_str(), {0, 0}, ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PopStyleColor();
+  if (ImGui::BeginPopupContextWindow("menu")) {
+    if (ImGui::MenuItem("Copy all"))
+      ImGui::SetClipboardText(doc::ToText({transcript}, frame.contents.moment.step_s).c_str());
+    ImGui::EndPopup();
+  }
+  const bool is_near = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 4 * ImGui::GetTextLineHeightWithSpacing();
   const FontScope mono(frame.fonts.mono);
   const auto draw = [&](int i) {
     const IdScope id(i);
@@ -590,7 +613,8 @@ void DocumentView::DrawTranscript(PanelFrame& frame, const doc::Transcript& tran
   ForRowsInSight(transcript.lines.size(), draw, ImGui::GetTextLineHeightWithSpacing());
   SeenLines& seen = seen_lines_[transcript.key];
   if (seen.count == transcript.count) return;
-  ImGui::SetScrollHereY(1);
+  if (seen.frames == 0) seen.is_followed = std::exchange(shows_newest_, false) || is_near;
+  if (seen.is_followed) ImGui::SetScrollHereY(1);
   if (++seen.frames <= 2) return;  // The part has its new height one frame later.
   seen = {transcript.count, 0};
 }

@@ -49,6 +49,8 @@ class DocumentView {
   void DrawLine(PanelFrame& frame, const workbench::document::Line& line);
   void DrawButton(PanelFrame& frame, const workbench::document::Button& button);
   void DrawForm(PanelFrame& frame, const workbench::document::Form& form);
+  bool DrawCommand(PanelFrame& frame, const workbench::document::Form& form, const workbench::document::Field& field,
+                   float right);
   bool DrawField(const workbench::document::Form& form, const workbench::document::Field& field, float right);
   static bool DrawSuggested(const workbench::document::Form& form, const workbench::document::Field& field,
                             FieldState& state, float right);
@@ -75,9 +77,13 @@ class DocumentView {
   CommandHistory history_;
   struct SeenLines {
     std::uint64_t count = 0;
-    int frames = 0;  ///< Frames since lines were appended.
+    int frames = 0;           ///< Frames since lines were appended.
+    bool is_followed = true;  ///< Whether the newest of them become visible.
   };
   std::map<std::string, SeenLines> seen_lines_;  ///< Of transcripts.
+  bool shows_newest_ = false;                    ///< A command line was sent: its answer becomes visible.
+  std::string active_command_;                   ///< The form whose command line had the keyboard last.
+  int active_frame_ = -1;                        ///< The frame in which it had it.
   std::string focused_form_;                     ///< The form whose field takes the keyboard next.
   std::map<std::string, std::string> reasons_;   ///< Last reasons that documents gave for pages.
   float plot_height_ = 80;                       ///< Of the plots that are currently drawn, px.

@@ -2,6 +2,9 @@
 // The texts of every panel over a filled run, and the copied texts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <string_view>
 
 #include "viewer/panels/panel_test_support.h"
 #include "workbench/document/glossary.h"
@@ -11,6 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 TEST_F(Panels, CanBeCopied) {
   stage->SetSize(1280, 720, 100);
@@ -89,6 +93,30 @@ TEST_F(Panels, EachShowsWhatTheRunHolds) {
   tall.Move(workbench::PanelId::kPlots, Area::kRight);
   stage->Draw(tall);
   for (const char* text : {"decision time (\xc2\xb5s)", "reward", "0.5"}) EXPECT_THAT(stage->shown, HasSubstr(text));
+}
+
+TEST_F(Panels, FollowTheNewestLineOfAConsoleUnlessTheUserReadsEarlierOnes) {
+  stage->SetSize(1280, 720, 100);
+  stage->Fill("walker");
+  debugger::Console console("walker");
+  const auto add = [&](const std::string& line) {
+    console.Refuse(line, "refused");
+    ++stage->contents.console_lines;
+  };
+  stage->contents.console = &console;
+  for (int i = 0; i < 60; ++i) add("line-" + std::to_string(i) + ".");
+  ExpectShown(workbench::PanelId::kConsole, {"line-59."});
+  int found = 0;
+  for (ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    if (std::string_view(window->Name).find("output walker") == std::string_view::npos) continue;
+    ImGui::SetScrollY(window, 0);
+    ++found;
+  }
+  EXPECT_GT(found, 0);
+  add("line-60.");
+  ExpectShown(workbench::PanelId::kConsole, {"line-0."});
+  EXPECT_THAT(stage->shown, Not(HasSubstr("line-60.")));
+  stage->Fill("walker");
 }
 
 TEST_F(Panels, TellWhatIsKnownTheMostActiveFirstAndHowMuchMoreThereIs) {
