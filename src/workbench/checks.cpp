@@ -23,15 +23,27 @@ bool NoteCheck(const sim::RunEvent& event, std::vector<CheckRow>& checks) {
   return true;
 }
 
-CheckResult ResultOf(const CheckRow& check, const Contents& contents) {
+namespace {
+
+/// The result as soon as the check is decided, in the present future and with the present rules.
+CheckResult FinalResultOf(const CheckRow& check, const Contents& contents) {
   const Moment& at = contents.moment;
   const bool is_passed = check.state == "true";
   if (!is_passed && check.state != "false") return CheckResult::kOpen;
-  if (check.tick > at.shown_tick) return CheckResult::kOpen;
   if (at.branch_tick && check.tick > *at.branch_tick) return CheckResult::kOpen;
   if (at.changed_tick && check.tick <= *at.changed_tick) return CheckResult::kOpen;
   if (is_passed) return CheckResult::kPassed;
   return contents.lesson && !contents.lesson->is_tried ? CheckResult::kOpen : CheckResult::kFailed;
+}
+
+}  // namespace
+
+CheckResult ResultOf(const CheckRow& check, const Contents& contents) {
+  return check.tick > contents.moment.shown_tick ? CheckResult::kOpen : FinalResultOf(check, contents);
+}
+
+bool IsDecidedLater(const CheckRow& check, const Contents& contents) {
+  return check.tick > contents.moment.shown_tick && FinalResultOf(check, contents) != CheckResult::kOpen;
 }
 
 CheckCounts CountChecks(const Contents& contents) {

@@ -22,6 +22,9 @@ enum class CheckResult : std::uint8_t { kOpen, kPassed, kFailed };
 /// has tried something.
 CheckResult ResultOf(const CheckRow& check, const Contents& contents);
 
+/// Whether the check is open only because it is decided after the moment that is shown.
+bool IsDecidedLater(const CheckRow& check, const Contents& contents);
+
 /// The number of checks that count, and how many of them are passed and failed at the moment that is shown.
 struct CheckCounts {
   std::size_t all = 0, passed = 0, failed = 0;

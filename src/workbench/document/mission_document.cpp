@@ -168,8 +168,9 @@ Checklist::Item ItemOf(const Contents& contents, const CheckRow& check) {
   const CheckResult result = ResultOf(check, contents);
   Checklist::Item item{check.name, result,        std::string(Says(check, result)), {{check.name, Role::kStrong}},
                        {},         check.expected};
-  if (result != CheckResult::kOpen && check.tick > 0) {
-    item.spans.push_back({" "});
+  const bool is_later = result == CheckResult::kOpen && IsDecidedLater(check, contents);
+  if ((result != CheckResult::kOpen || is_later) && check.tick > 0) {
+    item.spans.push_back({is_later ? " decided at " : " ", is_later ? Role::kQuiet : Role::kPlain});
     item.spans.push_back(Time(check.tick));
   }
   if (!contents.lesson && result != CheckResult::kOpen && !check.agent.empty()) {
@@ -220,9 +221,6 @@ Actions ActionsOf(const Contents& contents) {
   grade.is_enabled = !lesson.is_graded;
   grade.is_main = true;
   actions.nodes.push_back(std::move(grade));
-  if (lesson.is_graded)
-    actions.nodes.push_back(
-        Button{"Cancel", Action{LessonRequest{What::kCancel}}, "Stops grading. There is no verdict then."});
   if (const std::size_t shown = lesson.hints.size(); lesson.hint_count > 0) {
     Button hint{shown >= lesson.hint_count
                     ? "No more hints"
@@ -232,6 +230,10 @@ Actions ActionsOf(const Contents& contents) {
     actions.nodes.push_back(std::move(hint));
   }
   if (!lesson.next.empty() && !IsPass(lesson)) actions.nodes.push_back(NextLesson(lesson));
+  // The last one, so that no other button takes its place when grading ends.
+  if (lesson.is_graded)
+    actions.nodes.push_back(
+        Button{"Cancel", Action{LessonRequest{What::kCancel}}, "Stops grading. There is no verdict then."});
   return actions;
 }
 
