@@ -20,6 +20,11 @@ class FakeEngine {
   graded = "";
   isGraded = false;
   private settings: EngineSettings | null = null;
+  /** The error of storing, and saves that have not ended because of `holds`. */
+  storeError: Error | null = null;
+  holds = false;
+  readonly held: ((error: unknown) => void)[] = [];
+  status = 200;
 
   readonly make: MakeEngine = async (settings) => {
     this.settings = settings;
@@ -61,7 +66,7 @@ class FakeEngine {
     _soarbox_take: (text) => void this.taken.push(this.texts.get(text) ?? ""),
     _soarbox_answer: (method, path, body, length) => {
       this.files.set("/answer", bytesOf(`${this.texts.get(method)} ${this.texts.get(path)} ${new TextDecoder().decode(this.module.HEAPU8.slice(body, body + length))}`));
-      return this.text('{"status":200,"type":"text/plain","file":"/answer"}');
+      return this.text(`{"status":${this.status},"type":"text/plain","file":"/answer"}`);
     },
     _soarbox_grade: (lesson, from) => {
       this.settings?.print(`seed 1 of 1`);
@@ -79,20 +84,22 @@ class FakeEngine {
       readdir: (path) => [".", "..", ...new Set([...this.files.keys()].filter((file) => file.startsWith(`${path}/`)).map((file) => file.slice(path.length + 1).split("/")[0]!))],
       stat: (path) => ({ mode: this.files.has(path) ? 0 : 1 }),
       isDir: (mode) => mode === 1,
+      unlink: (path) => void this.files.delete(path),
       mkdirTree: () => undefined,
       analyzePath: (path) => ({ exists: this.files.has(path) || [...this.files.keys()].some((file) => file.startsWith(`${path}/`)) }),
       filesystems: { IDBFS: {} },
       mount: () => undefined,
       syncfs: (fromBrowser, done) => {
         if (!fromBrowser) this.kept += 1;
-        done(null);
+        if (this.holds && !fromBrowser) this.held.push(done);
+        else done(fromBrowser ? null : this.storeError);
       },
     },
   };
 }
 
 /** A page and its worker, without a thread between them. Timers do nothing until they are called. */
-function pageWith(fake: FakeEngine, grader = new FakeEngine(), experiment?: Experiment) {
+function pageWith(fake: FakeEngine, grader = new FakeEngine(), experiment?: Experiment, isOnly = true) {
   const timers: { call: () => void; ms: number; isOff: boolean }[] = [], ports: (Port & { isOver: boolean })[] = [];
   const makePort = (): Port => {
     const port: Port & { isOver: boolean } = { isOver: false, onmessage: null, onerror: null, postMessage: (message: ToWorker) => void worker.take(message), terminate: () => (port.isOver = true) };
@@ -109,7 +116,7 @@ function pageWith(fake: FakeEngine, grader = new FakeEngine(), experiment?: Expe
     ports.push(port);
     return port;
   };
-  const place = new LocalPlace(makePort, "engine.mjs", true, experiment), messages: RunMessage[] = [], blocks: Uint8Array[] = [], states: string[] = [];
+  const place = new LocalPlace(makePort, "engine.mjs", true, experiment, isOnly), messages: RunMessage[] = [], blocks: Uint8Array[] = [], states: string[] = [];
   place.start({ message: (message) => messages.push(message), block: (block) => blocks.push(block), connection: (state) => states.push(state) });
   return { place, messages, blocks, states, timers, ports, settled: () => new Promise((resolve) => setTimeout(resolve, 5)) };
 }
@@ -158,6 +165,73 @@ test("files are saved after requests that may have changed them, and only then",
   assert.equal(fake.kept, 2);
   page.place.keepNow();
   assert.equal(fake.kept, 3);
+  page.place.close();
+});
+
+test("changes are stored after five seconds at the latest, and refused requests store nothing", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake);
+  await page.settled();
+  fake.status = 400;
+  await page.place.answer("PUT", "files/a.soar", bytesOf("x"));
+  assert.deepEqual(page.timers, []);
+  fake.status = 200;
+  for (let i = 0; i < 4; ++i) await page.place.answer("PUT", "files/a.soar", bytesOf("x"));
+  const left = page.timers.filter(({ isOff }) => !isOff);
+  assert.deepEqual(left.map(({ ms }) => ms).sort(), [1000, 5000]);
+  left.find(({ ms }) => ms === 5000)!.call();
+  assert.deepEqual([fake.kept, page.timers.filter(({ ms, isOff }) => !isOff && ms === 1000).length], [1, 0]);
+  page.place.close();
+});
+
+test("whoever waits for a save gets one that began afterwards, and its error", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake);
+  await page.settled();
+  page.messages.length = 0;
+  fake.holds = true;
+  page.place.keepNow();
+  let isStored = false;
+  const stored = page.place.store().then(() => (isStored = true));
+  fake.held.shift()!(null);
+  await page.settled();
+  assert.deepEqual([isStored, fake.kept, page.messages.length], [false, 2, 0]);
+  fake.held.shift()!(null);
+  await stored;
+  fake.holds = false;
+  fake.storeError = new Error("no room");
+  await assert.rejects(page.place.store(), /cannot keep your files: no room/);
+  page.place.keepNow();
+  const told = () => page.messages.filter(({ message }) => message === "told").map((one) => (one as { text: string }).text);
+  assert.match(told().join("\n"), /^The browser cannot keep your files: no room\. Download your folder.*$/);
+  fake.storeError = null;
+  page.place.keepNow();
+  assert.equal(told().at(-1), "The browser keeps your files again.");
+  page.place.close();
+});
+
+test("a second tab reads the place, stores nothing, and says so", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake, undefined, undefined, false);
+  await page.settled();
+  assert.match(page.messages.map((one) => ("text" in one ? one.text : "")).join(), /Another tab shows your files already.*close one/);
+  page.place.send({ request: "open", what: "scenario:field" });
+  page.place.keepNow();
+  await page.place.store();
+  assert.equal(fake.kept, 0);
+  page.place.close();
+});
+
+test("files beside a run are written and removed, but not for a worker that has crashed", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake), start = page.place.startCount, path = "/place/state/folders/a/b";
+  await page.settled();
+  await page.place.write([{ path, bytes: bytesOf("x") }], [], start);
+  assert.equal(fake.files.has(path), true);
+  await page.place.write([], [path], start);
+  assert.equal(fake.files.has(path), false);
+  fake.fails = true;
+  page.place.send({ request: "open", what: "scenario:field" });
+  await page.settled();
+  await assert.rejects(page.place.write([{ path, bytes: bytesOf("x") }], [], start));
+  await page.place.answer("GET", "", new Uint8Array());
+  await assert.rejects(page.place.write([{ path, bytes: bytesOf("x") }], [], start), /crashed/);
   page.place.close();
 });
 

@@ -18,6 +18,7 @@ export interface EngineModule {
   FS: {
     readFile(path: string): Uint8Array;
     writeFile(path: string, bytes: Uint8Array): void;
+    unlink(path: string): void;
     readdir(path: string): string[];
     stat(path: string): { mode: number };
     isDir(mode: number): boolean;
@@ -48,6 +49,8 @@ export interface Surroundings {
 
 /** Changed files are stored in the browser this long after the request that may have changed them. */
 const KEPT_AFTER_MS = 1000;
+/** They are stored after this time at the latest, also if requests follow each other faster. */
+const KEPT_WITHIN_MS = 5000;
 /** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
 /** The files that grading uses, and the file that records passed lessons. */
@@ -69,7 +72,14 @@ export class EngineWorker {
   private stopKeeping: (() => void) | null = null;
   private isRunning = false;
   private isKept = false;
+  private stopLatest: (() => void) | null = null;
   private isKeeping = false;
+  /** Another change came while files were being stored. */
+  private mustKeepAgain = false;
+  /** Calls that `kept` will answer: of the current save, and of the next one. */
+  private callsNow: number[] = [];
+  private callsNext: number[] = [];
+  private keepError = "";
   private words: string[] = [];
   private what = "";
 
@@ -87,17 +97,19 @@ export class EngineWorker {
       case "answer":
         return this.guarded(() => this.answer(message.call, message.method, message.path, message.body));
       case "keep":
-        return this.keep();
+        return this.guarded(() => this.keepNow(message.call));
       case "changes":
         return this.guarded(() => this.say({ kind: "changes", call: message.call, changes: changedFiles(this.engine.FS, message.what) }));
       case "files":
         return this.guarded(() => this.say({ kind: "files", call: message.call, files: filesBelow(this.engine.FS, message.folder) }));
+      case "write":
+        return this.guarded(() => this.write(message.call, message.files, message.removed));
       case "graded":
         return this.guarded(() => this.graded(message.text, message.isOver, message.files));
     }
   }
 
-  private async begin({ engine, keep, experiment }: Extract<ToWorker, { kind: "begin" }>): Promise<void> {
+  private async begin({ engine, keep, mayStore, experiment }: Extract<ToWorker, { kind: "begin" }>): Promise<void> {
     try {
       const { make, loaded } = await this.around.load(engine);
       this.module = await make({
@@ -112,9 +124,10 @@ export class EngineWorker {
           this.words = [...this.words.slice(-40), line];
         },
       });
-      this.isKept = keep && (await this.findKept());
+      const isFound = keep && (await this.findKept());
+      this.isKept = isFound && mayStore;
       if (experiment !== undefined) writeExperiment(this.module.FS, experiment.what, experiment.files);
-      this.say({ kind: "ready", isKept: this.isKept || !keep });
+      this.say({ kind: "ready", isKept: isFound || !keep });
     } catch (error) {
       this.say({ kind: "failed", text: String(error) });
     }
@@ -229,23 +242,59 @@ export class EngineWorker {
     engine._free(address);
     const bytes = told.file === "" ? new Uint8Array() : engine.FS.readFile(told.file);
     this.say({ kind: "answer", call, status: told.status, type: told.type, bytes });
-    if (method !== "GET") this.keepSoon();
+    // A request that was refused has changed nothing.
+    if (method !== "GET" && told.status < 400) this.keepSoon();
+  }
+
+  private write(call: number, files: readonly KeptFile[], removed: readonly string[]): void {
+    const { FS } = this.engine;
+    for (const path of removed) if (FS.analyzePath(path).exists) FS.unlink(path);
+    writeFiles(FS, files);
+    this.say({ kind: "written", call });
+    this.keepSoon();
   }
 
   private keepSoon(): void {
     if (!this.isKept) return;
     this.stopKeeping?.();
     this.stopKeeping = this.around.later(() => this.keep(), KEPT_AFTER_MS);
+    this.stopLatest ??= this.around.later(() => this.keep(), KEPT_WITHIN_MS);
+  }
+
+  private keepNow(call?: number): void {
+    if (call !== undefined && !this.isKept) return this.say({ kind: "kept", error: "", call });
+    if (call !== undefined) this.callsNext.push(call);
+    this.keep();
   }
 
   private keep(): void {
-    if (!this.isKept || this.isKeeping || this.module === null) return;
+    if (!this.isKept || this.module === null) return;
     this.stopKeeping?.();
+    this.stopLatest?.();
+    this.stopKeeping = this.stopLatest = null;
+    if (this.isKeeping) {
+      this.mustKeepAgain = true;
+      return;
+    }
     this.isKeeping = true;
-    this.engine.FS.syncfs(false, () => {
-      this.isKeeping = false;
-      if (this.isRunning && this.stopKeeping === null) this.stopKeeping = this.around.later(() => this.keep(), KEPT_EVERY_MS);
-    });
-    this.stopKeeping = null;
+    this.callsNow = this.callsNext;
+    this.callsNext = [];
+    this.engine.FS.syncfs(false, (error) => this.kept(error ? (error as { message?: string }).message || String(error) : ""));
+  }
+
+  /** The browser has stored the files, or could not. */
+  private kept(error: string): void {
+    const calls = this.callsNow, isNew = (error === "") !== (this.keepError === "");
+    this.callsNow = [];
+    this.isKeeping = false;
+    this.keepError = error;
+    if (isNew) this.say({ kind: "kept", error });
+    for (const call of calls) this.say({ kind: "kept", error, call });
+    if (this.mustKeepAgain) {
+      this.mustKeepAgain = false;
+      this.keep();
+    } else if ((this.isRunning || error !== "") && this.stopKeeping === null) {
+      this.stopKeeping = this.around.later(() => this.keep(), KEPT_EVERY_MS);
+    }
   }
 }

@@ -16,15 +16,19 @@ export const CHANGES_NOTHING: ReadonlySet<string> = new Set(["look", "flow", "ov
 
 /** Messages from the page to the worker that runs its engine. */
 export type ToWorker =
-  // With an experiment, the place contains only the experiment's files.
-  | { kind: "begin"; engine: EngineFiles; keep: boolean; experiment?: Experiment }
+  // With an experiment, the place contains only the experiment's files. `keep`: stored files are read. `mayStore`: changed files are
+  // stored; without it, another tab stores them.
+  | { kind: "begin"; engine: EngineFiles; keep: boolean; mayStore: boolean; experiment?: Experiment }
   | { kind: "open"; what: string; id?: number }
   | { kind: "request"; text: string }
   | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
-  | { kind: "keep" }
+  // With `call`, `kept` answers when all changes until now are stored.
+  | { kind: "keep"; call?: number }
   | { kind: "changes"; call: number; what: string }
   // All files below a folder of the place, such as "/place/home/worlds/NAME".
   | { kind: "files"; call: number; folder: string }
+  // Writes and removes files of the place, and answers `written`. The engine does not check them, and its run does not read them.
+  | { kind: "write"; call: number; files: readonly KeptFile[]; removed: readonly string[] }
   // The only message to a worker that only grades; it answers with `graded`.
   | { kind: "grade-here"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   /** The new output of that worker; `files`: its changed files, when it is done. */
@@ -40,6 +44,9 @@ export type FromWorker =
   | { kind: "ended"; text: string }
   | { kind: "changes"; call: number; changes: ChangedFiles }
   | { kind: "files"; call: number; files: readonly KeptFile[] }
+  | { kind: "written"; call: number }
+  // The browser has stored the files, or `error`. Without `call` nobody has asked; then it is sent only if storing begins or ceases to fail.
+  | { kind: "kept"; error: string; call?: number }
   | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array }
   | { kind: "grade"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }
   | { kind: "stop-grading" }

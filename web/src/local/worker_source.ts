@@ -9,7 +9,11 @@ import type { UserFolders } from "./user_folders";
 const BUSY_AFTER_MS = 200, HANGS_AFTER_MS = 60_000;
 const NOT_LOADED = "The engine of this page cannot be loaded.";
 const CRASHED = "The run has crashed. What was saved is kept.";
+const ANOTHER_TAB = "Another tab shows your files already. What you change in this tab is not kept: close one of the two, and reload the other.";
+const STORED_AGAIN = "The browser keeps your files again.";
 const NOT_KEPT = "This browser keeps nothing for this page. Download your folder before you close it.";
+const STORE_HINT = "Download your folder before you close this page. If the disk is full, make room.";
+const notStored = (error: string): string => `The browser cannot keep your files: ${error}.`;
 
 /** The parts of a Worker that are used; tests give their own. */
 export interface Port {
@@ -28,6 +32,9 @@ export class LocalPlace implements RunSource {
   private readonly waiting = new Map<number, { resolve: (response: Response) => void; reject: (error: unknown) => void }>();
   private readonly waitingForChanges = new Map<number, { resolve: (changes: ChangedFiles) => void; reject: (error: unknown) => void }>();
   private readonly waitingForFiles = new Map<number, { resolve: (files: readonly KeptFile[]) => void; reject: (error: unknown) => void }>();
+  private readonly waitingForWrites = new Map<number, { resolve: (error: string) => void; reject: (error: unknown) => void }>();
+  /** The number of workers until now. Each one begins with the files that the browser has stored. */
+  private starts = 0;
   /** Called after a request that may have changed files of the place. */
   mayHaveChanged: () => void = () => undefined;
   private nextCall = 1;
@@ -40,8 +47,11 @@ export class LocalPlace implements RunSource {
   private grader: Port | null = null;
   private isKept = true;
 
-  /** With an experiment, the place has only its files, and nothing is kept. */
-  constructor(private readonly makePort: () => Port, private readonly engine: EngineFiles, private readonly keep = true, private readonly experiment?: Experiment) {}
+  /**
+   * With an experiment, the place has only its files, and nothing is kept. `isOnly`: no other tab has this place, so this one may
+   * store changed files.
+   */
+  constructor(private readonly makePort: () => Port, private readonly engine: EngineFiles, private readonly keep = true, private readonly experiment?: Experiment, readonly isOnly = true) {}
 
   start(listener: Listener): void {
     this.listener = listener;
@@ -67,6 +77,7 @@ export class LocalPlace implements RunSource {
 
   close(): void {
     this.stopGrading();
+    this.noLongerBusy();
     this.port?.terminate();
     this.port = null;
     this.listener?.connection("closed");
@@ -77,20 +88,18 @@ export class LocalPlace implements RunSource {
     if (this.isReady) this.post({ kind: "keep" });
   }
 
-  /** Answers requests to a server about a place: `path` begins after "/api/p/ID". */
-  async answer(method: string, path: string, body: Uint8Array): Promise<Response> {
-    this.connect();
+  /** Answers requests to a server about a place: `path` begins after "/api/p/ID". `isReported`: mayHaveChanged() is called for changes. */
+  async answer(method: string, path: string, body: Uint8Array, isReported = true): Promise<Response> {
     const call = this.nextCall++;
     return new Promise((resolve, reject) => {
       this.waiting.set(call, { resolve, reject });
       this.post({ kind: "answer", call, method, path, body });
-      if (method !== "GET") this.mayHaveChanged();
+      if (method !== "GET" && isReported) this.mayHaveChanged();
     });
   }
 
   /** All files below a folder of the place. */
   async files(folder: string): Promise<readonly KeptFile[]> {
-    this.connect();
     const call = this.nextCall++;
     return new Promise((resolve, reject) => {
       this.waitingForFiles.set(call, { resolve, reject });
@@ -98,9 +107,36 @@ export class LocalPlace implements RunSource {
     });
   }
 
+  /** A number that differs after the engine has crashed: then the place has the files that the browser had stored. */
+  get startCount(): number {
+    return this.starts;
+  }
+
+  /**
+   * Writes and removes files of the place that no run reads. `start`: the value of startCount when the caller read the place; files
+   * for an earlier one are not written.
+   */
+  async write(files: readonly KeptFile[], removed: readonly string[], start: number): Promise<void> {
+    if (start !== this.starts || this.port === null) throw new Refused(CRASHED, "", 500);
+    const call = this.nextCall++;
+    await new Promise<string>((resolve, reject) => {
+      this.waitingForWrites.set(call, { resolve, reject });
+      this.post({ kind: "write", call, files, removed });
+    });
+  }
+
+  /** Stores all changes until now. Throws if the browser cannot. */
+  async store(): Promise<void> {
+    const call = this.nextCall++;
+    const error = await new Promise<string>((resolve, reject) => {
+      this.waitingForWrites.set(call, { resolve, reject });
+      this.post({ kind: "keep", call });
+    });
+    if (error !== "") throw new Refused(notStored(error), STORE_HINT, 507);
+  }
+
   /** The files of a lesson or world that differ from the program's. */
   async changes(what: string): Promise<ChangedFiles> {
-    this.connect();
     const call = this.nextCall++;
     return new Promise((resolve, reject) => {
       this.waitingForChanges.set(call, { resolve, reject });
@@ -115,10 +151,11 @@ export class LocalPlace implements RunSource {
     }
     const port = this.makePort();
     this.port = port;
+    ++this.starts;
     this.isReady = false;
     port.onmessage = ({ data }) => this.take(data);
     port.onerror = ({ message }) => this.crashed(message ?? CRASHED);
-    port.postMessage({ kind: "begin", engine: this.engine, keep: this.keep && this.experiment === undefined, ...(this.experiment === undefined ? {} : { experiment: this.experiment }) });
+    port.postMessage({ kind: "begin", engine: this.engine, keep: this.keep && this.experiment === undefined, mayStore: this.isOnly, ...(this.experiment === undefined ? {} : { experiment: this.experiment }) });
   }
 
   private post(message: ToWorker): void {
@@ -131,7 +168,7 @@ export class LocalPlace implements RunSource {
     this.listener?.connection("open");
     this.listener?.message({ message: "tabs", may_type: true });
     if (!this.hasRun) this.listener?.message({ message: "none" });
-    if (!this.isKept) this.listener?.message({ message: "told", text: NOT_KEPT });
+    if (!this.isKept || !this.isOnly) this.listener?.message({ message: "told", text: this.isOnly ? NOT_KEPT : ANOTHER_TAB });
   }
 
   private take(message: FromWorker): void {
@@ -172,6 +209,12 @@ export class LocalPlace implements RunSource {
         this.waitingForFiles.get(message.call)?.resolve(message.files);
         this.waitingForFiles.delete(message.call);
         return;
+      case "written":
+        return this.wasWritten(message.call, "");
+      case "kept":
+        if (message.call !== undefined) return this.wasWritten(message.call, message.error);
+        this.listener?.message({ message: "told", text: message.error === "" ? STORED_AGAIN : `${notStored(message.error)} ${STORE_HINT}` });
+        return;
       case "grade":
         return this.grade({ ...message, kind: "grade-here" });
       case "stop-grading":
@@ -201,6 +244,11 @@ export class LocalPlace implements RunSource {
     const waiting = this.waiting.get(call);
     this.waiting.delete(call);
     waiting?.resolve(new Response(bytes as BodyInit, { status, headers: { "Content-Type": type } }));
+  }
+
+  private wasWritten(call: number, error: string): void {
+    this.waitingForWrites.get(call)?.resolve(error);
+    this.waitingForWrites.delete(call);
   }
 
   /** Grades in a separate worker, so that the run continues and grading can be cancelled. */
@@ -237,10 +285,11 @@ export class LocalPlace implements RunSource {
     this.hasRun = false;
     this.early = [];
     this.noLongerBusy();
-    for (const { reject } of [...this.waiting.values(), ...this.waitingForChanges.values(), ...this.waitingForFiles.values()]) reject(new Refused(what, text, 500));
+    for (const { reject } of [...this.waiting.values(), ...this.waitingForChanges.values(), ...this.waitingForFiles.values(), ...this.waitingForWrites.values()]) reject(new Refused(what, text, 500));
     this.waiting.clear();
     this.waitingForChanges.clear();
     this.waitingForFiles.clear();
+    this.waitingForWrites.clear();
     this.listener?.message({ message: "ended", text: `${what} (${text})`, can_open_again: true });
   }
 
