@@ -64,13 +64,15 @@ async function partOf(id: string): Promise<ArrayBuffer> {
 async function beginLocal(root: HTMLElement, engine: string): Promise<void> {
   patch(root, [h("main.start", null, h("section.welcome", { attributes: { role: "status" } }, h("div", null, h("h1", null, "Soarbox"), h("p", null, "The engine is loaded …"))))]);
   try {
-    const { LocalApi, LocalPlace } = await import("./local/worker_source"), { foldersOf } = await import("./local/browser_folders");
+    const { LocalApi, LocalPlace } = await import("./local/worker_source"), { foldersOf } = await import("./local/browser_folders"), { takePlaceLock } = await import("./local/place_lock");
     const inPage = document.getElementById("soarbox-worker")?.textContent;
     const worker = inPage === undefined || inPage === null ? new URL("assets/worker.js", document.baseURI).href : URL.createObjectURL(new Blob([inPage], { type: "text/javascript" }));
     const files = engine === "" ? { wasm: await partOf("soarbox-wasm"), data: await partOf("soarbox-data") } : new URL(engine, document.baseURI).href;
     const { what, rules } = parseAddress(location.hash), brought = rules === "" ? null : await unpackFiles(rules);
     if (rules !== "" && brought === null) throw new Refused("The rules in this link are damaged: it may have been cut off.", "Ask for the link again.", 0);
-    const place = new LocalPlace(() => new Worker(worker) as unknown as Port, files, true, brought === null ? undefined : { what, files: brought });
+    // An experiment has a place of its own.
+    const isOnly = brought !== null || (await takePlaceLock());
+    const place = new LocalPlace(() => new Worker(worker) as unknown as Port, files, true, brought === null ? undefined : { what, files: brought }, isOnly);
     const folders = brought === null ? foldersOf(place) : null, api = new LocalApi(place, folders);
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") place.keepNow();

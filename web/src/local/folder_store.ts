@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import type { Files, FolderHandle } from "./folder_sync";
+import type { FolderHandle } from "./folder_sync";
 
 /** A folder of the user's disk that this browser remembers. */
 export interface KeptFolder {
   /** The name of its world in the place. */
   readonly name: string;
   readonly handle: FolderHandle;
-  /** The files that disk and place had when they were equal. */
-  readonly base: Files;
 }
 export interface FolderStore {
   all(): Promise<KeptFolder[]>;

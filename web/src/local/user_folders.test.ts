@@ -19,6 +19,10 @@ class FakeDisk {
   asked = 0;
   reads = 0;
   isGone = false;
+  ignoresCase = false;
+  /** Called before a file is filled, and before its new text replaces it. */
+  beforeWrite: (path: string) => void = () => undefined;
+  beforeClose: (path: string) => void = () => undefined;
   private clock = 1;
   readonly root: FolderHandle;
 
@@ -42,11 +46,21 @@ class FakeDisk {
         const inside = [...disk.files.keys()].filter((path) => path.startsWith(prefix)).map((path) => path.slice(prefix.length).split("/"));
         for (const one of new Set(inside.map((parts) => parts[0]!))) yield inside.some((parts) => parts[0] === one && parts.length > 1) ? disk.folder(`${prefix}${one}/`, one) : disk.file(prefix + one, one);
       },
-      getFileHandle: async (one) => {
+      getFileHandle: async (one, options) => {
         disk.fail(prefix + one);
-        return disk.file(prefix + one, one);
+        const path = disk.spelt(prefix + one);
+        if (!disk.files.has(path)) {
+          if (options?.create !== true) throw named("NotFoundError");
+          disk.set(path, "");
+        }
+        return disk.file(path, one);
       },
-      getDirectoryHandle: async (one) => disk.folder(`${prefix}${one}/`, one),
+      getDirectoryHandle: async (one, options) => {
+        const path = disk.spelt(`${prefix}${one}/`);
+        if (options?.create !== true && ![...disk.files.keys()].some((name) => name.startsWith(path))) throw named("NotFoundError");
+        return disk.folder(path, one);
+      },
+      removeEntry: async (one) => void disk.files.delete(prefix + one),
       isSameEntry: async (other) => other === disk.root,
       queryPermission: async () => disk.permission,
       requestPermission: async () => {
@@ -54,6 +68,11 @@ class FakeDisk {
         return (disk.permission = disk.answer);
       },
     };
+  }
+  /** The path of what exists, if the disk ignores case. */
+  private spelt(path: string): string {
+    const found = this.ignoresCase ? [...this.files.keys()].find((one) => one.toLowerCase().startsWith(path.toLowerCase())) : undefined;
+    return found === undefined ? path : found.slice(0, path.length);
   }
   private file(path: string, name: string): FileHandle {
     return {
@@ -66,7 +85,14 @@ class FakeDisk {
       },
       createWritable: async () => {
         let text = "";
-        return { write: async (bytes) => void (text = textOf(bytes)), close: async () => this.set(path, text), abort: async () => undefined };
+        const write = async (bytes: Uint8Array): Promise<void> => {
+          text = textOf(bytes);
+          const name = this.fails.get(`write ${path}`);
+          if (name !== undefined) throw named(name);
+          this.beforeClose(path);
+        };
+        this.beforeWrite(path);
+        return { write, close: async () => this.set(path, text), abort: async () => undefined };
       },
     };
   }
@@ -74,21 +100,36 @@ class FakeDisk {
 
 const WORLD = { "scenario.toml": "seconds = 60\n", "rabbit.soar": "rest", "sounds/bell.soar": "ring", ".git": "hidden" };
 
+function put(files: Map<string, string>, path: string, bytes: Uint8Array | null): void {
+  if (bytes === null) files.delete(path);
+  else files.set(path, textOf(bytes));
+}
+const below = (files: ReadonlyMap<string, string>, world: string): Map<string, Uint8Array> => new Map([...files].filter(([path]) => path.startsWith(`${world}/`)).map(([path, text]) => [path.slice(world.length + 1), bytesOf(text)]));
+
 /** Folders with a fake disk and place. `tick` runs what was scheduled. */
-function foldersWith(disk: FakeDisk, kept: KeptFolder[] = []) {
-  const place = new Map<string, string>(), said: string[] = [], timers: { call: () => void; isOff: boolean }[] = [], refused = new Set<string>();
+function foldersWith(disk: FakeDisk, kept: KeptFolder[] = [], isOnly = true) {
+  const place = new Map<string, string>(), base = new Map<string, string>(), questions: string[] = [], counts = { writes: 0, stores: 0 }, will = { answer: false, storeError: "" }, said: string[] = [], timers: { call: () => void; isOff: boolean }[] = [], refused = new Set<string>();
   const store = new Map(kept.map((one) => [one.name, one]));
   const folders = new UserFolders({
     pick: async () => disk.root,
     store: { all: async () => [...store.values()], put: async (one) => void store.set(one.name, one), remove: async (name) => void store.delete(name) },
     place: {
-      read: async (world) => new Map([...place].filter(([path]) => path.startsWith(`${world}/`)).map(([path, text]) => [path.slice(world.length + 1), bytesOf(text)])),
+      read: async (world) => ({ files: below(place, world), base: below(base, world) }),
+      writeBase: async (world, changes) => {
+        for (const [path, bytes] of changes) put(base, `${world}/${path}`, bytes);
+      },
+      store: async () => {
+        counts.stores += 1;
+        if (will.storeError !== "") throw new Refused(will.storeError, "", 507);
+      },
       write: async (path, bytes) => {
+        counts.writes += 1;
         if (refused.has(path)) throw new Refused("there is no room for this file", "remove what you do not need", 400);
-        if (bytes === null) place.delete(path);
-        else place.set(path, textOf(bytes));
+        put(place, path, bytes);
       },
     },
+    isOnly,
+    ask: (question) => (questions.push(question), will.answer),
     later: (call) => {
       const timer = { call, isOff: false };
       timers.push(timer);
@@ -98,7 +139,7 @@ function foldersWith(disk: FakeDisk, kept: KeptFolder[] = []) {
   });
   const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 2));
   return {
-    folders, place, said, store, refused,
+    folders, place, base, said, store, refused, questions, counts, will,
     start: () => folders.start({ changed: () => undefined, say: (text, hint) => void said.push(`${text} ${hint}`.trim()) }),
     tick: async () => {
       for (const timer of timers.splice(0)) if (!timer.isOff) timer.call();
@@ -158,16 +199,19 @@ test("after a reload the browser is asked again, only on a button; edits from be
   await before.folders.choose([]);
   disk.permission = "prompt";
   disk.answer = "denied";
-  const { folders, place, said, start } = foldersWith(disk, [...before.store.values()]);
+  const { folders, place, base, said, start } = foldersWith(disk, [...before.store.values()]);
   for (const [path, text] of before.place) place.set(path, text);
+  for (const [path, text] of before.base) base.set(path, text);
   place.set("burrow/rabbit.soar", "saved before the page was closed");
   disk.set("scenario.toml", "seconds = 90\n");
   await start();
   folders.show("burrow");
   await new Promise((done) => setTimeout(done, 2));
   assert.deepEqual([folders.stateOf("burrow")?.state, disk.asked, said], ["off", 0, []]);
-  assert.equal(await folders.connect("burrow", true), false);
+  assert.equal(await folders.connect("burrow", true), true, "the world can be opened from its copy");
   assert.equal(folders.stateOf("burrow")?.state, "trouble");
+  folders.show("burrow");
+  assert.equal(folders.stateOf("burrow")?.state, "trouble", "opening the world does not hide the problem");
   assert.match(said.join(), /does not let this page read and change burrow.*Connect/);
   disk.answer = "granted";
   assert.equal(await folders.connect("burrow", true), true);
@@ -219,6 +263,193 @@ test("folders that are no world, or too large, are refused", async () => {
   assert.equal(await folders.choose([]), null);
   assert.match(said.join(), /films is too large: a world has at most 256 files and 4 MB, and film\.mp4 is beyond that/);
   assert.deepEqual(folders.all, []);
+});
+
+test("a crash before the place was stored does not bring an old text back to the disk", async () => {
+  const disk = new FakeDisk("burrow", WORLD), before = foldersWith(disk);
+  await before.start();
+  await before.folders.choose([]);
+  const stores = before.counts.stores, stored = { place: [...before.place], base: [...before.base] };
+  before.place.set("burrow/rabbit.soar", "new");
+  before.folders.placeChanged();
+  await before.tick();
+  assert.deepEqual([disk.files.get("rabbit.soar")?.text, before.counts.stores], ["new", stores + 1], "it is stored at once");
+  await before.tick();
+  assert.equal(before.counts.stores, stores + 1, "nothing has changed");
+  // The browser crashes: the place and its base are those that were stored.
+  const after = foldersWith(disk, [...before.store.values()]);
+  for (const [path, text] of stored.place) after.place.set(path, text);
+  for (const [path, text] of stored.base) after.base.set(path, text);
+  await after.start();
+  await after.folders.connect("burrow", true);
+  assert.deepEqual([disk.files.get("rabbit.soar")?.text, after.place.get("burrow/rabbit.soar"), after.said], ["new", "new", []]);
+});
+
+test("that the browser cannot store the copy is shown until it can", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, said, will, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  will.storeError = "no room";
+  place.set("burrow/rabbit.soar", "new");
+  for (let i = 0; i < 3; ++i) await tick();
+  assert.deepEqual([said, folders.stateOf("burrow")?.state, disk.files.get("rabbit.soar")?.text], [["no room"], "trouble", "new"]);
+  will.storeError = "";
+  place.set("burrow/rabbit.soar", "newer");
+  await tick();
+  assert.equal(folders.stateOf("burrow")?.state, "connected");
+});
+
+test("a second tab connects no folder, and says what to do", async () => {
+  const disk = new FakeDisk("burrow", WORLD), before = foldersWith(disk);
+  await before.start();
+  await before.folders.choose([]);
+  const { folders, place, said, counts, store, start, tick } = foldersWith(disk, [...before.store.values()], false);
+  for (const [path, text] of before.place) place.set(path, text);
+  await start();
+  assert.equal(await folders.connect("burrow", true), true);
+  place.set("burrow/rabbit.soar", "here");
+  folders.placeChanged();
+  await tick();
+  assert.equal(await folders.choose([]), null);
+  await folders.forget("burrow");
+  assert.deepEqual([disk.files.get("rabbit.soar")?.text, counts.writes, store.size, folders.stateOf("burrow")?.state], ["rest", 0, 1, "trouble"]);
+  for (const one of said) assert.match(one, /Another tab shows your files already.*close it, and reload this one/);
+});
+
+test("a refused file is tried again only when it changes, or with Connect", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, said, refused, counts, start, tick } = foldersWith(disk);
+  refused.add("burrow/rabbit.soar");
+  await start();
+  assert.equal(await folders.choose([]), "burrow", "the world is opened without the file");
+  const { writes } = counts;
+  for (let i = 0; i < 3; ++i) await tick();
+  assert.deepEqual([counts.writes, said.length, folders.stateOf("burrow")?.state], [writes, 1, "trouble"]);
+  disk.set("rabbit.soar", "other");
+  await tick();
+  assert.equal(counts.writes, writes + 1);
+  refused.clear();
+  await folders.connect("burrow", true);
+  assert.deepEqual([place.get("burrow/rabbit.soar"), folders.stateOf("burrow")?.state], ["other", "connected"]);
+});
+
+test("a file that cannot be read is left alone, and the others are kept equal", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, base, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  disk.fails.set("rabbit.soar", "NotReadableError");
+  disk.set("scenario.toml", "seconds = 90\n");
+  await tick();
+  await new Promise((done) => setTimeout(done, 400));
+  assert.deepEqual([place.get("burrow/scenario.toml"), place.get("burrow/rabbit.soar"), base.get("burrow/rabbit.soar")], ["seconds = 90\n", "rest", "rest"]);
+  assert.match(folders.stateOf("burrow")?.problem?.message ?? "", /rabbit\.soar cannot be read/);
+});
+
+test("the user's version of a file gets a free name, and is not written again", async () => {
+  const disk = new FakeDisk("burrow", { ...WORLD, "rabbit.soar.mine": "earlier" }), { folders, place, said, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  disk.set("rabbit.soar", "theirs");
+  place.set("burrow/rabbit.soar", "mine");
+  place.set("burrow/hare.soar.mine", "own");
+  await tick();
+  assert.deepEqual(["", ".mine", ".mine-2", ".mine-3"].map((end) => disk.files.get(`rabbit.soar${end}`)?.text), ["theirs", "earlier", "mine", undefined]);
+  assert.match(said.join(), /Your text is in rabbit\.soar\.mine-2/);
+  // The same text is not written twice.
+  disk.set("rabbit.soar", "theirs again");
+  place.set("burrow/rabbit.soar", "earlier");
+  const { modified } = disk.files.get("rabbit.soar.mine")!;
+  await tick();
+  assert.deepEqual([disk.files.has("rabbit.soar.mine-3"), disk.files.get("rabbit.soar.mine")?.modified, disk.files.has("hare.soar.mine")], [false, modified, false]);
+});
+
+test("Forget asks if the disk lacks edits, and names their files", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, base, store, questions, will, start } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  disk.fails.set("rabbit.soar", "NoModificationAllowedError");
+  place.set("burrow/rabbit.soar", "unwritten");
+  place.set("burrow/scenario.toml", "seconds = 90\n");
+  await folders.forget("burrow");
+  assert.match(questions.join(), /burrow on the disk lacks what you changed here in rabbit\.soar\. Forget/);
+  assert.deepEqual([disk.files.get("scenario.toml")?.text, place.get("burrow/rabbit.soar"), store.size], ["seconds = 90\n", "unwritten", 1]);
+  will.answer = true;
+  await folders.forget("burrow");
+  assert.deepEqual([place.size, base.size, store.size, folders.all], [0, 0, 0, []]);
+});
+
+test("a file that another program writes at the same moment is left for the next look", async () => {
+  for (const moment of ["beforeWrite", "beforeClose"] as const) {
+    const disk = new FakeDisk("burrow", WORLD), { folders, place, start, tick } = foldersWith(disk);
+    await start();
+    await folders.choose([]);
+    place.set("burrow/rabbit.soar", "mine");
+    disk[moment] = (path) => {
+      disk[moment] = () => undefined;
+      disk.set(path, "theirs");
+    };
+    await tick();
+    assert.equal(disk.files.get("rabbit.soar")?.text, "theirs", moment);
+    await tick();
+    assert.deepEqual([disk.files.get("rabbit.soar.mine")?.text, place.get("burrow/rabbit.soar")], ["mine", "theirs"], moment);
+  }
+  const disk = new FakeDisk("burrow", WORLD), reader = new FolderReader(disk.root);
+  await reader.read();
+  disk.set("rabbit.soar", "theirs");
+  disk.set("new.soar", "theirs");
+  disk.files.delete("scenario.toml");
+  for (const path of ["rabbit.soar", "new.soar", "scenario.toml"]) assert.equal(await reader.write(path, bytesOf("mine")), false, path);
+  assert.deepEqual([disk.files.get("rabbit.soar")?.text, disk.files.get("new.soar")?.text, disk.files.has("scenario.toml")], ["theirs", "theirs", false]);
+});
+
+test("a new file that cannot be filled is removed, so that it does not replace the text in the place", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  place.set("burrow/new.soar", "text");
+  disk.fails.set("write new.soar", "QuotaExceededError");
+  for (let i = 0; i < 2; ++i) await tick();
+  assert.deepEqual([disk.files.has("new.soar"), place.get("burrow/new.soar")], [false, "text"]);
+});
+
+test("a disk that ignores case refuses another spelling of a file or folder", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, said, start, tick } = foldersWith(disk);
+  disk.ignoresCase = true;
+  await start();
+  await folders.choose([]);
+  place.set("burrow/Rabbit.soar", "other");
+  place.set("burrow/Sounds/horn.soar", "blow");
+  await tick();
+  assert.deepEqual([...disk.files].map(([path, { text }]) => `${path} ${text.trim()}`), [...Object.entries(WORLD)].map(([path, text]) => `${path} ${text.trim()}`));
+  assert.match(said.join(), /Rabbit\.soar cannot be written: this disk does not distinguish it from rabbit\.soar/);
+  place.delete("burrow/Rabbit.soar");
+  await tick();
+  assert.match(said.join(), /Sounds\/ cannot be written: this disk does not distinguish it from sounds\//);
+});
+
+test("what is equal already is the base too", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, base, said, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  disk.set("rabbit.soar", "same");
+  place.set("burrow/rabbit.soar", "same");
+  await tick();
+  assert.equal(base.get("burrow/rabbit.soar"), "same");
+  disk.set("rabbit.soar", "rest");
+  await tick();
+  assert.deepEqual([place.get("burrow/rabbit.soar"), disk.files.get("rabbit.soar")?.text, said.length], ["rest", "rest", 1]);
+});
+
+test("opening another world writes what waits first", async () => {
+  for (const next of ["soar_flee", ""]) {
+    const disk = new FakeDisk("burrow", WORLD), { folders, place, start } = foldersWith(disk);
+    await start();
+    await folders.choose([]);
+    place.set("burrow/rabbit.soar", "saved");
+    folders.placeChanged();
+    folders.show(next);
+    await new Promise((done) => setTimeout(done, 5));
+    assert.deepEqual([disk.files.get("rabbit.soar")?.text, folders.stateOf("burrow")?.state], ["saved", "off"]);
+  }
 });
 
 test("an editor that empties a file while it saves does not empty the copy", async () => {

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { Refused } from "../app/api";
 import type { FolderStore, KeptFolder } from "./folder_store";
-import { FolderProblem, FolderReader, MINE, problemOf, stepsFor, type Files, type FolderHandle, type Steps } from "./folder_sync";
+import { areEqual, FolderProblem, FolderReader, problemOf, stepsFor, type Files, type FolderHandle, type Steps } from "./folder_sync";
 
-/** The place that has copies of the folders. Paths begin below the folder of worlds: "NAME/FILE". */
+/** The copy of a folder in the place. */
+export interface FolderCopy {
+  readonly files: Files;
+  /** The files that disk and place had when they were equal. It is stored together with `files`, so that both are of the same moment. */
+  readonly base: Files;
+}
+
+/** The place that has copies of the folders. */
 export interface CopyPlace {
-  read(world: string): Promise<Files>;
-  /** null: removes the file. */
+  read(world: string): Promise<FolderCopy>;
+  /** `path`: "WORLD/FILE". null: removes the file. */
   write(path: string, bytes: Uint8Array | null): Promise<void>;
+  /** Changes the base of a world; null: a file is removed from it. */
+  writeBase(world: string, changes: ReadonlyMap<string, Uint8Array | null>): Promise<void>;
+  /** Stores all changes in the browser. */
+  store(): Promise<void>;
 }
 
 /** Parts of the browser; tests give their own. */
@@ -18,6 +29,10 @@ export interface FolderSurroundings {
   place: CopyPlace;
   later(call: () => void, ms: number): () => void;
   isVisible(): boolean;
+  /** Whether no other tab has the place. Only then may its copies be changed. */
+  readonly isOnly: boolean;
+  /** Asks the user a question; returns whether the answer is yes. */
+  ask(question: string): boolean;
 }
 
 export interface FolderEvents {
@@ -30,7 +45,42 @@ export interface FolderEvents {
 export type FolderState = "off" | "connected" | "trouble";
 
 const LOOKS_EVERY_MS = 2000, WRITES_AFTER_MS = 300;
+/** Maximum number of files that a question names. */
+const MOST_NAMED = 10;
 const WORLD_FILES = ["scenario.toml", "Sandbox.lua"];
+
+/** The folder that is connected. */
+interface OpenFolder {
+  readonly name: string;
+  readonly title: string;
+  readonly reader: FolderReader;
+  /** Files of the place may have changed since the last look. */
+  isChanged: boolean;
+  /** Files that disk or place have refused, with the texts of both. They are tried again when one of these texts changes. */
+  refused: ReadonlyMap<string, Refusal>;
+  /** Why the browser could not store the place; null: it could. undefined: nothing was stored yet. */
+  unstored: FolderProblem | null | undefined;
+}
+interface Refusal {
+  readonly there: Uint8Array | undefined;
+  readonly here: Uint8Array | undefined;
+  readonly problem: FolderProblem;
+}
+/** What execute() has done: files that are equal now, problems, and the names of files with the user's version. */
+interface Outcome {
+  readonly done: ReadonlySet<string>;
+  readonly refused: ReadonlyMap<string, Refusal>;
+  /** The first problem that may end without a change of a file. */
+  readonly passing: FolderProblem | null;
+  readonly mine: ReadonlyMap<string, string>;
+}
+
+const anotherTab = (): FolderProblem => new FolderProblem("Another tab shows your files already, so this one connects no folder.", "Continue in the other tab; or close it, and reload this one.");
+
+/** An error of the disk or of the place in words. */
+function problemWith(error: unknown, what: string, folder: string): FolderProblem {
+  return error instanceof Refused ? new FolderProblem(error.message, error.hint) : problemOf(error, what, folder);
+}
 
 /** The name of a world for a folder. `taken`: names that other worlds have. */
 export function worldName(folder: string, taken: ReadonlySet<string>): string {
@@ -47,7 +97,10 @@ export function worldName(folder: string, taken: ReadonlySet<string>): string {
 export class UserFolders {
   private folders: KeptFolder[] = [];
   private events: FolderEvents = { changed: () => undefined, say: () => undefined };
-  private open: { readonly name: string; readonly reader: FolderReader } | null = null;
+  private open: OpenFolder | null = null;
+  /** The world whose folder is being connected, and a number that each such call increases. */
+  private connecting = "";
+  private turn = 0;
   private trouble: { readonly name: string; readonly problem: FolderProblem } | null = null;
   private stopWaiting: (() => void) | null = null;
   /** Only one thing at a time reads or writes. */
@@ -76,6 +129,10 @@ export class UserFolders {
 
   /** Lets the user choose a folder. Returns the name of its world, or null if the user chose none or it cannot be used. `taken`: names of worlds. */
   async choose(taken: readonly string[]): Promise<string | null> {
+    if (!this.around.isOnly) {
+      this.tell(anotherTab());
+      return null;
+    }
     let handle: FolderHandle;
     try {
       handle = await this.around.pick();
@@ -85,9 +142,10 @@ export class UserFolders {
     }
     try {
       for (const one of this.folders) if (await one.handle.isSameEntry(handle)) return (await this.connect(one.name, true)) ? one.name : null;
-      const files = await new FolderReader(handle).read();
+      const reader = new FolderReader(handle), files = await reader.read();
+      for (const name of WORLD_FILES) if (reader.unreadable.has(name)) throw reader.unreadable.get(name);
       if (!WORLD_FILES.some((name) => files.has(name))) throw new FolderProblem(`${handle.name} is not the folder of a world: it has neither ${WORLD_FILES.join(" nor ")}.`, "Choose the folder in which one of them is.");
-      const name = worldName(handle.name, new Set([...taken, ...this.folders.map((one) => one.name)])), folder = { name, handle, base: new Map() };
+      const name = worldName(handle.name, new Set([...taken, ...this.folders.map((one) => one.name)])), folder = { name, handle };
       await this.around.store.put(folder);
       this.folders = [...this.folders, folder];
       return (await this.connect(name, true)) ? name : null;
@@ -97,50 +155,99 @@ export class UserFolders {
     }
   }
 
-  /** Connects the folder of a world, and makes copy and folder equal. `mayAsk`: the user has pressed a button, so the browser may ask for permission. */
+  /**
+   * Connects the folder of a world, and makes copy and folder equal. `mayAsk`: the user has pressed a button, so the browser may ask for
+   * permission. Returns whether the place has a copy, so that the world can be opened.
+   */
   async connect(world: string, mayAsk: boolean): Promise<boolean> {
     const folder = this.folders.find((one) => one.name === world);
     if (folder === undefined) return false;
-    this.disconnect();
+    const turn = ++this.turn, title = folder.handle.name;
+    this.connecting = world;
+    let problem: FolderProblem | null = null, permission: PermissionState = "denied";
     try {
-      let permission = await folder.handle.queryPermission({ mode: "readwrite" });
-      if (permission !== "granted" && mayAsk) permission = await folder.handle.requestPermission({ mode: "readwrite" });
-      if (permission !== "granted") {
-        if (mayAsk) throw problemOf({ name: "NotAllowedError" }, folder.handle.name, folder.handle.name);
-        return false;
+      if (!this.around.isOnly) throw anotherTab();
+      permission = await folder.handle.queryPermission({ mode: "readwrite" });
+      if (permission !== "granted" && mayAsk) {
+        permission = await folder.handle.requestPermission({ mode: "readwrite" });
+        if (permission !== "granted") throw problemOf({ name: "NotAllowedError" }, title, title);
       }
-      this.open = { name: world, reader: new FolderReader(folder.handle) };
-      await this.sync(false);
     } catch (error) {
-      this.fail(world, problemOf(error, folder.handle.name, folder.handle.name));
+      problem = problemOf(error, title, title);
     }
-    this.events.changed();
-    return this.open?.name === world && this.trouble === null;
+    await this.flush();
+    // Meanwhile the user may have opened another world.
+    if (turn === this.turn) {
+      this.disconnect();
+      if (problem !== null) this.fail(world, problem);
+      else if (permission === "granted") {
+        this.open = { name: world, title, reader: new FolderReader(folder.handle), isChanged: false, refused: new Map(), unstored: undefined };
+        await this.sync(false);
+      }
+      if (turn === this.turn) this.connecting = "";
+      this.events.changed();
+    }
+    return this.hasCopy(world);
   }
 
   /** The world that is shown now; "": none. Connects its folder if the browser allows it without asking. */
   show(world: string): void {
-    if (world === this.open?.name) return;
-    this.disconnect();
-    if (world !== "") void this.connect(world, false);
+    if (world === this.open?.name || (world !== "" && (world === this.connecting || world === this.trouble?.name))) return;
+    if (this.folders.some((one) => one.name === world)) void this.connect(world, false);
+    else void this.leave();
   }
 
+  /** Forgets a folder and removes its copy. Asks first if the copy has edits that the disk lacks. */
   async forget(world: string): Promise<void> {
-    if (this.open?.name === world) this.disconnect();
+    const folder = this.folders.find((one) => one.name === world);
+    if (folder === undefined) return;
+    if (!this.around.isOnly) return this.tell(anotherTab());
+    if (this.open?.name === world) await this.sync(false);
+    await this.last;
+    const { files, base } = await this.around.place.read(world), unwritten = [...files].filter(([path, bytes]) => !areEqual(bytes, base.get(path))).map(([path]) => path).sort();
+    const named = unwritten.slice(0, MOST_NAMED).join(", "), more = unwritten.length - MOST_NAMED;
+    if (unwritten.length > 0 && !this.around.ask(`The folder ${folder.handle.name} on the disk lacks what you changed here in ${named}${more > 0 ? ` and ${more} more` : ""}. Forget the folder and lose these changes?`)) return;
+    if (this.open?.name === world || this.trouble?.name === world) this.disconnect();
+    await this.last;
     this.folders = this.folders.filter((one) => one.name !== world);
     await this.around.store.remove(world);
-    for (const path of (await this.around.place.read(world)).keys()) await this.around.place.write(`${world}/${path}`, null);
+    for (const path of files.keys()) await this.around.place.write(`${world}/${path}`, null);
+    await this.around.place.writeBase(world, new Map([...base.keys()].map((path) => [path, null])));
     this.events.changed();
   }
 
   /** Files of the place may have changed: writes them to the folder soon. */
   placeChanged(): void {
-    if (this.open !== null) this.lookIn(WRITES_AFTER_MS);
+    if (this.open === null) return;
+    this.open.isChanged = true;
+    this.lookIn(WRITES_AFTER_MS);
   }
 
   /** The page is shown again, or about to be hidden. */
   lookNow(): void {
     if (this.open !== null) this.lookIn(0);
+  }
+
+  private async hasCopy(world: string): Promise<boolean> {
+    try {
+      const { files } = await this.around.place.read(world);
+      return WORLD_FILES.some((name) => files.has(name));
+    } catch {
+      return false;
+    }
+  }
+
+  /** Writes what waits to be written, and waits for a running look. */
+  private async flush(): Promise<void> {
+    if (this.open?.isChanged === true) await this.sync(false);
+    else await this.last;
+  }
+
+  private async leave(): Promise<void> {
+    const turn = ++this.turn;
+    this.connecting = "";
+    await this.flush();
+    if (turn === this.turn) this.disconnect();
   }
 
   private disconnect(): void {
@@ -163,64 +270,88 @@ export class UserFolders {
   }
 
   private async syncOnce(tells: boolean): Promise<void> {
-    const { open } = this, folder = this.folders.find((one) => one.name === open?.name);
-    if (open === null || folder === undefined) return;
+    const { open } = this;
+    if (open === null) return;
     this.stopWaiting?.();
     this.stopWaiting = null;
+    open.isChanged = false;
     try {
-      const disk = await open.reader.read(), copy = await this.around.place.read(open.name), steps = stepsFor(folder.base, disk, copy);
-      // A moment later the user may have opened another world.
+      const disk = await open.reader.read(), copy = await this.around.place.read(open.name), { unreadable } = open.reader;
+      const steps = stepsFor(copy.base, disk, copy.files, unreadable);
       if (this.open !== open) return;
-      const refused = await this.execute(steps, open.name, open.reader);
-      if (steps.toDisk.size > 0 || steps.toPlace.size > 0 || folder.base.size === 0) await this.keep(folder, steps, disk, refused);
-      for (const path of steps.both) this.events.say(`${path} was changed here and by another program. The run uses the other program's text.`, `Your text is in ${path}${MINE}, in your folder.`, true);
-      const read = [...steps.toPlace.keys()].filter((path) => !steps.both.includes(path) && !refused.has(path));
-      if (tells && read.length > 0) this.events.say(`Another program has changed ${read.length > 3 ? `${read.length} files` : read.join(", ")} in ${folder.handle.name}.`, "", false);
-      const [first] = refused.values();
-      if (first !== undefined) throw first;
+      const outcome = await this.execute(steps, disk, copy.files, open);
+      open.refused = outcome.refused;
+      await this.keep(open, steps, disk, copy, outcome);
+      for (const [path, mine] of outcome.mine) this.events.say(`${path} was changed here and by another program. The run uses the other program's text.`, `Your text is in ${mine}, in your folder.`, true);
+      const read = [...steps.toPlace.keys()].filter((path) => !steps.both.has(path) && outcome.done.has(path));
+      if (tells && read.length > 0) this.events.say(`Another program has changed ${read.length > 3 ? `${read.length} files` : read.join(", ")} in ${open.title}.`, "", false);
+      const [refusal] = outcome.refused.values(), [unread] = unreadable.values(), problem = refusal?.problem ?? outcome.passing ?? unread ?? open.unstored ?? null;
+      if (problem !== null) throw problem;
       if (this.trouble !== null) {
         this.trouble = null;
         this.events.changed();
       }
     } catch (error) {
-      if (this.open === open) this.fail(open.name, problemOf(error, folder.handle.name, folder.handle.name));
+      if (this.open === open) this.fail(open.name, problemWith(error, open.title, open.title));
     }
     // Meanwhile another look may have been scheduled.
     if (this.open === open && this.stopWaiting === null) this.lookAgain();
   }
 
-  /** Writes files to the folder and to the place. Returns the problems with those that were refused, by their paths. */
-  private async execute({ toDisk, toPlace }: Steps, world: string, reader: FolderReader): Promise<Map<string, FolderProblem>> {
-    const refused = new Map<string, FolderProblem>();
-    const write = async (path: string, call: () => Promise<void>): Promise<void> => {
+  /** Writes files to the folder and to the place. */
+  private async execute({ toDisk, toPlace, both }: Steps, disk: Files, copy: Files, open: OpenFolder): Promise<Outcome> {
+    const done = new Set<string>(), refused = new Map<string, Refusal>(), mine = new Map<string, string>(), { place } = this.around;
+    let passing: FolderProblem | null = null;
+    const attempt = async (path: string, call: () => Promise<boolean>): Promise<void> => {
+      const there = disk.get(path), here = copy.get(path), before = open.refused.get(path);
+      if (before !== undefined && areEqual(before.there, there) && areEqual(before.here, here)) {
+        refused.set(path, before);
+        return;
+      }
       try {
-        await call();
+        if (await call()) done.add(path);
       } catch (error) {
-        refused.set(path, error instanceof Refused ? new FolderProblem(`${path} cannot be used here: ${error.message}`, error.hint) : problemOf(error, path, world));
+        const isOfPlace = error instanceof Refused;
+        // An engine that has crashed may have another answer the next time.
+        if (isOfPlace && error.status >= 500) passing ??= problemWith(error, path, open.title);
+        else refused.set(path, { there, here, problem: isOfPlace ? new FolderProblem(`${path} cannot be used here: ${error.message}`, error.hint) : problemOf(error, path, open.title) });
       }
     };
-    for (const [path, bytes] of toDisk) await write(path, () => reader.write(path, bytes));
-    // The place keeps its text if the disk has refused it under another name.
-    for (const [path, bytes] of toPlace) if (!refused.has(path + MINE)) await write(path, () => this.around.place.write(`${world}/${path}`, bytes));
-    return refused;
+    for (const [path, bytes] of toDisk) await attempt(path, () => open.reader.write(path, bytes));
+    for (const [path, bytes] of toPlace) {
+      await attempt(path, async () => {
+        const own = both.get(path);
+        // The place keeps its text if the disk refuses it under another name.
+        const name = own === undefined ? "" : await open.reader.writeMine(path, own);
+        await place.write(`${open.name}/${path}`, bytes);
+        if (name !== "") mine.set(path, name);
+        return true;
+      });
+    }
+    return { done, refused, passing, mine };
   }
 
   private lookAgain(): void {
     this.stopWaiting = this.around.later(() => (this.around.isVisible() ? void this.sync(true) : this.lookAgain()), LOOKS_EVERY_MS);
   }
 
-  private async keep(folder: KeptFolder, { toDisk }: Steps, disk: Files, refused: ReadonlyMap<string, FolderProblem>): Promise<void> {
-    const base = new Map(disk);
-    for (const [path, bytes] of toDisk) if (!path.endsWith(MINE)) base.set(path, bytes);
-    // Refused files are compared with the same base the next time.
-    for (const one of refused.keys()) {
-      const path = one.endsWith(MINE) ? one.slice(0, -MINE.length) : one, was = folder.base.get(path);
-      if (was === undefined) base.delete(path);
-      else base.set(path, was);
+  /** Changes the base where disk and place are equal now, and stores it with the files. */
+  private async keep(open: OpenFolder, { toDisk, toPlace }: Steps, disk: Files, { files, base }: FolderCopy, { done }: Outcome): Promise<void> {
+    const changes = new Map<string, Uint8Array | null>();
+    for (const path of new Set([...base.keys(), ...disk.keys(), ...files.keys()])) {
+      const there = disk.get(path);
+      if (open.reader.unreadable.has(path) || (!done.has(path) && !areEqual(there, files.get(path)))) continue;
+      const common = (done.has(path) ? (toDisk.get(path) ?? toPlace.get(path)) : there) ?? null;
+      if (!areEqual(common ?? undefined, base.get(path))) changes.set(path, common);
     }
-    const next = { ...folder, base };
-    this.folders = this.folders.map((one) => (one.name === folder.name ? next : one));
-    await this.around.store.put(next);
+    if (changes.size > 0) await this.around.place.writeBase(open.name, changes);
+    if (changes.size === 0 && done.size === 0 && open.unstored !== undefined) return;
+    try {
+      await this.around.place.store();
+      open.unstored = null;
+    } catch (error) {
+      open.unstored = problemWith(error, open.title, open.title);
+    }
   }
 
   private fail(world: string, problem: FolderProblem): void {
