@@ -246,6 +246,48 @@ test("a folder of the disk: its world runs, saved edits are written to it, and a
   await close();
 });
 
+test("a folder of the disk: a second tab leaves it alone, and a crash does not bring an old text back", { skip: SITE.startsWith("file:") && "the page of a file has no private file system" }, async () => {
+  const rules = textOf("scenarios/soar_flee/rabbit.soar"), { page, troubles, close } = await openPage(SITE, { draws: false, size: [1600, 900], script: FOLDER_PICKER });
+  const another = async () => {
+    const next = await page.context().newPage();
+    await next.addInitScript(FOLDER_PICKER);
+    await next.goto(SITE);
+    return next;
+  };
+  for (const name of readdirSync(new URL("../../scenarios/soar_flee", import.meta.url))) await inFolder(page, name, textOf(`scenarios/soar_flee/${name}`));
+  await page.locator("button", { hasText: "Open a folder of your disk" }).click();
+  await page.waitForSelector(".pill.folder:has-text('Folder My burrow')");
+  await page.locator(".agents button", { hasText: "rabbit" }).click();
+  await page.locator("#tab-edit").click();
+  await page.locator(".panel.edit select").selectOption({ label: "rabbit.soar" });
+  await until(async () => (await inEditor(page)).includes("rabbit*propose*rest"), "the rabbit's rules are in the editor");
+  const second = await another();
+  await remark(second, "Another tab shows your files already");
+  await second.locator(".folders li button.link").click();
+  await second.waitForSelector(".pill.folder.lost");
+  await second.waitForSelector(".agents button:has-text('rabbit')");
+  await second.close();
+
+  // The renderer crashes as soon as the folder has the text.
+  await typeRules(page, rules + NOTE("newest"));
+  await apply(page);
+  await page.evaluate(async (text) => {
+    const file = await (await (await navigator.storage.getDirectory()).getDirectoryHandle("My burrow")).getFileHandle("rabbit.soar");
+    while ((await (await file.getFile()).text()) !== text) await new Promise((done) => setTimeout(done, 5));
+  }, rules + NOTE("newest"));
+  const crashed = page.waitForEvent("crash");
+  void page.goto("chrome://crash").catch(() => undefined);
+  await crashed;
+  const after = await another();
+  await after.locator(".folders li button.link").click();
+  await after.waitForSelector(".pill.folder:has-text('Folder My burrow'):not(:has-text('not'))");
+  await until(async () => !/^0:00\b/.test(await after.locator(".scrubber .moment").innerText()), "the world runs");
+  assert.equal((await inFolder(after))["rabbit.soar"], rules + NOTE("newest"));
+  assert.equal((await inFolder(after))["rabbit.soar.mine"], undefined);
+  assert.deepEqual(troubles, []);
+  await close();
+});
+
 test("without File System Access there is no button for folders", async () => {
   const { page, close } = await openPage(SITE, { draws: false, script: () => delete window.showDirectoryPicker });
   await page.waitForSelector(".start h1");
