@@ -268,13 +268,16 @@ test("a folder of the disk: a second tab leaves it alone, and a crash does not b
   await second.waitForSelector(".agents button:has-text('rabbit')");
   await second.close();
 
-  // The renderer crashes as soon as the folder has the text.
+  // The renderer crashes a moment after the folder has the text, and before files are stored without a reason to hurry.
   await typeRules(page, rules + NOTE("newest"));
   await apply(page);
   await page.evaluate(async (text) => {
     const file = await (await (await navigator.storage.getDirectory()).getDirectoryHandle("My burrow")).getFileHandle("rabbit.soar");
-    while ((await (await file.getFile()).text()) !== text) await new Promise((done) => setTimeout(done, 5));
+    // While the file is replaced, it cannot be read.
+    const read = async () => (await file.getFile()).text();
+    while ((await read().catch(() => "")) !== text) await new Promise((done) => setTimeout(done, 5));
   }, rules + NOTE("newest"));
+  await page.waitForTimeout(250);
   const crashed = page.waitForEvent("crash");
   void page.goto("chrome://crash").catch(() => undefined);
   await crashed;
