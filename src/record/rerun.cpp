@@ -176,7 +176,8 @@ Result<Rerun> Restart(TickSource& recording, const sim::Scenario& given_scenario
 
 Result<Verdict> Verify(TickSource& recording, const sim::DataFolders& data, const Progress& progress, int threads,
                        FilesFrom files) {
-  Result<Rerun> rerun = Restart(recording, data, {.threads = threads, .files = files, .origins = recording.header().has_origins});
+  Result<Rerun> rerun =
+      Restart(recording, data, {.threads = threads, .files = files, .origins = recording.header().has_origins});
   if (!rerun) return rerun.error();
   Verdict verdict;
   verdict.first_tick = recording.first_tick();
