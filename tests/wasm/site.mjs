@@ -268,7 +268,7 @@ test("a folder of the disk: a second tab leaves it alone, and a crash does not b
   await second.waitForSelector(".agents button:has-text('rabbit')");
   await second.close();
 
-  // The renderer crashes a moment after the folder has the text, and before files are stored without a reason to hurry.
+  // The renderer crashes a moment after the folder has the text.
   await typeRules(page, rules + NOTE("newest"));
   await apply(page);
   await page.evaluate(async (text) => {

@@ -40,9 +40,10 @@ export function foldersOf(place: LocalPlace): UserFolders | null {
         return place.write(files, [...changes].filter(([, bytes]) => bytes === null).map(([path]) => pathOf(path)), start);
       },
       store: async () => place.store(),
-      write: async (path, bytes) => {
-        const answer = await place.answer(bytes === null ? "DELETE" : "PUT", `files/worlds/${path}`, bytes ?? new Uint8Array(), false);
-        if (answer.ok) return;
+      write: async (path, bytes, was) => {
+        const answer = await place.replace(`worlds/${path}`, bytes, was);
+        if (answer.ok) return true;
+        if (answer.status === 409) return false;
         const told = (await answer.json()) as { error?: string; hint?: string };
         throw new Refused(told.error ?? `The answer was ${answer.status}.`, told.hint ?? "", answer.status);
       },

@@ -208,6 +208,20 @@ test("whoever waits for a save gets one that began afterwards, and its error", a
   page.place.close();
 });
 
+test("a file is replaced only if it has the expected text, and that is not reported as a change", async () => {
+  const fake = new FakeEngine(), page = pageWith(fake), { place } = page;
+  let reported = 0;
+  place.mayHaveChanged = () => void (reported += 1);
+  await page.settled();
+  fake.files.set("/place/home/worlds/a/b", bytesOf("x"));
+  const status = async (path: string, was: Uint8Array | null): Promise<number> => (await place.replace(`worlds/a/${path}`, bytesOf("y"), was)).status;
+  assert.deepEqual([await status("b", bytesOf("x")), await status("b", bytesOf("z")), await status("b", null), await status("c", null), await status("c", bytesOf("x"))], [200, 409, 409, 200, 409]);
+  assert.equal(reported, 0);
+  await place.answer("PUT", "files/worlds/a/b", bytesOf("y"));
+  assert.equal(reported, 1);
+  page.place.close();
+});
+
 test("a second tab reads the place, stores nothing, and says so", async () => {
   const fake = new FakeEngine(), page = pageWith(fake, undefined, undefined, false);
   await page.settled();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-2-Clause
-import { changedFiles, filesBelow, writeExperiment, writeFiles } from "./experiment";
+import { areEqual, changedFiles, filesBelow, writeExperiment, writeFiles } from "./experiment";
 import { CHANGES_NOTHING, type EngineFiles, type FromWorker, type KeptFile, type LoadedEngine, type ToWorker } from "./messages";
 
 /** The part of the engine's module (src/app/worker) that is used. */
@@ -95,7 +95,7 @@ export class EngineWorker {
       case "request":
         return this.guarded(() => this.request(message.text));
       case "answer":
-        return this.guarded(() => this.answer(message.call, message.method, message.path, message.body));
+        return this.guarded(() => this.isAsExpected(message.path, message.was) ? this.answer(message.call, message.method, message.path, message.body) : this.say({ kind: "answer", call: message.call, status: 409, type: "application/json", bytes: new TextEncoder().encode('{"error":"the file has changed","hint":""}') }));
       case "keep":
         return this.guarded(() => this.keepNow(message.call));
       case "changes":
@@ -233,6 +233,13 @@ export class EngineWorker {
     const line = this.words.filter((one) => one.includes("error: ")).at(-1);
     this.say({ kind: "ended", text: line === undefined ? "The run has ended." : line.slice(line.indexOf("error: ") + 7) });
     this.keepSoon();
+  }
+
+  /** Whether the file of an address "files/PATH" has this text; null: it does not exist. */
+  private isAsExpected(address: string, was: Uint8Array | null | undefined): boolean {
+    if (was === undefined) return true;
+    const { FS } = this.engine, path = `${HOME}/${address.slice("files/".length)}`, exists = FS.analyzePath(path).exists && !FS.isDir(FS.stat(path).mode);
+    return exists ? was !== null && areEqual(FS.readFile(path), was) : was === null;
   }
 
   private answer(call: number, method: string, path: string, body: Uint8Array): void {

@@ -51,7 +51,7 @@ function shippedFiles(FS: Files, what: string, shipped: string): KeptFile[] {
   return what.startsWith("lesson:") ? all.filter(({ path }) => !path.includes("/") && path !== LESSON_FILE) : all;
 }
 
-const areEqual = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && a.every((byte, i) => byte === b[i]);
+export const areEqual = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && a.every((byte, i) => byte === b[i]);
 
 /** The files of a lesson or world that differ from the program's. */
 export function changedFiles(FS: Files, what: string): ChangedFiles {

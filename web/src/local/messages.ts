@@ -21,7 +21,8 @@ export type ToWorker =
   | { kind: "begin"; engine: EngineFiles; keep: boolean; mayStore: boolean; experiment?: Experiment }
   | { kind: "open"; what: string; id?: number }
   | { kind: "request"; text: string }
-  | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array }
+  // `was`: if the file of the path has another text than this (null: if it exists), the answer is 409 and nothing is changed.
+  | { kind: "answer"; call: number; method: string; path: string; body: Uint8Array; was?: Uint8Array | null }
   // With `call`, `kept` answers when all changes until now are stored.
   | { kind: "keep"; call?: number }
   | { kind: "changes"; call: number; what: string }

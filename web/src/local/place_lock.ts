@@ -12,6 +12,8 @@ export interface LockSurroundings {
 const NAME = "soarbox-place";
 /** After a reload, the page from before has the lock for a moment. */
 const WAITS_MS = 800;
+/** Other tabs answer a question within this time. */
+const ANSWERS_WITHIN_MS = 300;
 
 const ofBrowser: LockSurroundings = {
   get locks() {
@@ -31,7 +33,7 @@ export async function takePlaceLock({ locks, makeChannel }: LockSurroundings = o
   }
   try {
     const channel = makeChannel(NAME);
-    return channel === null || (await ask(channel, waits));
+    return channel === null || (await ask(channel, Math.min(waits, ANSWERS_WITHIN_MS)));
   } catch {
     return true;
   }

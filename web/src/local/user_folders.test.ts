@@ -108,7 +108,7 @@ const below = (files: ReadonlyMap<string, string>, world: string): Map<string, U
 
 /** Folders with a fake disk and place. `tick` runs what was scheduled. */
 function foldersWith(disk: FakeDisk, kept: KeptFolder[] = [], isOnly = true) {
-  const place = new Map<string, string>(), base = new Map<string, string>(), questions: string[] = [], counts = { writes: 0, stores: 0 }, will = { answer: false, storeError: "" }, said: string[] = [], timers: { call: () => void; isOff: boolean }[] = [], refused = new Set<string>();
+  const place = new Map<string, string>(), base = new Map<string, string>(), questions: string[] = [], counts = { writes: 0, stores: 0 }, will = { answer: false, storeError: "", beforePlace: () => undefined as void }, said: string[] = [], timers: { call: () => void; isOff: boolean }[] = [], refused = new Set<string>();
   const store = new Map(kept.map((one) => [one.name, one]));
   const folders = new UserFolders({
     pick: async () => disk.root,
@@ -122,10 +122,13 @@ function foldersWith(disk: FakeDisk, kept: KeptFolder[] = [], isOnly = true) {
         counts.stores += 1;
         if (will.storeError !== "") throw new Refused(will.storeError, "", 507);
       },
-      write: async (path, bytes) => {
+      write: async (path, bytes, was) => {
         counts.writes += 1;
+        will.beforePlace();
+        if (place.get(path) !== (was === null ? undefined : textOf(was))) return false;
         if (refused.has(path)) throw new Refused("there is no room for this file", "remove what you do not need", 400);
         put(place, path, bytes);
+        return true;
       },
     },
     isOnly,
@@ -399,6 +402,21 @@ test("a file that another program writes at the same moment is left for the next
   disk.files.delete("scenario.toml");
   for (const path of ["rabbit.soar", "new.soar", "scenario.toml"]) assert.equal(await reader.write(path, bytesOf("mine")), false, path);
   assert.deepEqual([disk.files.get("rabbit.soar")?.text, disk.files.get("new.soar")?.text, disk.files.has("scenario.toml")], ["theirs", "theirs", false]);
+});
+
+test("an edit that is saved while another program's text is read is kept", async () => {
+  const disk = new FakeDisk("burrow", WORLD), { folders, place, will, start, tick } = foldersWith(disk);
+  await start();
+  await folders.choose([]);
+  disk.set("rabbit.soar", "theirs");
+  will.beforePlace = () => {
+    will.beforePlace = () => undefined;
+    place.set("burrow/rabbit.soar", "mine");
+  };
+  await tick();
+  assert.equal(place.get("burrow/rabbit.soar"), "mine");
+  await tick();
+  assert.deepEqual([place.get("burrow/rabbit.soar"), disk.files.get("rabbit.soar.mine")?.text], ["theirs", "mine"]);
 });
 
 test("a new file that cannot be filled is removed, so that it does not replace the text in the place", async () => {

@@ -13,8 +13,8 @@ export interface FolderCopy {
 /** The place that has copies of the folders. */
 export interface CopyPlace {
   read(world: string): Promise<FolderCopy>;
-  /** `path`: "WORLD/FILE". null: removes the file. */
-  write(path: string, bytes: Uint8Array | null): Promise<void>;
+  /** `path`: "WORLD/FILE". `bytes`: null removes the file. Returns false, and writes nothing, if its text is no longer `was` (null: none). */
+  write(path: string, bytes: Uint8Array | null, was: Uint8Array | null): Promise<boolean>;
   /** Changes the base of a world; null: a file is removed from it. */
   writeBase(world: string, changes: ReadonlyMap<string, Uint8Array | null>): Promise<void>;
   /** Stores all changes in the browser. */
@@ -211,7 +211,7 @@ export class UserFolders {
     await this.last;
     this.folders = this.folders.filter((one) => one.name !== world);
     await this.around.store.remove(world);
-    for (const path of files.keys()) await this.around.place.write(`${world}/${path}`, null);
+    for (const [path, bytes] of files) await this.around.place.write(`${world}/${path}`, null, bytes);
     await this.around.place.writeBase(world, new Map([...base.keys()].map((path) => [path, null])));
     this.events.changed();
   }
@@ -323,9 +323,9 @@ export class UserFolders {
         const own = both.get(path);
         // The place keeps its text if the disk refuses it under another name.
         const name = own === undefined ? "" : await open.reader.writeMine(path, own);
-        await place.write(`${open.name}/${path}`, bytes);
-        if (name !== "") mine.set(path, name);
-        return true;
+        const isWritten = await place.write(`${open.name}/${path}`, bytes, copy.get(path) ?? null);
+        if (isWritten && name !== "") mine.set(path, name);
+        return isWritten;
       });
     }
     return { done, refused, passing, mine };

@@ -88,13 +88,22 @@ export class LocalPlace implements RunSource {
     if (this.isReady) this.post({ kind: "keep" });
   }
 
-  /** Answers requests to a server about a place: `path` begins after "/api/p/ID". `isReported`: mayHaveChanged() is called for changes. */
-  async answer(method: string, path: string, body: Uint8Array, isReported = true): Promise<Response> {
+  /** Answers requests to a server about a place: `path` begins after "/api/p/ID". */
+  async answer(method: string, path: string, body: Uint8Array): Promise<Response> {
+    return this.ask({ method, path, body }, true);
+  }
+
+  /** Writes a file of the user, or removes it (null), without a call of mayHaveChanged(). The answer is 409 if its text is no longer `was`. */
+  async replace(path: string, bytes: Uint8Array | null, was: Uint8Array | null): Promise<Response> {
+    return this.ask({ method: bytes === null ? "DELETE" : "PUT", path: `files/${path}`, body: bytes ?? new Uint8Array(), was }, false);
+  }
+
+  private async ask(what: { method: string; path: string; body: Uint8Array; was?: Uint8Array | null }, isReported: boolean): Promise<Response> {
     const call = this.nextCall++;
     return new Promise((resolve, reject) => {
       this.waiting.set(call, { resolve, reject });
-      this.post({ kind: "answer", call, method, path, body });
-      if (method !== "GET" && isReported) this.mayHaveChanged();
+      this.post({ kind: "answer", call, ...what });
+      if (what.method !== "GET" && isReported) this.mayHaveChanged();
     });
   }
 
