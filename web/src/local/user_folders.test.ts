@@ -214,6 +214,7 @@ test("after a reload the browser is asked again, only on a button; edits from be
   assert.equal(await folders.connect("burrow", true), true, "the world can be opened from its copy");
   assert.equal(folders.stateOf("burrow")?.state, "trouble");
   folders.show("burrow");
+  await new Promise((done) => setTimeout(done, 2));
   assert.equal(folders.stateOf("burrow")?.state, "trouble", "opening the world does not hide the problem");
   assert.match(said.join(), /does not let this page read and change burrow.*Connect/);
   disk.answer = "granted";
