@@ -248,8 +248,8 @@ struct Progress {
 /// A part of a document with a heading. Nothing is drawn if it has neither a title nor nodes.
 struct Section {
   std::string key;  ///< Its first word is the same in all documents of the panel.
-  Spans title = {};
-  Nodes nodes = {};
+  Spans title;
+  Nodes nodes;
   std::optional<bool> unfolds = std::nullopt;  ///< If set, the section can be folded, and the value says whether it is
                                                ///< initially open.
   bool is_story = false;                       ///< It shows the details of an item, above the list that contains the

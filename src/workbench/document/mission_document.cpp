@@ -78,7 +78,7 @@ std::string TitleOf(const Contents& contents, const std::string& name) {
 /// The progress of the grading, or its result: the headline and its reasons. A pass leads to the next lesson.
 Section GradeSection(const Contents& contents) {
   const LessonContents& lesson = *contents.lesson;
-  Section grade{"grade " + lesson.name};
+  Section grade{"grade " + lesson.name, {}, {}};
   grade.news = lesson.is_graded ? "grading" : std::string();
   if (!lesson.is_graded && lesson.grade.empty()) return grade;
   grade.title = {{"Grade", Role::kStrong}};
@@ -115,7 +115,7 @@ Section GradeSection(const Contents& contents) {
 }
 
 Section HintsSection(const LessonContents& lesson) {
-  Section hints{"hints " + lesson.name};
+  Section hints{"hints " + lesson.name, {}, {}};
   hints.news = lesson.hints.empty() ? std::string() : std::to_string(lesson.hints.size());
   if (lesson.hints.empty()) return hints;
   hints.title = {{"Hints", Role::kStrong}};
@@ -188,14 +188,14 @@ Checklist::Item ItemOf(const Contents& contents, const CheckRow& check) {
 }
 
 Section ChecksSection(const Contents& contents) {
-  Section section{"checks", {{"Checks", Role::kStrong}}};
+  Section section{"checks", {{"Checks", Role::kStrong}}, {}};
   const CheckCounts counts = CountChecks(contents);
   section.nodes.push_back(Progress{std::to_string(counts.passed) + " of " + std::to_string(counts.all) + " checks" +
                                        (counts.failed > 0 ? ", " + std::to_string(counts.failed) + " failed" : ""),
                                    counts.passed, counts.all});
   if (std::string why = WhyChecksAreOpen(contents.moment); !why.empty()) {
     const FlowInfo& begin = InfoOf(Flow::kReset);
-    Section note{"note"};
+    Section note{"note", {}, {}};
     note.box = Role::kWarn;
     note.nodes.push_back(Text(std::move(why)));
     note.nodes.push_back(Button{std::string(begin.button), Action{FlowRequest{}}, std::string(begin.meaning)});
