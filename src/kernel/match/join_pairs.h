@@ -29,12 +29,12 @@ namespace soarbox::kernel {
 }
 
 /// Pairs of a token and the elements with a given identifier in a bucket, from `item` on.
-struct TokenAndBucket {
+struct [[gnu::visibility("hidden")]] TokenAndBucket {
   static constexpr bool kMakesTokens = false;
   const ReteState& state;
   std::uint32_t token, item, id;
 
-  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+  [[gnu::always_inline]] bool Next(std::uint32_t & left, std::uint32_t & element) {
     const Records<const AlphaItem> all = state.alphas.items();
     while (item != kNil && all[item].id != id) {
       item = all[item].next_in_bucket;
@@ -50,7 +50,7 @@ struct TokenAndBucket {
 };
 
 /// Pairs of a token and the elements that pass the tests of a join, from `item` on.
-struct TokenAndPassing {
+struct [[gnu::visibility("hidden")]] TokenAndPassing {
   static constexpr bool kMakesTokens = false;
   const ReteState& state;
   const RightSide& right;
@@ -58,7 +58,7 @@ struct TokenAndPassing {
   KeyParts key;
   std::uint32_t token, item, parent, wme;
 
-  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+  [[gnu::always_inline]] bool Next(std::uint32_t & left, std::uint32_t & element) {
     if (item == kNil) {
       return false;
     }
@@ -70,13 +70,13 @@ struct TokenAndPassing {
 };
 
 /// Pairs of several tokens and one element.
-struct TokensAndElement {
+struct [[gnu::visibility("hidden")]] TokensAndElement {
   static constexpr bool kMakesTokens = false;
   const std::uint32_t* at;
   const std::uint32_t* end;
   std::uint32_t wme;
 
-  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+  [[gnu::always_inline]] bool Next(std::uint32_t & left, std::uint32_t & element) {
     if (at == end) {
       return false;
     }
@@ -88,9 +88,9 @@ struct TokensAndElement {
 
 /// Creates the tokens of a memory for pairs of one token and the elements of a bucket (elements with the same
 /// identifier). The memory is not sparse, has a join, and has other tokens.
-class BucketTokens {
+class [[gnu::visibility("hidden")]] BucketTokens {
  public:
-  [[gnu::always_inline]] BucketTokens(ReteState& state, std::uint32_t index, const TokenAndBucket& pairs)
+  [[gnu::always_inline]] BucketTokens(ReteState & state, std::uint32_t index, const TokenAndBucket& pairs)
       : state_(state),
         index_(index),
         node_(state.network->node(index)),
@@ -130,8 +130,12 @@ class BucketTokens {
     }
     return true;
   }
-  std::uint32_t token() const { return token_; }
-  const KeyParts& key() const { return key_; }
+  std::uint32_t token() const {
+    return token_;
+  }
+  const KeyParts& key() const {
+    return key_;
+  }
 
  private:
   ReteState& state_;
@@ -145,7 +149,7 @@ class BucketTokens {
 };
 
 /// Pairs of such tokens and the elements that each joins with. The join has no tests.
-struct BucketTokensAndElements {
+struct [[gnu::visibility("hidden")]] BucketTokensAndElements {
   static constexpr bool kMakesTokens = true;
   BucketTokens& tokens;
   const RightSide& right;
@@ -161,7 +165,7 @@ struct BucketTokensAndElements {
     }
     return true;
   }
-  [[gnu::always_inline]] bool Next(std::uint32_t& left, std::uint32_t& element) {
+  [[gnu::always_inline]] bool Next(std::uint32_t & left, std::uint32_t & element) {
     if (!Begin()) {
       return false;
     }
