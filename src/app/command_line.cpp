@@ -93,7 +93,7 @@ int WithServer(const PageServer* server, char** argv, const CommandOptions& opti
   return server->Serve(options.serve);
 }
 
-int Main(int argc, char** argv, const Contents& contents) {
+int Main(int argc, char** argv, const ProgramParts& parts) {
   CLI::App program("Soarbox: a 3D sandbox in which people learn and develop Soar agents", "soarbox");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);
@@ -144,7 +144,7 @@ int Main(int argc, char** argv, const Contents& contents) {
   const bool is_replay = program.got_subcommand("replay");
   if (program.got_subcommand("watch") && options.run.follow.empty()) options.run.follow = kUsualKernel;
   if (program.got_subcommand("serve") || options.run.browser || (is_replay && options.recording.browser))
-    return WithServer(contents.server, argv, options, is_replay);
+    return WithServer(parts.server, argv, options, is_replay);
   // The other program repeats everything from the beginning, so it is started before anything is done.
   const bool is_run = program.got_subcommand("run") || program.got_subcommand("watch");
   if ((is_run && !options.run.headless) || (program.got_subcommand("learn") && !options.learn.headless) ||
@@ -159,11 +159,11 @@ int Main(int argc, char** argv, const Contents& contents) {
   }
   if (program.got_subcommand("help")) return Help(program, options.help, SOARBOX_VERSION);
   if (program.got_subcommand("list")) return List();
-  if (contents.windowless == nullptr) {
+  if (parts.windowless == nullptr) {
     GoOnAs("soarbox", argv);
     return Refuse("this program does not have this command", "soarbox has it; ./dev build release builds it");
   }
-  return contents.windowless(program.get_subcommands().front()->get_name(), options);
+  return parts.windowless(program.get_subcommands().front()->get_name(), options);
 }
 
 /// Prints that the memory is exhausted. Can be called on any thread, and allocates nothing.
@@ -190,14 +190,14 @@ void TellNoMemory() {
 
 }  // namespace
 
-int CommandLine(int argc, char** argv, const Contents& contents) {
-  SetProgramWindow(contents.window);
-  if (contents.window != nullptr) BeThatBuild();
+int CommandLine(int argc, char** argv, const ProgramParts& parts) {
+  SetProgramWindow(parts.window);
+  if (parts.window != nullptr) BeThatBuild();
   std::set_terminate(EndOnTerminate);
   // At the limit of a file's size, the write then fails with an error instead of a signal that ends the program.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const int code = Main(argc, argv, contents);
+    const int code = Main(argc, argv, parts);
     std::cout.flush();
     if (std::cout) return code;
     if (WasInterrupted()) return 128 + SIGPIPE;

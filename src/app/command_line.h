@@ -14,13 +14,13 @@ using WindowlessCommands = int(const std::string& command, const CommandOptions&
 
 /// What a program contains besides the command line; null: it does not contain it. If a command needs it, the program
 /// replaces itself by one that does.
-struct Contents {
+struct ProgramParts {
   const Window* window = nullptr;      ///< Shows runs and recordings.
   const PageServer* server = nullptr;  ///< Serves pages.
   WindowlessCommands* windowless = nullptr;
 };
 
 /// Executes the soarbox command with these arguments. Returns an ExitCode.
-int CommandLine(int argc, char** argv, const Contents& contents);
+int CommandLine(int argc, char** argv, const ProgramParts& parts);
 
 }  // namespace soarbox::app

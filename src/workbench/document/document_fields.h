@@ -256,8 +256,8 @@ void Fields(auto& visit, const Progress& progress) {
   visit.Type("Progress", "A text with a bar.");
   visit.Is("progress");
   visit("text", progress.text, "the text");
-  visit("value", progress.value, "so many are done");
-  visit("of", progress.of, "of so many");
+  visit("value", progress.value, "how many are done");
+  visit("of", progress.of, "of how many");
 }
 
 void Fields(auto& visit, const Transcript& transcript) {

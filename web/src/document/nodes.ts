@@ -315,9 +315,9 @@ export interface Progress {
   readonly is: "progress";
   /** the text */
   readonly text: string;
-  /** so many are done */
+  /** how many are done */
   readonly value: number;
-  /** of so many */
+  /** of how many */
   readonly of: number;
 }
 
