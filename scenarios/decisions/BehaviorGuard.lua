@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A guard that a behavior tree decides for: the first child of the selector that works.
+-- A guard with a behavior tree as its mind: it runs the first child of the selector that succeeds.
 require "BehaviorTree";
 require "GuardBody";
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A yard with a guard and an intruder. The guard's script is what the scenarios of this folder differ in.
+-- A yard with a guard and an intruder. The scenarios of this folder differ only in the guard's script.
 require "YardWorld";
 
 function GuardWorld_Initialize(sandbox, guardScript)

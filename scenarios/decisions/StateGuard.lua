@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A guard that a state machine decides for: from each state the first open transition leads on.
+-- A guard with a state machine as its mind: the first open transition of a state leads to the next state.
 require "FiniteStateMachine";
 require "GuardBody";
 

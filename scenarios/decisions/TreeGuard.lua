@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- A guard that a decision tree decides for: tired? rest; sees the intruder? chase; else patrol.
+-- A guard with a decision tree as its mind: tired? rest; sees the intruder? chase; else patrol.
 require "DecisionTree";
 require "GuardBody";
 

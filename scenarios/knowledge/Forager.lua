@@ -60,7 +60,7 @@ end
 function Agent_Update(agent, deltaTimeInMillis)
     local place = board:Get("berries");
     local seen = Nearest(agent, userData.seen);
-    -- The second bush in sight is remembered for when the first is picked.
+    -- Remembers the second bush in view, for the time after the first one is picked.
     for _, other in ipairs(userData.seen) do
         if (other ~= seen) then
             userData.remembered = other;
@@ -73,7 +73,7 @@ function Agent_Update(agent, deltaTimeInMillis)
         end
     end
     userData.seen = {};
-    -- Nothing was where it remembered something.
+    -- The bush that it remembered is no longer there.
     if (userData.remembered and Vector.Distance(agent:GetPosition(), userData.remembered) < kReach) then
         userData.remembered = nil;
     end

@@ -11,7 +11,7 @@ local kOrders = {
 
 local body, deed;
 local fallen = false;
-shots = 0;  -- That it has heard, its own among them.
+shots = 0;  -- Shots that it has heard, including its own.
 
 local function Dress(agent)
     local weapon = Soldier_CreateWeapon(agent);
@@ -35,7 +35,7 @@ function Agent_Initialize(agent)
     HearShots(agent);
 end
 
--- Who was hit too often falls, whatever the order was.
+-- A soldier that was hit too often falls, whatever its order is.
 local function FallIfDead(agent)
     if (not fallen and agent:GetHealth() <= 0) then
         fallen = true;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- The dog: runs at where the courier is going to be. When it has caught the courier it trots back to its basket, has a
+-- The dog: runs to where the courier is going to be. When it has caught the courier it trots back to its basket, has a
 -- rest, and begins again.
 require "AgentUtilities";
 
@@ -17,7 +17,7 @@ local function FindCourier(agent)
     return everybody[1] ~= agent and everybody[1] or nil;
 end
 
--- What it is doing; each returns the force for it and what it does next.
+-- The activities: each function returns a force and the name of the next activity.
 local deeds = {};
 
 function deeds.hunt(agent)

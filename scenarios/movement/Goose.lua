@@ -13,7 +13,7 @@ function Agent_Initialize(agent)
     agent:SetMaxSpeed(6.4);
 end
 
--- What it wants depends on how far off the courier is, with a gap between coming to a stop and setting off again.
+-- Stops when the courier is closer than kClose, and sets off again when the courier is farther than kFar.
 local function Wish(agent, others)
     local gap = Vector.Distance(agent:GetPosition(), courier:GetPosition());
     if (gap < kClose) then

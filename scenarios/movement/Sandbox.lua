@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- Steering on a common: a courier calls at four stalls, a dog chases it and rests after each catch, geese waddle behind
--- the courier, and joggers run laps around them all. Space drops a bale that they get out of the way of.
+-- the courier, and joggers run laps around them all. Space drops a bale, which they avoid.
 require "YardWorld";
 
 local kStalls = { { -24, -18 }, { 26, -12 }, { 17, 24 }, { -20, 20 } };

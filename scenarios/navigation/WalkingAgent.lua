@@ -14,7 +14,7 @@ function Agent_Update(agent, deltaTimeInMillis)
         if (PathWalker_HasArrived(agent) and visits > 0) then
             print("agent " .. agent:GetId() .. " has been at " .. visits .. " places");
         end
-        -- Some places lie where no way leads: the next step tries another.
+        -- If no path leads to the place, the next step tries another one.
         if (PathWalker_GoTo(agent, Sandbox.RandomPoint(agent:GetSandbox(), "default"))) then
             visits = visits + 1;
         end

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Perception: two watchers turn about behind walls, thieves walk past. A watcher sees what is within its view and behind no
--- wall, and tells its team; both watchers then know. Green lines are seen, red ones hidden.
+-- Perception: two watchers turn about behind walls, thieves walk past. A watcher sees thieves in its field of view that
+-- no wall hides, and informs its team, so that both watchers know. Green lines are seen, red ones hidden.
 require "YardWorld";
 
 local function Wall(sandbox, x, z, width, length)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-2-Clause
 -- A saloon with swing doors. Guests come, push the doors open, order at the bar and leave by the back door.
--- The doors hang on hinges, two sensors notice who comes in and who goes out, and a guest that is outside again is
--- removed, with its script. So are the signs that greet each guest.
+-- The doors hang on hinges. Two sensors notice guests that come in and go out. A guest that has left is removed, with
+-- its script. The signs that greet guests are removed after a while.
 require "YardWorld";
 
 local kEvery = 1.2;          -- s between two guests.
@@ -11,7 +11,7 @@ local kWallHeight = 3;
 
 local inside, outside;       -- Sensors.
 local board;
-local signs = {};            -- { panel, untilTime } in the order of their making.
+local signs = {};            -- { panel, untilTime } in the order of creation.
 local present, served, nextGuest = 0, 0, 0;
 local kUpdateYard = Sandbox_Update;
 

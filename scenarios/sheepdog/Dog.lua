@@ -6,11 +6,11 @@
 require "AgentUtilities";
 require "Meadow";
 
-local kTogether, kScattered = 4.5, 8;   -- m: the farthest sheep is nearer to the middle, or farther.
-local kBehind = 4;                      -- m: where it runs to, behind the sheep that it moves.
-local kPress = 3;                       -- m: so much nearer if it drives.
-local kRound = 3;                       -- m: keeps so far off the flock when it runs round it.
-local kArrived = 5;                     -- m: the flock is at the gate.
+local kTogether, kScattered = 4.5, 8;   -- m: from the middle to the farthest sheep: below, above.
+local kBehind = 4;                      -- m: its distance behind the sheep that it moves.
+local kPress = 3;                       -- m: how much nearer it is when it drives the flock.
+local kRound = 3;                       -- m: its distance from the flock when it runs round it.
+local kArrived = 5;                     -- m: the flock is at the gate if it is nearer.
 local kRun, kWalk = 8, 3.4;
 
 local goal = "rest";                    -- "gather", "gate", "pen" or "rest".
@@ -56,7 +56,7 @@ local function LookAtFlock(agent)
             flock.spread, flock.straggler = off, place;
         end
     end
-    -- With a gap between the two, so that it does not change its mind all the time.
+    -- The two limits differ, so that the value does not alternate.
     if (flock.spread > kScattered) then
         flock.scattered = true;
     elseif (flock.spread < kTogether) then
@@ -150,8 +150,8 @@ local function Begin(command, parameters)
     beginning = flock.left > 0 and math.max(0.1, LeftToDo()) or 1;
 end
 
--- Runs for a command of the mind when it is new, and in each tick as long as it answers that the command is under way.
--- The table of parameters is the same each time.
+-- Called for each new command of the mind, and again in each tick while it returns "running". The table of parameters
+-- is the same each time.
 function Agent_Update(agent, deltaTimeInMillis, command, parameters)
     if (command == "rest") then
         goal = "rest";

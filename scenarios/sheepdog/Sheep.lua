@@ -5,7 +5,7 @@ require "AgentUtilities";
 require "Meadow";
 
 local kFlight = 10;       -- m: a dog that is nearer is dangerous.
-local kRoom = 1.6;        -- m: nearer than this other sheep are too near.
+local kRoom = 1.6;        -- m: other sheep that are nearer are too near.
 local kFlock = 14;        -- m: farther sheep do not count.
 local kRun, kWalk, kGraze = 4.2, 2.2, 0.5;
 
@@ -72,7 +72,7 @@ local function Strongest(wishes)
     return best;
 end
 
--- What each wish makes of the agent: a force, and how fast it goes.
+-- The force and the maximum speed for each wish.
 local deeds = {};
 
 function deeds.flee(agent)

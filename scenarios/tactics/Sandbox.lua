@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-2-Clause
--- Tactics: two teams of soldiers look for each other on the level, fight, flee when they are hurt, and tell their team what
--- they see. F4 shows who holds what on the influence map: team1 blue, team2 red. F3 shows the navigation mesh.
+-- Tactics: two teams of soldiers look for each other on the level, fight, flee when they are hurt, and report what they
+-- see to their team. F4 shows the influence map: team1 blue, team2 red. F3 shows the navigation mesh.
 require "LevelWorld";
 require "SoldierTactics";
 
@@ -9,7 +9,7 @@ local kApart = 20;
 
 local mapIsShown = false;
 
--- A place that is not near those that are taken; after some tries, any place.
+-- A place that is not near the chosen ones; after some attempts, any place.
 local function FreePlace(sandbox, taken)
     local place;
     for _ = 1, 50 do
