@@ -22,7 +22,7 @@ EatersRules.Defaults = {
     foods = { { name = "normalfood", sign = ".", points = 5 }, { name = "bonusfood", sign = "*", points = 10 } },
     points = {},                             -- Other points, by the name of a food.
     wallPenalty = 5, jumpPenalty = 5,
-    aloneChance = 0.25, besideChance = 0.75, -- That a cell becomes a wall: without, and with, one beside it.
+    aloneChance = 0.25, besideChance = 0.75, -- Of a wall in a cell without, and with, a wall next to it.
     boxes = {}, treats = {}                  -- EatersBoxes.lua.
 };
 

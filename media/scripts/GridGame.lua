@@ -128,7 +128,7 @@ local function BeginGlide(self, body)
     local away = Vector.Distance(body.from, body.to) / GridGame.Cell;
     body.leaps = away > 1.5 and away < 2.5;
     if (away >= 2.5) then
-        body.from = body.to;  -- Thrown: it is simply there.
+        body.from = body.to;  -- It was placed elsewhere, and does not glide.
     end
     body.turnsFrom = body.agent:GetForward();
     body.turnsTo = GridGame.Headings[body.player.direction];

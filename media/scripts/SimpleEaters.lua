@@ -60,7 +60,7 @@ local function Play(sandbox)
     if (game.isOver) then
         Sandbox.End(sandbox, "task complete");
     elseif (isIdle and game:FoodLeft() == 0) then
-        Sandbox.End(sandbox, "all is eaten");  -- Minds of the tutorial halt then, wherever they are.
+        Sandbox.End(sandbox, "all is eaten");  -- Minds of the tutorial halt then, in any cell.
     end
 end
 
@@ -75,7 +75,7 @@ end
 -- The mind perceives only after the last turn that the task is complete.
 local told = false;
 function Sandbox_Sense(sandbox, agent)
-    if (not grid) then -- The board is faulty, which has been told.
+    if (not grid) then -- The board is faulty; this was reported.
         return;
     end
     Begin(sandbox);
@@ -91,7 +91,7 @@ function Sandbox_Command(_, _, command, parameters)
 end
 
 function Sandbox_Update(sandbox)
-    if (not grid) then -- The board is faulty, which has been told.
+    if (not grid) then -- The board is faulty; this was reported.
         return;
     end
     grid:Advance(function() Play(sandbox); end);

@@ -218,7 +218,7 @@ function Sandbox_Initialize(sandbox)
 end
 
 function Sandbox_Sense(sandbox, agent)
-    if (not grid) then -- The board is faulty, which has been told.
+    if (not grid) then -- The board is faulty; this was reported.
         return;
     end
     Begin(sandbox);
@@ -232,7 +232,7 @@ function Sandbox_Command(sandbox, agent, command, parameters)
 end
 
 function Sandbox_Update(sandbox)
-    if (not grid) then -- The board is faulty, which has been told.
+    if (not grid) then -- The board is faulty; this was reported.
         return;
     end
     local share = grid:Advance(function() Play(sandbox); end);

@@ -14,7 +14,7 @@ local kSides = { "forward", "right", "backward", "left" };
 local kSigns = { ["#"] = "obstacle", [" "] = "open", ["H"] = "health", ["E"] = "energy", ["M"] = "missiles" };
 TankSoarRules.Defaults = {
     map = "clumps",                                      -- Lines, "random", or a name (TankSoarMaps.lua).
-    facing = {},                                         -- Of each tank at its beginning; else by chance.
+    facing = {},                                         -- First direction of each tank; random if missing.
     mostHealth = 1000, mostEnergy = 1000, missiles = 15,
     mostPacks = 3, packChance = 5, packMissiles = 7,     -- Percent in each turn.
     collisionDamage = 100, missileDamage = 400,
@@ -109,7 +109,7 @@ function TankSoarRules:Join(color)
         color = color, x = start.x, y = start.y, score = 0,
         direction = self.facing[#self.tanks + 1] or GridBoard.Directions[self.random(4)],
         shields = false, radar = false, radarPower = 0,
-        view = 0, -- Counts the times that it has looked from elsewhere.
+        view = 0, -- Grows when the tank moves, turns or comes back.
         wish = {}
     };
     Fill(self, tank);
