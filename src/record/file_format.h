@@ -11,9 +11,9 @@ struct ZSTD_CCtx_s;
 
 namespace soarbox::record {
 
-// A recording on disk (docs/recording.md): eight bytes that identify the format, then blocks. A block is a frame of 40
-// bytes and a payload compressed with zstd. Readers ignore everything after the last complete block. If the program is
-// killed, the recording therefore ends a little earlier.
+// A recording on disk (docs/dev/recording_format.md): eight bytes that identify the format, then blocks. A block is a
+// frame of 40 bytes and a payload compressed with zstd. Readers ignore everything after the last complete block. If the
+// program is killed, the recording therefore ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
 /// The only version that this program reads. It is incremented when the format changes after a release.

@@ -144,7 +144,7 @@ bool IsDecimal(double value, std::uint8_t scale, std::int64_t& number) {
 /// exact, else as a double; others are stored by their bits.
 LastValue NumberFromBits(double value, bool is_float, std::uint64_t bits, const LastValue& last) {
   const LastValue by_bits{is_float ? kFloatBits : kDoubleBits, static_cast<std::int64_t>(bits)};
-  if (last.scale == by_bits.scale) return by_bits;  // It seldom becomes a decimal number.
+  if (last.scale == by_bits.scale) return by_bits;  // The next values are seldom decimal numbers.
   if (!is_float && static_cast<double>(static_cast<float>(value)) == value) return by_bits;
   std::int64_t number = 0;
   const bool was_decimal = last.scale >= kFirstDecimal && last.scale < kFloatBits;

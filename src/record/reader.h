@@ -32,11 +32,11 @@ class Reader final : public TickSource {
   /// May be greater than 0 in a bounded recording.
   std::uint64_t first_tick() const override { return blocks_.front().frame.first_tick; }
   std::uint64_t last_tick() const override { return blocks_.back().frame.first_tick + blocks_.back().frame.ticks - 1; }
-  /// Not empty if the file ends within a block, or if bytes after the last block are not a block. The program was then
-  /// killed.
+  /// Not empty if the file ends within a block, or if bytes after the last block are not a block. This happens if the
+  /// program that wrote the file was killed.
   const std::string& ending() const { return ending_; }
 
-  /// How long the run waited for the recording; all 0 if it did not, or was killed.
+  /// How long the run waited for the recording; all 0 if it did not wait, or if it was killed.
   const Waits& waits() const { return waits_; }
 
   Result<const TickRecord*> At(std::uint64_t tick) override;

@@ -79,7 +79,7 @@ TickRecord Recorder::Blank() {
     if (unused_ > 0) --unused_;
     return {};
   }
-  // The one that was used last is the most likely to be in a cache of the processor.
+  // The record that was used last is the most likely to be in a cache of the processor.
   TickRecord tick = std::move(written_.back());
   written_.pop_back();
   return tick;
@@ -95,7 +95,7 @@ Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList ev
     tick.scene = seen->scene;
     tick.events = std::move(events);
   } else {
-    // The file stores on which bones things hang, not where.
+    // The file stores the bones on which things hang, not the positions of these things.
     ObserveWorld(simulation, std::move(events), world::HungThings::kNotPlaced, tick);
   }
   ObserveMinds(simulation, level_, tick.minds);
@@ -104,7 +104,7 @@ Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList ev
 
 Result<void> Recorder::Take(TickRecord record) {
   if (is_told_) return {};
-  (void)Blank();  // This record takes its place.
+  (void)Blank();  // Drops an unused record, because `record` is used instead.
   return Push(std::move(record));
 }
 

@@ -86,7 +86,7 @@ Result<void> Writer::WriteInputsSoFar() {
 Result<void> Writer::Flush() {
   if (failure_) return *failure_;
   if (builder_.empty()) return {};
-  // Inputs come first, so that the inputs of all ticks in the file are also in it.
+  // Inputs come first, so that a file never contains a tick without its inputs.
   if (const Result<void> written = WriteInputsSoFar(); !written) return written;
   const EncodedBlock block = builder_.Take();
   blocks_.push_back({bytes_, block.bytes.size()});
