@@ -257,7 +257,7 @@ void Session::Take(Viewer& viewer, std::string text) {
   if (!message)
     return refuse(NewProblem("this is not a request",
                              "a request is a JSON object with the field `request`, at most 256 fields in an object and "
-                             "20,000 values in all (docs/serve.md)"));
+                             "20,000 values in all (docs/serve_protocol.md)"));
   const std::string& request = message->request;
   if (!viewer.MayAsk() && request == "look") {
     const Result<void> watched = Watch(viewer, *message);

@@ -33,13 +33,15 @@ enum Missing : unsigned { kNoNetwork = 1, kNoLandlock = 2, kNoFilter = 4, kNoCou
 std::vector<std::string> SentencesOf(unsigned missing) {
   std::vector<std::string> sentences;
   if ((missing & kNoNetwork) != 0)
-    sentences.emplace_back("this system lets the server make no user namespaces: worlds share its network");
+    sentences.emplace_back(
+        "this system does not let the server create user namespaces: worlds share the server's network");
   if ((missing & kNoCount) != 0)
-    sentences.emplace_back("this system counts the processes of all worlds together: a world may start any number");
+    sentences.emplace_back(
+        "this system counts the processes of all worlds together: a world may start any number of processes");
   if ((missing & kNoLandlock) != 0)
-    sentences.emplace_back("this system has no landlock: the interpreters alone keep a world to its own files");
+    sentences.emplace_back("this system has no Landlock: only the interpreters keep a world within its own files");
   if ((missing & kNoFilter) != 0)
-    sentences.emplace_back("this system has no seccomp filters: the interpreters alone keep a world from system calls");
+    sentences.emplace_back("this system has no seccomp filters: only the interpreters prevent system calls of a world");
   return sentences;
 }
 
@@ -136,7 +138,7 @@ bool TakeFiles(const WallSettings& settings) {
                            "/proc/meminfo", "/proc/cpuinfo", "/proc/stat", "/sys/devices/system/cpu"})
     landlock.Allow(path, kRead);
   landlock.Allow("/dev/null", kRead | LANDLOCK_ACCESS_FS_WRITE_FILE);
-  // This program also grades lessons, and its loader must be able to start it.
+  // To grade lessons, this program starts itself, for which the system needs the program and the loader.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   for (const fs::path& part :
