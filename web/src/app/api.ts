@@ -7,7 +7,7 @@ import type { UserFolders } from "../local/user_folders";
 /** The name of the place of a page without a server. */
 export const LOCAL_PLACE = "local";
 
-/** The server's description of a place (docs/serve.md). */
+/** The server's description of a place (docs/serve_protocol.md). */
 export interface PlaceInfo {
   place: string;
   learner: string;

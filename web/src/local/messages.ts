@@ -46,7 +46,7 @@ export type FromWorker =
   | { kind: "changes"; call: number; changes: ChangedFiles }
   | { kind: "files"; call: number; files: readonly KeptFile[] }
   | { kind: "written"; call: number }
-  // The browser has stored the files, or `error`. Without `call` nobody has asked; then it is sent only if storing begins or ceases to fail.
+  // The browser has stored the files, or could not (`error`). Without `call` it answers no request, and is sent only if storing begins or ceases to fail.
   | { kind: "kept"; error: string; call?: number }
   | { kind: "answer"; call: number; status: number; type: string; bytes: Uint8Array }
   | { kind: "grade"; engine: LoadedEngine; lesson: string; from: string; files: readonly KeptFile[] }

@@ -262,7 +262,7 @@ export class UserFolders {
     this.stopWaiting = this.around.later(() => void this.sync(true), ms);
   }
 
-  /** Makes folder and copy equal, and does so again later. `tells`: says what another program has changed. */
+  /** Makes folder and copy equal, and does so again later. `tells`: shows a message about files that another program has changed. */
   private sync(tells: boolean): Promise<void> {
     const next = this.last.then(() => this.syncOnce(tells));
     this.last = next;

@@ -39,7 +39,7 @@ export interface Hello {
 /** `stopped`: a script is stopped in the middle of a tick. */
 export interface Flow { paused: boolean; speed: number | "unlimited"; tick: number; time_s: number; stopped?: boolean }
 
-/** A request of a page: an object with its name and fields (docs/workbench.md and docs/serve.md). */
+/** A request of a page: an object with its name and fields (docs/workbench.md and docs/serve_protocol.md). */
 export type Request = { readonly request: string; readonly id?: number } & Readonly<Record<string, unknown>>;
 
 export type Connection = "connecting" | "open" | "lost" | "closed";

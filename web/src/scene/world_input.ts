@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 import { isTyping } from "../app/keys";
 
-/** The events that scripts of a world receive: an `input` request without its name (docs/serve.md). */
+/** The events that scripts of a world receive: an `input` request without its name (docs/serve_protocol.md). */
 export type WorldEvent = { readonly kind: "key" | "button" | "pointer" | "wheel" | "panel" | "pad" } & Readonly<Record<string, string | number | boolean>>;
 
 /** Minimum interval between two pointer events for scripts. */
