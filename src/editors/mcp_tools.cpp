@@ -42,7 +42,7 @@ ToolJson McpTools() {
            "Check Soar rules, Lua scripts and scenario files with the kernel's own reader. Gives problems with file, "
            "line, column and a hint.",
            {{"path", "string", "A file or folder"}, {"text", "string", "Rules to check, in place of a path"}}),
-      Tool("format_rules", "Lay rules out as soarbox format does. Gives their text.",
+      Tool("format_rules", "Format rules as soarbox format does. Gives their text.",
            {{"text", "string", "Rules", true}}),
       Tool("make_datamap",
            "A project for VisualSoar with a datamap: the elements that rules test and make, with values.",

@@ -103,7 +103,7 @@ class RunStory {
     const std::vector<std::size_t> kept = KeptMoments(times_.size(), (times_.size() + most - 1) / most);
     const double step_s = static_cast<double>(simulation_.world().settings().step_s);
     if (kept.size() < times_.size() || every_ * step_s > 1.01 / kWay_Hz)
-      thinned.push_back("Ways, speed and health are drawn from " + std::to_string(kept.size()) + " moments.");
+      thinned.push_back("Paths, speed and health are drawn from " + std::to_string(kept.size()) + " moments.");
     Json times = Json::array();
     for (const std::size_t at : kept) times.push_back(Short(times_[at]));
     Json agents = Json::array();
@@ -175,7 +175,7 @@ class RunStory {
     ThinEvents(events, budget.event_bytes);
     if (const std::size_t all = events_.size() + events_lost_; events.size() < all)
       thinned.push_back("Of " + std::to_string(all) + " events, commands and prints " + std::to_string(events.size()) +
-                        " are here, spread over the run; those of rare kinds are all there.");
+                        " are shown, spread over the run. All events of rare kinds are shown.");
     Json list = Json::array();
     for (const StoryEvent& event : events)
       list.push_back(Json{{"t", Short(event.time_s)}, {"a", event.agent}, {"k", event.kind}, {"text", event.text}});

@@ -266,7 +266,7 @@ void Session::Take(Viewer& viewer, std::string text) {
   }
   if (!viewer.MayAsk()) return refuse(NewProblem("you only watch this run", "the person whose run it is can do this"));
   activity_.NoteRequest(*message, Clock::now());
-  if (request == "presence") return refuse(NewProblem("the server itself says who is present"));
+  if (request == "presence") return refuse(NewProblem("only the server says who is present"));
   if (request == "open") {
     // The page may be closed when the reply arrives.
     return Open(message->what, [this, who = &viewer, id = message->id](const Diagnostic& problem) {

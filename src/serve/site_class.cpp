@@ -73,8 +73,7 @@ void Site::AnswerClass(const WebRequest& request, const std::vector<std::string>
       key.resize(key.size() - form.size());
     }
   const ClassList* const list = ClassOf(key);
-  if (list == nullptr)
-    return done(Refusal(404, "there is no class by this link", "the server printed the link when it began"));
+  if (list == nullptr) return done(Refusal(404, "no class has this link", "the server printed the link when it began"));
   const std::string what = parts.size() > 3 ? parts[3] : "";
   const bool is_post = request.method == "POST";
   if (what.empty() && request.method == "GET") return AnswerTable(*list, form, std::move(done));

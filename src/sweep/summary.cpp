@@ -275,8 +275,8 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
   TellConstants(out, constants);
   const std::size_t seeds = hashes.empty() ? 0 : hashes.front().size();
   if (seeds > 1 && seeds < kFewSeeds)
-    out << "these are few seeds: the intervals hold if the numbers are spread like a normal distribution, and small "
-           "differences do not show\n";
+    out << "these are few seeds: the intervals hold only if the numbers are distributed normally, and small "
+           "differences are not found\n";
   if (plan.variants.size() < 2) return out.str();
   std::vector<Compared> family;
   std::ostringstream alike_lines;

@@ -74,7 +74,8 @@ std::string CommandReference() {
       "# Commands\n\n"
       "What a Soar agent can do: identifiers directly below `^io.output-link`, with their parameters below them. This "
       "page is\n"
-      "made from the table in `src/vocabulary/vocabulary_commands.cpp`, which is also what checks the output link.\n\n"
+      "made from the table in `src/vocabulary/vocabulary_commands.cpp`. The output link is checked against the same "
+      "table.\n\n"
       "```\nsp {scout*apply*move-to\n   (state <s> ^operator <o> ^io.output-link <out>)\n"
       "   (<o> ^name move-to ^waypoint <name>)\n-->\n   (<out> ^move-to <command>)\n   (<command> ^waypoint "
       "<name>)\n}\n```\n\n"
@@ -83,10 +84,9 @@ std::string CommandReference() {
       "* `^status error` with a `^reason` (see below), and `^parameter` if one is wrong;\n"
       "* `^status interrupted`: another command needed the same part of the body;\n"
       "* `^progress`: how much of a lasting command is done, from 0 to 1 in steps of 0.1.\n\n"
-      "If your rules remove a command from the output link before it has ended, it is given up. Commands for different "
-      "parts "
-      "of\n"
-      "the body run at the same time.\n\n"
+      "If your rules remove a command from the output link before it has ended, the body stops carrying it out. "
+      "Commands for\n"
+      "different parts of the body run at the same time.\n\n"
       "Name a place with one of these parameters:\n\n";
   for (const ParameterRow& row : PlaceParameters()) AddParameter(text, row);
   text += "\n| command | part | |\n| --- | --- | --- |\n";

@@ -98,7 +98,7 @@ export class App {
     this.reach = new Reach(this.run);
     this.isHome = this.navigator.address.what === "";
     const { experiment } = this.guest, brought = experiment === undefined || experiment.names.length === 0 ? "" : `, with ${experiment.names.join(", ")}`;
-    if (experiment !== undefined) this.say({ text: `The link brought this experiment${brought}. Your own files are as they were.`, hint: "What you change here is gone when you leave it. The link button gives it away again.", isError: false });
+    if (experiment !== undefined) this.say({ text: `The link brought this experiment${brought}. Your own files are as they were.`, hint: "What you change here is gone when you leave it. To pass it on with your changes, use the button Links to share.", isError: false });
     else if (this.navigator.address.rules !== "") this.say({ text: "The rules of this link are not shown here: it is from a site without a server.", hint: "Open it at the address that it was made for.", isError: true });
     this.takeGiven(this.navigator.address);
     this.run.on("hello", ({ what }) => this.begun(what));

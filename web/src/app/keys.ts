@@ -16,7 +16,7 @@ export const KEYS: readonly Key[] = [
   { keys: "< and >", does: "Slower, faster", group: "Run" },
   of("R", "begin-again"),
   { keys: "L", does: LIVE, group: "Run" },
-  { keys: "Drag, arrow keys", does: "Turn around what is looked at", group: "Picture" },
+  { keys: "Drag, arrow keys", does: "Turn the view around its centre", group: "Picture" },
   { keys: "Shift and drag or arrow", does: "Move along the ground", group: "Picture" },
   { keys: "Wheel, pinch, + and -", does: "Nearer, further", group: "Picture" },
   { keys: "O, F, M", does: "Orbit, follow the selected agent, map", group: "Picture" },

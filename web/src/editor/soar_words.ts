@@ -3,12 +3,12 @@
 /** Signs and words of rules that a beginner meets first, in plain words. A `code` in backquotes is an example. */
 const WORDS: Readonly<Record<string, string>> = {
   "sp": "**sp** begins a rule (a *soar production*): its name, conditions, `-->`, and actions, all between { and }.",
-  "state": "**state** says that the first condition looks at a state: a situation in which the agent decides. `(state <s> …)` stands at the beginning of each rule.",
+  "state": "**state** says that the first condition looks at a state: a situation in which the agent decides. Each rule begins with `(state <s> …)`.",
   "-->": "**-->** stands between conditions and actions: if all conditions above it match, the actions below it happen.",
   "write": "**write** prints: `(write |Good day, | <name> (crlf))`. What is printed is shown in the panel Output and over the agent's head.",
   "crlf": "**crlf** begins a new line in what write prints.",
   "halt": "**halt** stops the agent for good.",
-  "^superstate": "**^superstate** is nil in the top state, where an agent begins. A substate, which comes with an impasse, has there the state for which it was made. `^superstate nil` therefore means: only in the top state.",
+  "^superstate": "**^superstate** is nil in the top state, where an agent begins. In a substate, which an impasse creates, it is the state in which the impasse arose. `^superstate nil` therefore means: only in the top state.",
   "^io": "**^io** leads out of the mind: `^io.input-link` holds what the agent perceives, `^io.output-link` takes its commands.",
   "^input-link": "**^input-link** holds what the agent perceives now. It changes by itself, each decision.",
   "^output-link": "**^output-link** takes commands: what an applied operator puts there, the body does.",

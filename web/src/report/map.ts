@@ -55,8 +55,8 @@ export function mapFigure(run: RunReport, ways: readonly (Way | null)[], time: T
   const extent = extentOf(ways, [...run.waypoints, ...run.regions]);
   if (extent === null) return h("p.quiet", null, "Nobody has a body here.");
   const paint = paints(run.agents);
-  const caption = `Everybody's way, seen from above, ${Math.round(extent.side)} m wide. The dots stand where they are at the moment of the slider.`;
-  return chart({ label: `Map of ${run.agents.length} agents and their ways`, caption, id: "ways", most: WIDEST_PX, time }, (width) => {
+  const caption = `The paths of all bodies, seen from above; the map is ${Math.round(extent.side)} m wide. The dots show where the bodies are at the slider's time.`;
+  return chart({ label: `Map of ${run.agents.length} agents and their paths`, caption, id: "ways", most: WIDEST_PX, time }, (width) => {
     const m = (metres: number): number => (metres / extent.side) * width, x = (at: number): number => m(at - extent.x), y = (at: number): number => m(at - extent.z);
     const quiet = { fill: "none", stroke: "var(--quiet)" }, dashed = { ...quiet, "stroke-dasharray": "4 4" };
     const thing = (one: ThingReport): Child => one.round ? h("circle", { attributes: { cx: x(one.x), cy: y(one.z), r: m(one.w / 2), fill: "var(--line)" } })
