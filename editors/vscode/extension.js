@@ -38,7 +38,7 @@ async function startClient() {
     await client.start();
   } catch (problem) {
     client = undefined;
-    vscode.window.showErrorMessage(`Soarbox: ${command} ${args.join(' ')} does not start: set soarbox.command to the command's path, or call npm install soarbox in the folder of your rules`);
+    vscode.window.showErrorMessage(`Soarbox: ${command} ${args.join(' ')} does not start: set soarbox.command to the command's path, or install Soarbox's npm package (docs/npm.md) in the folder of your rules`);
   }
 }
 
