@@ -11,7 +11,6 @@
 
 #include "script/bind_arguments.h"
 #include "script/binding.h"
-#include "script/plain_call.h"
 
 namespace soarbox::script {
 namespace {
@@ -82,6 +81,9 @@ bool IsPlainlyRight(lua_State* state, int index, ApiType type) {
       return ToVector(state, index) != nullptr;
     case ApiType::kNumber:
       return lua_type(state, index) == LUA_TNUMBER;
+    case ApiType::kBoolean:
+    case ApiType::kValue:
+      return true;
     default:
       return false;
   }

@@ -5,7 +5,6 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
-#include "script/plain_call.h"
 
 // Agent: properties, position, path and leader. All are methods of agent handles too.
 
@@ -38,25 +37,9 @@ int GetVector(lua_State* state) {
   return 1;
 }
 
-template <Vec3 (Agent::*Getter)() const>
-int PlainGetVector(lua_State* state, LuaMachine& machine) {
-  const Agent* agent = OnlyAgent(state, machine);
-  if (!agent) return kNotPlain;
-  PushVector(state, machine, (agent->*Getter)());
-  return 1;
-}
-
 template <float (Agent::*Getter)() const>
 int GetNumber(lua_State* state) {
   lua_pushnumber(state, (AgentArgument(state, 1).*Getter)());
-  return 1;
-}
-
-template <float (Agent::*Getter)() const>
-int PlainGetNumber(lua_State* state, LuaMachine& machine) {
-  const Agent* agent = OnlyAgent(state, machine);
-  if (!agent) return kNotPlain;
-  lua_pushnumber(state, (agent->*Getter)());
   return 1;
 }
 
@@ -64,15 +47,6 @@ template <bool (Agent::*Setter)(Vec3)>
 int SetVector(lua_State* state) {
   const Vec3 vector = CheckVector(state, 2);
   WarnUnless(state, (AgentArgument(state, 1).*Setter)(vector));
-  return 0;
-}
-
-template <bool (Agent::*Setter)(Vec3)>
-int PlainSetVector(lua_State* state, LuaMachine& machine) {
-  Agent* agent = nullptr;
-  Vec3 vector;
-  if (!AgentAndVector(state, machine, agent, vector)) return kNotPlain;
-  WarnUnless(state, (agent->*Setter)(vector));
   return 0;
 }
 
@@ -217,29 +191,28 @@ int GetScore(lua_State* state) {
 constexpr Binding kAgentPropertiesBindings[] = {
     {"ApplyForce", ApplyForce, 2, 2, WrongCount::kIgnored},
     {"GetDistanceAlongPath", GetDistanceAlongPath, 2, 2, WrongCount::kError},
-    {"GetForward", GetVector<&Agent::Forward>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Forward>},
-    {"GetHealth", GetNumber<&Agent::Health>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::Health>},
-    {"GetHeight", GetNumber<&Agent::Height>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::Height>},
+    {"GetForward", GetVector<&Agent::Forward>, 1, 1, WrongCount::kIgnored},
+    {"GetHealth", GetNumber<&Agent::Health>, 1, 1, WrongCount::kIgnored},
+    {"GetHeight", GetNumber<&Agent::Height>, 1, 1, WrongCount::kIgnored},
     {"GetId", GetId, 1, 1, WrongCount::kIgnored},
     {"GetLeader", GetLeader, 1, 1, WrongCount::kIgnored},
-    {"GetLeft", GetVector<&Agent::Left>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Left>},
-    {"GetMass", GetNumber<&Agent::Mass>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::Mass>},
-    {"GetMaxForce", GetNumber<&Agent::MaxForce>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::MaxForce>},
-    {"GetMaxSpeed", GetNumber<&Agent::MaxSpeed>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::MaxSpeed>},
+    {"GetLeft", GetVector<&Agent::Left>, 1, 1, WrongCount::kIgnored},
+    {"GetMass", GetNumber<&Agent::Mass>, 1, 1, WrongCount::kIgnored},
+    {"GetMaxForce", GetNumber<&Agent::MaxForce>, 1, 1, WrongCount::kIgnored},
+    {"GetMaxSpeed", GetNumber<&Agent::MaxSpeed>, 1, 1, WrongCount::kIgnored},
     {"GetNearestPointOnPath", GetNearestPointOnPath, 2, 2, WrongCount::kError},
     {"GetPath", GetPath, 1, 1, WrongCount::kIgnored},
     {"GetPointOnPath", GetPointOnPath, 2, 2, WrongCount::kError},
-    {"GetPosition", GetVector<&Agent::Position>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Position>},
-    {"GetRadius", GetNumber<&Agent::Radius>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::Radius>},
+    {"GetPosition", GetVector<&Agent::Position>, 1, 1, WrongCount::kIgnored},
+    {"GetRadius", GetNumber<&Agent::Radius>, 1, 1, WrongCount::kIgnored},
     {"GetSandbox", GetSandbox, 1, 1, WrongCount::kIgnored},
     {"GetScore", GetScore, 1, 1, WrongCount::kError},
-    {"GetSpeed", GetNumber<&Agent::Speed>, 1, 1, WrongCount::kIgnored, PlainGetNumber<&Agent::Speed>},
-    {"GetTarget", GetVector<&Agent::Target>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Target>},
-    {"GetTargetRadius", GetNumber<&Agent::TargetRadius>, 1, 1, WrongCount::kIgnored,
-     PlainGetNumber<&Agent::TargetRadius>},
+    {"GetSpeed", GetNumber<&Agent::Speed>, 1, 1, WrongCount::kIgnored},
+    {"GetTarget", GetVector<&Agent::Target>, 1, 1, WrongCount::kIgnored},
+    {"GetTargetRadius", GetNumber<&Agent::TargetRadius>, 1, 1, WrongCount::kIgnored},
     {"GetTeam", GetTeam, 1, 1, WrongCount::kIgnored},
-    {"GetUp", GetVector<&Agent::Up>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Up>},
-    {"GetVelocity", GetVector<&Agent::Velocity>, 1, 1, WrongCount::kIgnored, PlainGetVector<&Agent::Velocity>},
+    {"GetUp", GetVector<&Agent::Up>, 1, 1, WrongCount::kIgnored},
+    {"GetVelocity", GetVector<&Agent::Velocity>, 1, 1, WrongCount::kIgnored},
     {"HasPath", HasPath, 1, 1, WrongCount::kIgnored},
     {"IsAgent", IsAgent, 1, 1, WrongCount::kError},
     {"PredictFuturePosition", PredictFuturePosition, 2, 2, WrongCount::kError},
@@ -253,14 +226,14 @@ constexpr Binding kAgentPropertiesBindings[] = {
     {"SetMaxForce", SetNumber<&Agent::SetMaxForce>, 2, 2, WrongCount::kError},
     {"SetMaxSpeed", SetNumber<&Agent::SetMaxSpeed>, 2, 2, WrongCount::kError},
     {"SetPath", SetPath, 2, 3, WrongCount::kError},
-    {"SetPosition", SetVector<&Agent::SetPosition>, 2, 2, WrongCount::kError, PlainSetVector<&Agent::SetPosition>},
+    {"SetPosition", SetVector<&Agent::SetPosition>, 2, 2, WrongCount::kError},
     {"SetRadius", SetNumber<&Agent::SetRadius>, 2, 2, WrongCount::kError},
     {"SetScore", SetNumber<&Agent::SetScore>, 2, 2, WrongCount::kError},
     {"SetSpeed", SetSpeed, 2, 2, WrongCount::kError},
-    {"SetTarget", SetVector<&Agent::SetTarget>, 2, 2, WrongCount::kError, PlainSetVector<&Agent::SetTarget>},
+    {"SetTarget", SetVector<&Agent::SetTarget>, 2, 2, WrongCount::kError},
     {"SetTargetRadius", SetNumber<&Agent::SetTargetRadius>, 2, 2, WrongCount::kError},
     {"SetTeam", SetTeam, 2, 2, WrongCount::kError},
-    {"SetVelocity", SetVector<&Agent::SetVelocity>, 2, 2, WrongCount::kError, PlainSetVector<&Agent::SetVelocity>},
+    {"SetVelocity", SetVector<&Agent::SetVelocity>, 2, 2, WrongCount::kError},
 };
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "script/bind_arguments.h"
 #include "script/binding.h"
 #include "script/lua_order.h"
-#include "script/plain_call.h"
 #include "world/agent_store.h"
 #include "world/steer_group.h"
 
@@ -150,23 +149,6 @@ int PushLookAheadForce(lua_State* state) {
   return 1;
 }
 
-template <Vec3 (Agent::*Force)(float) const>
-int PlainLookAheadForce(lua_State* state, LuaMachine& machine) {
-  const Agent* agent = OnlyAgent(state, machine);
-  if (!agent) return kNotPlain;
-  PushVector(state, machine, (agent->*Force)(Agent::kDefaultLookAhead_s));
-  return 1;
-}
-
-template <Vec3 (Agent::*Force)(Vec3) const>
-int PlainPositionForce(lua_State* state, LuaMachine& machine) {
-  Agent* agent = nullptr;
-  Vec3 position;
-  if (!AgentAndVector(state, machine, agent, position)) return kNotPlain;
-  PushVector(state, machine, (agent->*Force)(position));
-  return 1;
-}
-
 template <Vec3 (Agent::*Force)(Vec3) const>
 int PushPositionForce(lua_State* state) {
   const Vec3 position = CheckVector(state, 2);
@@ -198,17 +180,13 @@ int ForceToWander(lua_State* state) {
 
 constexpr Binding kAgentSteeringBindings[] = {
     {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 3, 4, WrongCount::kIgnored},
-    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored,
-     PlainLookAheadForce<&Agent::ForceToAvoidAgents>},
-    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored,
-     PlainLookAheadForce<&Agent::ForceToAvoidObjects>},
+    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored},
+    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored},
     {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 3, 4, WrongCount::kIgnored},
     {"ForceToEvade", PushChaseForce<&Agent::ForceToEvade>, 2, 3, WrongCount::kError},
-    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError,
-     PlainPositionForce<&Agent::ForceToFleePosition>},
+    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError},
     {"ForceToFollowPath", PushLookAheadForce<&Agent::ForceToFollowPath>, 1, 3, WrongCount::kError},
-    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError,
-     PlainPositionForce<&Agent::ForceToPosition>},
+    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError},
     {"ForceToPursue", PushChaseForce<&Agent::ForceToPursue>, 2, 3, WrongCount::kError},
     {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 3, 4, WrongCount::kError},
     {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},

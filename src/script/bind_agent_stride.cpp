@@ -4,7 +4,6 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
-#include "script/plain_call.h"
 #include "world/agent_stride.h"
 
 // Agent: from steering to motion. Scripts call these functions for each agent in each step, so they are not written in
@@ -60,16 +59,6 @@ int WalkTo(lua_State* state) {
   return 0;
 }
 
-int PlainWalkTo(lua_State* state, LuaMachine& machine) {
-  Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
-  const Vec3* goal = ToVector(state, 2);
-  double step_s = 0;
-  if (!agent || !goal || !IsUsual(*goal) || !PlainNumber(state, 3, step_s) || !IsUsual(static_cast<float>(step_s)))
-    return kNotPlain;
-  Stride(state, *agent, ForceToWalk(*agent, *goal, {}), step_s);
-  return 0;
-}
-
 /// (agent, seconds [, look-ahead in seconds [, weight]])
 int WalkToTarget(lua_State* state) {
   Agent& agent = AgentArgument(state, 1);
@@ -78,36 +67,11 @@ int WalkToTarget(lua_State* state) {
   return 0;
 }
 
-int PlainWalkToTarget(lua_State* state, LuaMachine& machine) {
-  Agent* agent = lua_gettop(state) == 2 ? PlainAgent(state, machine, 1) : nullptr;
-  double step_s = 0;
-  if (!agent || !PlainNumber(state, 2, step_s) || !IsUsual(static_cast<float>(step_s))) return kNotPlain;
-  Stride(state, *agent, ForceToWalk(*agent, agent->Target(), {}), step_s);
-  return 0;
-}
-
-int PlainPush(lua_State* state, LuaMachine& machine) {
-  Agent* agent = lua_gettop(state) == 3 ? PlainAgent(state, machine, 1) : nullptr;
-  double step_s = 0;
-  const Vec3* force = ToVector(state, 2);
-  if (!agent || !force || !IsUsual(*force) || !PlainNumber(state, 3, step_s) || !IsUsual(static_cast<float>(step_s)))
-    return kNotPlain;
-  WarnUnless(state, PushAlongGround(*agent, FlattenedForce(state, *agent), step_s));
-  return 0;
-}
-
-int PlainClampSpeed(lua_State* state, LuaMachine& machine) {
-  Agent* agent = OnlyAgent(state, machine);
-  if (!agent) return kNotPlain;
-  ClampHorizontalSpeed(*agent);
-  return 0;
-}
-
 constexpr Binding kAgentStrideBindings[] = {
-    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError, PlainClampSpeed},
-    {"Push", Push, 3, 3, WrongCount::kError, PlainPush},
-    {"WalkTo", WalkTo, 3, 5, WrongCount::kError, PlainWalkTo},
-    {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError, PlainWalkToTarget},
+    {"ClampSpeed", ClampSpeed, 1, 1, WrongCount::kError},
+    {"Push", Push, 3, 3, WrongCount::kError},
+    {"WalkTo", WalkTo, 3, 5, WrongCount::kError},
+    {"WalkToTarget", WalkToTarget, 2, 4, WrongCount::kError},
 };
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
 #include "script/binding.h"
-#include "script/plain_call.h"
+#include "script/lua_machine.h"
+#include "script/script_context.h"
 
 // Core.Draw...: shapes that last for one step.
 
@@ -13,42 +14,19 @@ namespace {
 
 using world::Vec3;
 
-world::DebugDraw& DebugOf(lua_State* state, LuaMachine& machine) {
+world::DebugDraw& DebugOf(lua_State* state) {
+  LuaMachine& machine = LuaMachine::Of(state);
   machine.Charge(100);
   const ScriptContext& context = *machine.context();
   world::DebugDraw& debug = context.world.debug();
   CheckRoom(state, debug.size(), context.budget.limits().shapes_per_tick, "lines and triangles for this step");
   return debug;
 }
-world::DebugDraw& DebugOf(lua_State* state) {
-  return DebugOf(state, LuaMachine::Of(state));
-}
 
 int DrawCircle(lua_State* state) {
   const Vec3 center = CheckVector(state, 1);
   const float radius = CheckFloat(state, 2);
   DebugOf(state).Circle(center, radius, CheckVector(state, 3));
-  return 0;
-}
-
-int PlainDrawCircle(lua_State* state, LuaMachine& machine) {
-  const Vec3* center = ToVector(state, 1);
-  const Vec3* color = ToVector(state, 3);
-  float radius = 0;
-  if (lua_gettop(state) != 3 || !center || !color || !PlainFloat(state, 2, radius) || !IsUsual(*center) ||
-      !IsUsual(radius) || radius < 0 || !IsUsual(*color))
-    return kNotPlain;
-  DebugOf(state, machine).Circle(*center, radius, *color);
-  return 0;
-}
-
-int PlainDrawLine(lua_State* state, LuaMachine& machine) {
-  const Vec3* from = ToVector(state, 1);
-  const Vec3* to = ToVector(state, 2);
-  const Vec3* color = ToVector(state, 3);
-  if (lua_gettop(state) != 3 || !from || !to || !color || !IsUsual(*from) || !IsUsual(*to) || !IsUsual(*color))
-    return kNotPlain;
-  DebugOf(state, machine).Line(*from, *to, *color);
   return 0;
 }
 
@@ -78,8 +56,8 @@ int DrawSquare(lua_State* state) {
 }
 
 constexpr Binding kCoreDrawBindings[] = {
-    {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored, PlainDrawCircle},
-    {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored, PlainDrawLine},
+    {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored},
+    {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored},
     {"DrawSphere", DrawSphere, 3, kAnyCount, WrongCount::kIgnored},
     {"DrawSquare", DrawSquare, 3, kAnyCount, WrongCount::kIgnored},
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/binding.h"
 
+#include <algorithm>
 #include <lua.hpp>
 #include <map>
 #include <mutex>
@@ -12,7 +13,6 @@
 #include "script/argument_check.h"
 #include "script/lua_library.h"
 #include "script/lua_machine.h"
-#include "script/plain_call.h"
 #include "script/script_context.h"
 #include "script/script_path.h"
 
@@ -27,7 +27,7 @@ constexpr std::uint64_t kWarningPrice = 200;
 struct Bound {
   const Binding* binding;
   std::string name;         ///< "Table.Name".
-  const CheckedCall* call;  ///< From the table of the API; null: not in the table.
+  const CheckedCall* call;  ///< Null: no argument needs a check.
 };
 
 /// Created once for each binding; its address never changes.
@@ -40,9 +40,12 @@ const Bound& BoundOf(const Binding& binding, const char* table) {
   if (found != all.end()) return found->second;
   std::string name = std::string(table) + "." + binding.name;
   const ApiFunction* entry = FindApiFunction(name);
-  return all
-      .emplace(std::pair{&binding, std::string_view(table)},
-               Bound{&binding, std::move(name), entry ? &CheckedCallOf(*entry) : nullptr})
+  const CheckedCall* call = entry ? &CheckedCallOf(*entry) : nullptr;
+  const auto needs_check = [](const ApiArgument& argument) {
+    return argument.type != ApiType::kValue && argument.type != ApiType::kBoolean;
+  };
+  if (call && std::ranges::none_of(call->arguments, needs_check)) call = nullptr;
+  return all.emplace(std::pair{&binding, std::string_view(table)}, Bound{&binding, std::move(name), call})
       .first->second;
 }
 
@@ -82,9 +85,6 @@ int CallBinding(lua_State* state) {
   LuaMachine& machine = LuaMachine::Of(state);
   machine.Charge(kCallPrice);
   if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
-  if (bound.binding->plain) {
-    if (const int results = bound.binding->plain(state, machine); results != kNotPlain) return results;
-  }
   const int results = CallChecked(state, bound);
   if (ScriptContext* context = machine.context(); context != nullptr && context->world.HasMediaWarnings())
     PlaceMediaWarnings(state, *context);

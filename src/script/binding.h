@@ -15,8 +15,6 @@ enum class WrongCount : unsigned char {
   kError,    ///< A Lua error.
 };
 
-class LuaMachine;
-
 /// One function of the sandbox's API. The number of its arguments is checked before `function` runs.
 struct Binding {
   const char* name;
@@ -24,7 +22,6 @@ struct Binding {
   int min_arguments;
   int max_arguments;
   WrongCount wrong_count;
-  int (*plain)(lua_State*, LuaMachine&) = nullptr;  ///< A fast path (plain_call.h); null: none.
 };
 
 /// For functions that take any number of arguments.
@@ -33,6 +30,9 @@ inline constexpr int kAnyCount = 250;
 /// Creates a global table of these functions (or adds them to an existing one) and enters it into package.loaded. The
 /// bindings must live as long as the state.
 void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings);
+
+/// Returns the full name of the running API function, "Agent.GetPosition"; null if it is none.
+const char* NameOfRunning(lua_State* state);
 
 /// Warns about the current line of the script; once for each place in a script.
 void WarnAtCaller(lua_State* state, std::string message);

@@ -8,7 +8,6 @@
 #include "script/argument_check.h"
 #include "script/bind_vector.h"
 #include "script/lua_machine.h"
-#include "script/plain_call.h"
 
 namespace soarbox::script {
 namespace {
@@ -121,10 +120,7 @@ void InstallAgentMethods(lua_State* state) {
 }
 
 void PushVector(lua_State* state, world::Vec3 vector) {
-  PushVector(state, LuaMachine::Of(state), vector);
-}
-
-void PushVector(lua_State* state, const LuaMachine& machine, world::Vec3 vector) {
+  const LuaMachine& machine = LuaMachine::Of(state);
   new (lua_newuserdata(state, sizeof(VectorValue))) VectorValue{ValueKind::kVector, vector};
   lua_rawgeti(state, LUA_REGISTRYINDEX, machine.values.metatables[static_cast<std::size_t>(ValueKind::kVector)]);
   lua_setmetatable(state, -2);
