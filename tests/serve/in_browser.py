@@ -5,7 +5,6 @@ usage: in_browser.py [TEST...]
 
 Needs the page built (./dev serve), its packages (npm ci in web/) and Chromium; SOARBOX names the command.
 """
-import concurrent.futures
 import os
 import pathlib
 import subprocess
@@ -13,6 +12,7 @@ import sys
 import tempfile
 
 import report_samples
+from once_more import run_files
 from web_client import COMMAND, Server
 
 WEB = pathlib.Path(__file__).resolve().parents[2] / "web"
@@ -35,25 +35,15 @@ def main():
         server = PageServer(folder)
         try:
             environment = {**os.environ, "SOARBOX_PAGE": server.origin, "SOARBOX_REPORTS": str(reports), "SOARBOX_COMMAND": COMMAND}
-            return run_files(tests, environment)
+
+            def passes(test):
+                done = subprocess.run(["node", "--test", test], cwd=WEB, check=False, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                print(done.stdout, end="", flush=True)
+                return done.returncode == 0
+
+            return run_files(tests, passes, at_a_time=2)
         finally:
             server.kill()
-
-
-def run_files(tests, environment):
-    """Runs files of tests, two at a time. Runs those that failed once more, one at a time, and names them: a page that draws without a
-    graphics card next to another one may be too slow for a click. Returns the exit code."""
-
-    def run(test):
-        done = subprocess.run(["node", "--test", test], cwd=WEB, check=False, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        print(done.stdout, end="", flush=True)
-        return done.returncode == 0
-
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        failed = [test for test, passed in zip(tests, pool.map(run, tests)) if not passed]
-    for test in failed:
-        print(f"in_browser: {test} failed; it runs once more, alone", flush=True)
-    return 0 if all([run(test) for test in failed]) else 1
 
 
 if __name__ == "__main__":

@@ -21,6 +21,9 @@ import tempfile
 import threading
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REPOSITORY / "tests" / "serve"))
+from once_more import run_files  # noqa: E402
+
 SKIPPED = 77
 
 
@@ -55,17 +58,13 @@ def what_is_missing(site, is_old_good, is_firefox):
 
 
 def run(tests, address, with_display):
-    """Runs files of tests. A file that fails runs once more, and is named: drawing without a graphics card may be too slow for a click.
-    Returns the exit status. with_display: on a display of its own if there is a program for that."""
+    """Runs files of tests. Returns the exit status. with_display: on a display of its own if there is a program for that."""
     virtual = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1400x1000x24"] if with_display and shutil.which("xvfb-run") else []
 
     def passes(test):
         return subprocess.run([*virtual, "node", "--test", str(test)], check=False, env={**os.environ, "SOARBOX_PAGE": address}).returncode == 0
 
-    failed = [test for test in tests if not passes(test)]
-    for test in failed:
-        print(f"run_site: {test} failed; it runs once more", flush=True)
-    return 0 if all([passes(test) for test in failed]) else 1
+    return run_files(tests, passes)
 
 
 def main():
