@@ -51,12 +51,6 @@ void DrawCode(PanelFrame& frame, const doc::Code& code) {
   SourceItem(code.text, code.tokens);
 }
 
-void DrawFacts(PanelFrame& frame, const doc::Facts& facts) {
-  const FactTable table("facts");
-  for (const auto& [name, spans] : facts.rows)
-    if (table.Name(name)) DrawSpans(frame, spans);
-}
-
 void DrawPlot(PanelFrame& frame, const doc::Plot& plot, float height, bool is_last) {
   const IdScope id(plot.key);
   std::vector<GraphCurve> curves;
@@ -324,7 +318,6 @@ void DocumentView::DrawNode(PanelFrame& frame, const doc::Node& node, bool fills
   if (const auto* actions = As<doc::Actions>(node)) return DrawLine(frame, {actions->nodes});
   if (const auto* tabs = As<doc::Tabs>(node)) return DrawTabs(frame, *tabs, fills);
   if (const auto* columns = As<doc::Columns>(node)) return DrawColumns(frame, *columns);
-  if (const auto* facts = As<doc::Facts>(node)) return DrawFacts(frame, *facts);
   if (const auto* plot = As<doc::Plot>(node)) return DrawPlot(frame, *plot, plot_height_, fills);
   if (const auto* strip = As<doc::Strip>(node)) return DrawStrip(frame, *strip);
   if (const auto* tree = As<doc::Tree>(node)) {

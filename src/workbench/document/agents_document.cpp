@@ -69,36 +69,27 @@ std::string HintOf(const AgentRow& row) {
   return text;
 }
 
-TableRow RowOfAgent(const Contents& contents, const AgentRow& agent) {
+void AddRow(const Contents& contents, const AgentRow& agent, Table& table) {
   const bool is_dull = !agent.alive || agent.failed;
-  TableRow row;
-  row.key = agent.name;
-  row.hint = HintOf(agent);
-  row.is_chosen = agent.name == contents.agent;
-  row.sign = BodySign{agent.team, agent.kind, debugger::IsForeign(agent)};
   Cell name = TextCell(agent.name, is_dull ? Role::kQuiet : Role::kPlain);
   if (agent.errors > 0)
     name.spans.push_back({" \xe2\x9a\xa0" + std::to_string(agent.errors), Role::kBad,
                           Action{SelectRequest{agent.name}, PanelId::kProblems}, agent.error});
   const long health = std::lround(agent.health);
-  row.cells = {std::move(name),
-               TextCell(agent.team, Role::kQuiet),
-               Doing(contents, agent),
-               NumberCell(static_cast<double>(health), std::to_string(health),
-                          agent.health < kLowHealth || is_dull ? Role::kBad : Role::kQuiet),
-               TextCell(agent.kind, Role::kQuiet),
-               Cell()};
-  if (agent.decide_us > 0) row.cells.back() = NumberCell(agent.decide_us, Microseconds(agent.decide_us), Role::kQuiet);
-  return row;
+  const Role role = agent.health < kLowHealth || is_dull ? Role::kBad : Role::kQuiet;
+  TableRow& row = table.Add(
+      agent.name,
+      {std::move(name), TextCell(agent.team, Role::kQuiet), Doing(contents, agent),
+       NumberCell(static_cast<double>(health), std::to_string(health), role), TextCell(agent.kind, Role::kQuiet),
+       agent.decide_us > 0 ? NumberCell(agent.decide_us, Microseconds(agent.decide_us), Role::kQuiet) : Cell()});
+  row.hint = HintOf(agent);
+  row.is_chosen = agent.name == contents.agent;
+  row.sign = BodySign{agent.team, agent.kind, debugger::IsForeign(agent)};
 }
 
 }  // namespace
 
 Nodes AgentsDocument(const Contents& contents) {
-  if (contents.agents.empty())
-    return {Empty("There are no agents in this world yet.",
-                  "A scenario makes them (docs/scenarios.md). Some worlds wait for a key: click the picture, and press "
-                  "the key that the world names.")};
   Table table;
   table.key = "agents";
   table.columns = {{"Name"},         {"Team", false, true}, {"Doing"},
@@ -108,8 +99,10 @@ Nodes AgentsDocument(const Contents& contents) {
   table.is_sortable = true;
   table.filter = "Filter";
   table.none_fits = {"No agent has this text.", ""};
-  for (const AgentRow& agent : contents.agents) table.rows.push_back(RowOfAgent(contents, agent));
-  return {std::move(table)};
+  for (const AgentRow& agent : contents.agents) AddRow(contents, agent, table);
+  return {OrEmpty(std::move(table), "There are no agents in this world yet.",
+                  "A scenario makes them (docs/scenarios.md). Some worlds wait for a key: click the picture, and press "
+                  "the key that the world names.")};
 }
 
 }  // namespace soarbox::workbench::document

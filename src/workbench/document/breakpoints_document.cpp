@@ -9,9 +9,8 @@ namespace soarbox::workbench::document {
 namespace {
 
 Form NewBreakpoint(const Contents& contents) {
-  Form form;
-  form.key = "new";
-  form.action.request = BreakRequest{};
+  Form form{"new", {BreakRequest{}}, {}, "Add"};
+  form.clears = true;
   Field kind{Field::Kind::kChoice, "kind", "What to wait for"};
   for (const debugger::BreakKindWords& each : debugger::kBreakKinds) kind.options.emplace_back(each.name, each.title);
   form.fields.push_back(std::move(kind));
@@ -25,8 +24,6 @@ Form NewBreakpoint(const Contents& contents) {
        "A rule, ID ^attribute value, ^attribute < number, an operator, an impasse, a command, a check or seconds; "
        "* stands for any text",
        "the rule's name, ^health < 20, ..."});
-  form.button = "Add";
-  form.clears = true;
   return form;
 }
 
@@ -42,30 +39,21 @@ Nodes BreakpointsDocument(const Contents& contents) {
   }
   nodes.push_back(Heading("Stop the world when"));
   nodes.push_back(NewBreakpoint(contents));
-  if (contents.breakpoints.empty()) {
-    nodes.push_back(
-        Empty("No breakpoints.", "The world pauses at the end of the tick in which what you wait for happens."));
-    return nodes;
-  }
   using What = ChangeBreakRequest::What;
-  Table table;
-  table.key = "breakpoints";
-  table.columns = {{"On"}, {"When", false, false, true}, {"Hits", true}, {""}};
+  Table table{"breakpoints", {{"On"}, {"When", false, false, true}, {"Hits", true}, {""}}};
   for (const debugger::Breakpoint& point : contents.breakpoints) {
-    TableRow row;
-    row.key = std::to_string(point.number);
     const std::string what = point.what.empty() ? "" : ": " + point.what;
-    row.cells = {{{Span{point.enabled ? "on" : "off", Role::kTag,
-                        Action{ChangeBreakRequest{point.number, point.enabled ? What::kDisable : What::kEnable}},
-                        point.enabled ? "Switch it off" : "Switch it on"}}},
-                 TextCell((point.agent.empty() ? "any agent" : point.agent) + ": " +
-                              std::string(debugger::kBreakKinds[static_cast<std::size_t>(point.kind)].title) + what,
-                          point.enabled ? Role::kPlain : Role::kQuiet),
-                 CountCell(point.hits),
-                 {{Span{"\xc3\x97", Role::kTag, Action{ChangeBreakRequest{point.number, What::kClear}}, "Remove"}}}};
-    table.rows.push_back(std::move(row));
+    table.Add(std::to_string(point.number),
+              {ButtonCell(point.enabled ? "on" : "off",
+                          ChangeBreakRequest{point.number, point.enabled ? What::kDisable : What::kEnable},
+                          point.enabled ? "Switch it off" : "Switch it on"),
+               TextCell((point.agent.empty() ? "any agent" : point.agent) + ": " +
+                            std::string(debugger::kBreakKinds[static_cast<std::size_t>(point.kind)].title) + what,
+                        point.enabled ? Role::kPlain : Role::kQuiet),
+               CountCell(point.hits), ButtonCell(kRemove, ChangeBreakRequest{point.number, What::kClear}, "Remove")});
   }
-  nodes.push_back(std::move(table));
+  nodes.push_back(OrEmpty(std::move(table), "No breakpoints.",
+                          "The world pauses at the end of the tick in which what you wait for happens."));
   return nodes;
 }
 

@@ -101,6 +101,10 @@ Node Text(Spans spans) {
   return Paragraph{Paragraph::Style::kText, std::move(spans)};
 }
 
+Node Named(const std::string& name, std::string value, Role role) {
+  return Text(Spans{Quiet(name + ": "), {std::move(value), role}});
+}
+
 Node Heading(std::string text, std::string hint) {
   return Paragraph{Paragraph::Style::kHeading, {Span{std::move(text), Role::kStrong}}, std::move(hint)};
 }
@@ -198,6 +202,21 @@ Cell CountCell(std::uint64_t count) {
 
 Cell TimeCell(std::uint64_t tick) {
   return {{Time(tick)}, static_cast<double>(tick)};
+}
+
+Cell ButtonCell(std::string label, Request request, std::string hint) {
+  return {{Span{std::move(label), Role::kTag, Action{std::move(request)}, std::move(hint)}}};
+}
+
+Node OrEmpty(Table table, std::string what, std::string advice) {
+  if (table.rows.empty()) return Empty(std::move(what), std::move(advice));
+  return table;
+}
+
+Form LineForm(std::string key, Request request, Field line, std::string button) {
+  Form form{std::move(key), {std::move(request)}, {std::move(line)}, std::move(button)};
+  form.fields.front().is_needed = !form.button.empty();
+  return form;
 }
 
 std::optional<Nodes> WithoutMind(const Contents& contents) {

@@ -17,6 +17,8 @@ namespace soarbox::workbench::document {
 
 Node Text(std::string text, Role role = Role::kPlain);
 Node Text(Spans spans);
+/// "Sent: 12"
+Node Named(const std::string& name, std::string value, Role role = Role::kPlain);
 Node Heading(std::string text, std::string hint = {});
 /// The text of an empty panel: what is missing, and what to do about it.
 Node Empty(std::string what, std::string advice = {});
@@ -54,6 +56,15 @@ Cell TextCell(std::string text, Role role = Role::kPlain);
 Cell NumberCell(double value, std::string text, Role role = Role::kPlain);
 Cell CountCell(std::uint64_t count);
 Cell TimeCell(std::uint64_t tick);
+/// A small button.
+Cell ButtonCell(std::string label, Request request, std::string hint);
+/// The label of buttons that remove something.
+inline constexpr const char* kRemove = "\xc3\x97";
+
+/// The table, or the text of an empty panel if the table has no rows.
+Node OrEmpty(Table table, std::string what, std::string advice = {});
+/// A form with one line. Without a button it is sent while the user types.
+Form LineForm(std::string key, Request request, Field line, std::string button = {});
 
 /// If the selected agent's mind cannot be shown: nodes that say why, and what to do. Nothing if it can.
 std::optional<Nodes> WithoutMind(const Contents& contents);

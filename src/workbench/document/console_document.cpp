@@ -61,11 +61,7 @@ Form FormOf(const Contents& contents) {
   field.is_needed = true;
   field.command = CommandLine{Action{CompleteRequest{contents.agent, {}}}, Action{KeepLineRequest{contents.agent, {}}},
                               contents.completed_line, contents.completion};
-  Form form;
-  form.key = "command " + contents.agent;
-  form.action.request = ConsoleRequest{contents.agent, {}};
-  form.fields.push_back(std::move(field));
-  form.button = "Send";
+  Form form{"command " + contents.agent, {ConsoleRequest{contents.agent, {}}}, {std::move(field)}, "Send"};
   form.clears = form.repeats = true;
   return form;
 }

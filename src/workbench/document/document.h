@@ -164,7 +164,7 @@ struct TableRow {
 struct Table {
   std::string key;
   std::vector<Column> columns;
-  std::vector<TableRow> rows;
+  std::vector<TableRow> rows = {};
   std::string caption = {};
   std::optional<RowAction> press = std::nullopt;
   std::string filter = {};               ///< The label of a field that filters rows; empty: no field.
@@ -173,6 +173,10 @@ struct Table {
   std::pair<std::string, std::string> none_fits = {};  ///< The text if no row passes the filter.
   bool is_sortable = false;
   bool has_heads = true;
+
+  TableRow& Add(std::string row, std::vector<Cell> cells) {
+    return rows.emplace_back(TableRow{std::move(row), std::move(cells)});
+  }
 };
 
 struct TreeRow {
@@ -288,14 +292,9 @@ struct Columns {
   std::vector<Section> parts;
 };
 
-/// A list of names with their values.
-struct Facts {
-  std::vector<std::pair<std::string, Spans>> rows;
-};
-
 struct Node {
   std::variant<Paragraph, Code, Line, Button, Form, Table, Tree, Plot, Strip, Checklist, Progress, Transcript, Section,
-               Actions, Tabs, Columns, Facts>
+               Actions, Tabs, Columns>
       is;
   template <typename Kind>
   Node(Kind kind) : is(std::move(kind)) {}  // NOLINT: parts are converted to nodes implicitly.

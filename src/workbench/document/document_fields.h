@@ -309,10 +309,4 @@ void Fields(auto& visit, const Columns& columns) {
   visit("parts", columns.parts, "the sections");
 }
 
-void Fields(auto& visit, const Facts& facts) {
-  visit.Type("Facts", "A list of names with their values.");
-  visit.Is("facts");
-  visit("rows", facts.rows, "names and values");
-}
-
 }  // namespace soarbox::workbench::document

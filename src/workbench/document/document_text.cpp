@@ -96,9 +96,6 @@ class TextWriter {
   void operator()(const Columns& columns) {
     for (const Section& part : columns.parts) (*this)(part);
   }
-  void operator()(const Facts& facts) {
-    for (const auto& [name, spans] : facts.rows) Put(name + ": " + TextOf(spans));
-  }
 
   std::string text;
 

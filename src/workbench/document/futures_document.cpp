@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "workbench/document/build.h"
+#include "workbench/document/curves.h"
 #include "workbench/document/panels.h"
 
 namespace soarbox::workbench::document {
@@ -18,8 +19,8 @@ bool IsSame(const std::optional<Difference>& a, const std::optional<Difference>&
 void AddDifference(const Difference& difference, Nodes& nodes) {
   nodes.push_back(Text(Spans{Time(difference.tick), {" " + difference.agent + "  " + difference.element}}));
   const auto shown = [](const std::string& what) { return what.empty() ? std::string("nothing") : what; };
-  nodes.push_back(Facts{
-      {{"before", {{shown(difference.recorded), Role::kWarn}}}, {"now", {{shown(difference.now), Role::kName}}}}});
+  nodes.push_back(Named("before", shown(difference.recorded), Role::kWarn));
+  nodes.push_back(Named("now", shown(difference.now), Role::kName));
 }
 
 void AddCourse(const Contents& contents, const Comparison& found, Nodes& nodes) {
@@ -27,9 +28,7 @@ void AddCourse(const Contents& contents, const Comparison& found, Nodes& nodes) 
   const double step_s = contents.moment.step_s;
   Plot apart{"apart", "How far apart", {{"mean distance (m)"}, {"greatest distance (m)"}}};
   Plot health{"health", "Health of all", {{"health before"}, {"health now"}}};
-  Table table;
-  table.key = "course";
-  table.columns = {{"Time"}, {"Apart (m)", true}, {"Furthest"}, {"Alive before", true}, {"Alive now", true}};
+  Table table{"course", {{"Time"}, {"Apart (m)", true}, {"Furthest"}, {"Alive before", true}, {"Alive now", true}}};
   constexpr std::size_t kMostRows = 60;
   const std::size_t step = (found.course.size() + kMostRows - 1) / kMostRows;
   for (std::size_t i = 0; i < found.course.size(); ++i) {
@@ -40,13 +39,13 @@ void AddCourse(const Contents& contents, const Comparison& found, Nodes& nodes) 
     health.curves[0].points.emplace_back(tick, at.health_a);
     health.curves[1].points.emplace_back(tick, at.health_b);
     if (i % step != 0) continue;
-    TableRow row;
-    row.key = std::to_string(i);
-    row.cells = {TimeCell(static_cast<std::uint64_t>(tick + 0.5)),
-                 NumberCell(at.mean_distance_m, Rounded(at.mean_distance_m)), TextCell(at.farthest),
-                 CountCell(static_cast<std::uint64_t>(at.alive_a)), CountCell(static_cast<std::uint64_t>(at.alive_b))};
-    table.rows.push_back(std::move(row));
+    table.Add(std::to_string(i),
+              {TimeCell(static_cast<std::uint64_t>(tick + 0.5)),
+               NumberCell(at.mean_distance_m, Rounded(at.mean_distance_m)), TextCell(at.farthest),
+               CountCell(static_cast<std::uint64_t>(at.alive_a)), CountCell(static_cast<std::uint64_t>(at.alive_b))});
   }
+  for (Plot* const plot : {&apart, &health})
+    for (Curve& curve : plot->curves) curve.points = Thinned(std::move(curve.points));
   nodes.push_back(std::move(apart));
   nodes.push_back(std::move(health));
   nodes.push_back(Section{"course", {{"In numbers"}}, {std::move(table)}, false});

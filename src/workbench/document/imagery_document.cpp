@@ -67,20 +67,15 @@ void AddQuestion(const Contents& contents, const SceneExtractRow& question, Node
 }
 
 Table NodesOf(const SceneView& scene) {
-  Table table;
-  table.key = "nodes " + scene.state;
-  table.columns = {{"Node"}, {"At"}, {"Tags"}};
+  Table table{"nodes " + scene.state, {{"Node"}, {"At"}, {"Tags"}}};
   for (const SceneNodeRow& node : scene.nodes) {
     char at[96] = "";
     if (node.depth > 0) std::snprintf(at, sizeof at, "%.2f, %.2f, %.2f", node.at[0], node.at[1], node.at[2]);
     std::string tags = node.shape == "hull" || node.depth == 0 ? "" : node.shape;
     for (const auto& [name, value] : node.tags) tags += (tags.empty() ? "^" : " ^") + name + " " + value;
-    TableRow row;
-    row.key = node.name;
-    row.depth = static_cast<int>(node.depth);
-    row.cells = {TextCell(node.name, node.tags.contains("solid") ? Role::kPlain : Role::kObject),
-                 TextCell(at, Role::kQuiet), TextCell(tags, Role::kQuiet)};
-    table.rows.push_back(std::move(row));
+    const Role role = node.tags.contains("solid") ? Role::kPlain : Role::kObject;
+    table.Add(node.name, {TextCell(node.name, role), TextCell(at, Role::kQuiet), TextCell(tags, Role::kQuiet)}).depth =
+        static_cast<int>(node.depth);
   }
   return table;
 }
@@ -88,12 +83,9 @@ Table NodesOf(const SceneView& scene) {
 }  // namespace
 
 Nodes ImageryDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
   const debugger::ImageryView& view = contents.imagery;
   if (view.scenes.empty()) return {Empty(view.note.empty() ? "It imagines nothing." : view.note)};
-  Nodes nodes;
-  NoteRecorded(contents, nodes);
-  nodes.push_back(DrawnLine(contents));
+  Nodes nodes{DrawnLine(contents)};
   for (const SceneView& scene : view.scenes) {
     nodes.push_back(Heading(scene.state));
     if (scene.extracts.empty()) nodes.push_back(Text("No rule asks anything of this scene.", Role::kQuiet));

@@ -49,25 +49,22 @@ Nodes Rules(const Contents& contents) {
                             "With chunk always, the agent learns from what it works out in substates."));
     return nodes;
   }
-  Table table;
-  table.key = "learned";
-  table.columns = {{"Learned"}, {"Fired", true}, {"Rule"}, {"What it does"}, {"Learned in", false, true}};
+  Table table{"learned", {{"Learned"}, {"Fired", true}, {"Rule"}, {"What it does"}, {"Learned in", false, true}}};
   table.filter = "Filter by text";
   table.none_fits = {"No learned rule has this text.", ""};
   table.press = RowAction{{LearnedRuleRequest{}}, "rule"};
   for (const LearnedRuleRow& rule : view.rules) {
-    TableRow row;
-    row.key = rule.name;
-    row.is_chosen = rule.name == contents.learned_rule.name;
-    row.hint = rule.is_gone ? "Excised since" : "";
     Cell when = rule.tick ? TimeCell(*rule.tick) : TextCell("-", Role::kQuiet);
     if (!rule.tick) when.spans[0].hint = "It was learned before anybody watched, or loaded";
-    row.cells = {std::move(when), CountCell(rule.firings),
-                 TextCell(rule.name, rule.is_gone ? Role::kQuiet : Role::kName),
-                 rule.purpose.empty() ? TextCell("not known", Role::kQuiet) : TextCell(rule.purpose),
-                 TextCell(rule.source, Role::kQuiet)};
-    if (rule.is_gone) row.cells[2].spans.push_back({" removed", Role::kWarn});
-    table.rows.push_back(std::move(row));
+    TableRow& row =
+        table.Add(rule.name, {std::move(when), CountCell(rule.firings),
+                              TextCell(rule.name, rule.is_gone ? Role::kQuiet : Role::kName),
+                              rule.purpose.empty() ? TextCell("not known", Role::kQuiet) : TextCell(rule.purpose),
+                              TextCell(rule.source, Role::kQuiet)});
+    row.is_chosen = rule.name == contents.learned_rule.name;
+    if (!rule.is_gone) continue;
+    row.hint = "Excised since";
+    row.cells[2].spans.push_back({" removed", Role::kWarn});
   }
   nodes.push_back(std::move(table));
   return nodes;
@@ -106,24 +103,21 @@ Nodes Values(const Contents& contents) {
   nodes.push_back(Text("Reward in all: " + Rounded(view.total_reward), Role::kQuiet));
   double most = 1e-9;
   for (const mind::NumberFact& number : view.numbers) most = std::max(most, std::abs(number.value));
-  Table table;
-  table.key = "numbers";
-  table.columns = {{"Value", true}, {"Updates", true}, {"Rule"}, {"If"}, {""}};
+  Table table{"numbers", {{"Value", true}, {"Updates", true}, {"Rule"}, {"If"}, {""}}};
   table.filter = "Filter by text";
   table.none_fits = {"No rule with a number has this text.", ""};
   table.is_sortable = true;
   for (const mind::NumberFact& number : view.numbers) {
-    TableRow row;
-    row.key = number.rule;
     const bool is_drawn = std::ranges::find(contents.learning_curves, number.rule) != contents.learning_curves.end();
-    row.cells = {NumberCell(number.value, Rounded(number.value)),
-                 CountCell(number.updates),
-                 {{RuleLink(number.rule)}},
-                 TextCell(number.when, Role::kQuiet),
-                 {{Span{is_drawn ? "\xc3\x97" : "+", Role::kTag, Action{CurveRequest{number.rule, !is_drawn}},
-                        is_drawn ? "No longer draw its curve" : "Draw its curve"}}}};
-    row.cells[0].bar = number.value / most;
-    table.rows.push_back(std::move(row));
+    table
+        .Add(number.rule, {NumberCell(number.value, Rounded(number.value)),
+                           CountCell(number.updates),
+                           {{RuleLink(number.rule)}},
+                           TextCell(number.when, Role::kQuiet),
+                           ButtonCell(is_drawn ? kRemove : "+", CurveRequest{number.rule, !is_drawn},
+                                      is_drawn ? "No longer draw its curve" : "Draw its curve")})
+        .cells[0]
+        .bar = number.value / most;
   }
   nodes.push_back(std::move(table));
   if (Plot curves = ValueCurves(contents); curves.curves.empty())
@@ -152,18 +146,15 @@ Nodes Episodes(const Contents& contents, std::size_t count) {
   for (const debugger::RewardEpisode& episode : episodes)
     plot.curves[0].points.emplace_back(static_cast<double>(episode.last_tick), episode.reward);
   plot.curves[0].points = Thinned(std::move(plot.curves[0].points));
-  Table table;
-  table.key = "episodes";
-  table.columns = {{"Episode", true}, {"Ended"}, {"Took", true}, {"Reward", true}};
+  Table table{"episodes", {{"Episode", true}, {"Ended"}, {"Took", true}, {"Reward", true}}};
   for (std::size_t number = count; number > 0 && table.rows.size() < kMostEpisodes; --number) {
     const debugger::RewardEpisode& episode = episodes[number - 1];
     const double took_s = static_cast<double>(episode.last_tick - episode.first_tick) * contents.moment.step_s;
-    TableRow row;
-    row.key = std::to_string(number);
-    row.cells = {NumberCell(static_cast<double>(number), row.key, Role::kQuiet), TimeCell(episode.last_tick),
-                 NumberCell(took_s, Rounded(took_s, 3) + " s"),
-                 NumberCell(episode.reward, Rounded(episode.reward), episode.reward < 0 ? Role::kWarn : Role::kGood)};
-    table.rows.push_back(std::move(row));
+    const std::string key = std::to_string(number);
+    table.Add(key,
+              {NumberCell(static_cast<double>(number), key, Role::kQuiet), TimeCell(episode.last_tick),
+               NumberCell(took_s, Rounded(took_s, 3) + " s"),
+               NumberCell(episode.reward, Rounded(episode.reward), episode.reward < 0 ? Role::kWarn : Role::kGood)});
   }
   return {std::move(table), std::move(plot)};
 }
@@ -171,10 +162,8 @@ Nodes Episodes(const Contents& contents, std::size_t count) {
 }  // namespace
 
 Nodes LearningDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
   const LearningView& view = contents.learning;
   Nodes nodes;
-  NoteRecorded(contents, nodes);
   if (!contents.learned_rule.name.empty()) nodes.push_back(Story(contents));
   const std::size_t episodes = EpisodesSoFar(contents);
   Tabs tabs{"pages", {}};

@@ -23,23 +23,19 @@ Role RoleOfStatus(const std::string& status) {
   return status == "interrupted" ? Role::kQuiet : Role::kWarn;
 }
 
-TableRow RowOfCommand(const CommandRow& command) {
+void AddCommand(const CommandRow& command, Table& table) {
   std::string parameters;
   for (const MemoryRow& row : command.parameters)
     parameters += (parameters.empty() ? "^" : "  ^") + row.element.attribute + " " + ShortNumber(row.element.value);
-  TableRow row;
-  row.key = std::to_string(command.timetag);
   Cell status = TextCell(command.status.empty() ? "under way" : command.status, RoleOfStatus(command.status));
   if (command.progress >= 0) {
     status.bar = command.progress;
     status.spans.push_back({" " + Rounded(command.progress * 100, 3) + " %"});
   }
   if (!command.reason.empty()) status.spans.push_back({" " + command.reason, Role::kBad});
-  row.cells = {{{Span{command.name, Role::kNumber, AskWhy(WhyRequest::About::kCommand, command.name),
-                      "Why does it give this command?"}}},
-               TextCell(parameters, Role::kQuiet),
-               std::move(status)};
-  return row;
+  const Span name{command.name, Role::kNumber, AskWhy(WhyRequest::About::kCommand, command.name),
+                  "Why does it give this command?"};
+  table.Add(std::to_string(command.timetag), {{{name}}, TextCell(parameters, Role::kQuiet), std::move(status)});
 }
 
 /// Whether a removed element is replaced by an added one of the same attribute: its value has changed. It is then
@@ -84,19 +80,15 @@ void AddLink(const char* key, const debugger::MemoryObject& object, bool is_perc
 }  // namespace
 
 Nodes LinksDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
   const debugger::IoView& io = contents.io;
   Nodes nodes;
-  NoteRecorded(contents, nodes);
   nodes.push_back(Heading("Commands (output link)", std::string(MeaningOf("output link"))));
   if (io.commands.empty()) {
     nodes.push_back(Text("There is no command on the output link. Rules give commands there.", Role::kQuiet));
   } else {
-    Table table;
-    table.key = "commands";
+    Table table{"commands", {{"Command"}, {"Parameters", false, false, true}, {"Status", false, false, true}}};
     table.has_heads = false;
-    table.columns = {{"Command"}, {"Parameters", false, false, true}, {"Status", false, false, true}};
-    for (const CommandRow& command : io.commands) table.rows.push_back(RowOfCommand(command));
+    for (const CommandRow& command : io.commands) AddCommand(command, table);
     nodes.push_back(std::move(table));
   }
   if (!io.output.rows.empty()) {

@@ -29,12 +29,9 @@ std::uint64_t LastRecalled(const Contents& contents) {
 
 Nodes Known(const Contents& contents) {
   const debugger::LongTermView& view = contents.long_term;
-  Form search;
-  search.key = "known";
-  search.action.request = SearchKnownRequest{};
-  search.fields.push_back(
-      {Field::Kind::kLine, "text", "Search all that is known", "Filter by text", contents.known_search});
-  Nodes nodes{std::move(search)};
+  Nodes nodes{
+      LineForm("known", SearchKnownRequest{},
+               {Field::Kind::kLine, "text", "Search all that is known", "Filter by text", contents.known_search})};
   if (!view.note.empty()) nodes.push_back(Text(view.note, Role::kQuiet));
   const auto& known = view.facts.known;
   if (known.empty()) {
@@ -52,21 +49,17 @@ Nodes Known(const Contents& contents) {
   double most = 1e-9;
   for (const mind::KnownObjectFact& object : known) most = std::max(most, std::abs(object.activation));
   const std::uint64_t recalled = LastRecalled(contents);
-  Table table;
-  table.key = "objects";
-  table.columns = {{"Object"}, {"Activation", true}, {"Uses", true}, {"What is known of it"}};
+  Table table{"objects", {{"Object"}, {"Activation", true}, {"Uses", true}, {"What is known of it"}}};
   table.is_sortable = true;
   for (const mind::KnownObjectFact& object : known) {
-    TableRow row;
-    row.key = "@" + std::to_string(object.number);
+    const std::string key = "@" + std::to_string(object.number);
     char activation[32];
     std::snprintf(activation, sizeof activation, "%.3f", object.activation);
-    Cell number = TextCell(row.key, object.number == recalled ? Role::kGood : Role::kObject);
+    Cell number = TextCell(key, object.number == recalled ? Role::kGood : Role::kObject);
     if (object.number == recalled) number.spans[0].hint = "Recalled last";
-    row.cells = {std::move(number), NumberCell(object.activation, activation), CountCell(object.uses),
-                 TextCell(object.text)};
-    row.cells[1].bar = object.activation / most;
-    table.rows.push_back(std::move(row));
+    Cell active = NumberCell(object.activation, activation);
+    active.bar = object.activation / most;
+    table.Add(key, {std::move(number), std::move(active), CountCell(object.uses), TextCell(object.text)});
   }
   nodes.push_back(std::move(table));
   return nodes;
@@ -84,23 +77,18 @@ Nodes Recalled(const Contents& contents) {
     return {
         Empty("Nothing was asked yet.",
               "Rules ask with ^smem.command.query or ^epmem.command.query. This panel shows what they got, and why.")};
-  Table table;
-  table.key = "recalled";
-  table.columns = {
-      {"When"}, {"Asked for", false, false, true}, {"Came", false, false, true}, {"Why", false, false, true}};
+  Table table{"recalled",
+              {{"When"}, {"Asked for", false, false, true}, {"Came", false, false, true}, {"Why", false, false, true}}};
   table.filter = "Filter by text";
   table.none_fits = {"No recall has this text.", ""};
   const auto& all = contents.recalls->recalls();
   for (auto recall = all.rbegin(); recall != all.rend() && table.rows.size() < kMostRecalls; ++recall) {
-    TableRow row;
-    row.key = std::to_string(all.rend() - recall);
-    row.cells = {TimeCell(recall->tick),
-                 TextCell(recall->question),
-                 {AnswerOf(*recall)},
-                 TextCell(recall->reason, Role::kQuiet)};
+    TableRow& row = table.Add(std::to_string(all.rend() - recall), {TimeCell(recall->tick),
+                                                                    TextCell(recall->question),
+                                                                    {AnswerOf(*recall)},
+                                                                    TextCell(recall->reason, Role::kQuiet)});
     // The recall happened after the shown moment.
     if (recall->tick > contents.moment.shown_tick) row.cells[0].spans[0].role = Role::kQuiet;
-    table.rows.push_back(std::move(row));
   }
   return {std::move(table)};
 }
@@ -172,10 +160,7 @@ Nodes EpisodesPart(const Contents& contents) {
 }  // namespace
 
 Nodes LongTermDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
   const mind::LongTermFacts& facts = contents.long_term.facts;
-  Nodes nodes;
-  NoteRecorded(contents, nodes);
   Tabs tabs{"pages", {}};
   if (const std::size_t episode = contents.episode.number; episode != 0) {
     tabs.first = 2;
@@ -187,8 +172,7 @@ Nodes LongTermDocument(const Contents& contents) {
                         "What rules asked of long-term memory, what came, and why", Recalled(contents)});
   tabs.pages.push_back(
       {"Episodes " + std::to_string(facts.episodes), "What episodic memory holds", EpisodesPart(contents)});
-  nodes.push_back(std::move(tabs));
-  return nodes;
+  return {std::move(tabs)};
 }
 
 }  // namespace soarbox::workbench::document

@@ -122,14 +122,8 @@ Section ElementStoryPart(const Contents& contents, const debugger::ElementStory&
 }  // namespace
 
 Nodes MemoryDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
-  Nodes nodes;
-  NoteRecorded(contents, nodes);
-  Form search;
-  search.key = "search";
-  search.action.request = SearchMemoryRequest{};
-  search.fields.push_back({Field::Kind::kLine, "text", "Search in memory", "Search", contents.memory_search});
-  nodes.push_back(std::move(search));
+  Nodes nodes{LineForm("search", SearchMemoryRequest{},
+                       {Field::Kind::kLine, "text", "Search in memory", "Search", contents.memory_search})};
   if (contents.story) nodes.push_back(ElementStoryPart(contents, *contents.story));
   if (!contents.memory_search.empty()) {
     const std::size_t count = contents.found.size();

@@ -51,36 +51,31 @@ Spans OperatorOf(const StackLevel& level, const std::string& goes_on) {
 
 Table StackTable(const debugger::StackView& stack, const std::string& chosen, const std::string& goes_on,
                  bool is_pressed) {
-  Table table;
-  table.key = "stack";
-  table.columns = {{"State"}, {"Operator", false, false, true}};
+  Table table{"stack", {{"State"}, {"Operator", false, false, true}}};
   table.has_heads = false;
   if (is_pressed) table.press = RowAction{{StateRequest{}}, "state"};
   for (const StackLevel& level : stack.levels) {
-    TableRow row;
-    row.key = level.state;
-    row.depth = std::max(0, level.level - 1);
-    row.is_chosen = level.state == chosen;
-    row.hint = std::string(MeaningOf(level.impasse));
     Cell state = TextCell(level.state, Role::kObject);
     if (!level.impasse.empty()) state.spans.push_back({" " + level.impasse, Role::kWarn});
     // A command continues after the operator that gave it is deselected.
-    row.cells = {std::move(state), {OperatorOf(level, level.level == 1 ? goes_on : std::string())}};
-    table.rows.push_back(std::move(row));
+    TableRow& row =
+        table.Add(level.state, {std::move(state), {OperatorOf(level, level.level == 1 ? goes_on : std::string())}});
+    row.depth = std::max(0, level.level - 1);
+    row.is_chosen = level.state == chosen;
+    row.hint = std::string(MeaningOf(level.impasse));
   }
   return table;
 }
 
-TableRow PreferenceRow(const mind::PreferenceFact& preference, std::size_t number) {
+void AddPreference(const mind::PreferenceFact& preference, std::string key, Table& table) {
   std::string what = preference.sign + " " + preference.type;
   if (!preference.referent.empty())
     what += " " + (preference.other_name.empty() ? preference.referent : preference.other_name);
-  TableRow row;
-  row.key = std::to_string(number);
-  row.depth = 1;
-  row.cells = {{{Span{std::move(what), Role::kPlain, std::nullopt, std::string(MeaningOf(preference.type))}}},
-               {{preference.maker.rule.empty() ? Quiet("the architecture") : RuleLink(preference.maker.rule)}}};
-  return row;
+  table
+      .Add(std::move(key),
+           {{{Span{std::move(what), Role::kPlain, {}, std::string(MeaningOf(preference.type))}}},
+            {{preference.maker.rule.empty() ? Quiet("the architecture") : RuleLink(preference.maker.rule)}}})
+      .depth = 1;
 }
 
 void AddRows(const OperatorRow& one, Table& table) {
@@ -99,17 +94,12 @@ void AddRows(const OperatorRow& one, Table& table) {
     row.cells.back().bar = one.probability;
   }
   table.rows.push_back(std::move(row));
-  TableRow ask;
-  ask.key = one.id + "/ask";
-  ask.depth = 1;
-  ask.cells = {{{Span{one.selected ? "Why?" : "Why not?", Role::kTag, AskWhy(WhyRequest::About::kOperator, one.id)}}},
-               {{Span{"in memory", Role::kTag, Action{ObjectRequest{one.id, true}, PanelId::kMemory},
-                      "Look at it in working memory"}}}};
-  table.rows.push_back(std::move(ask));
-  for (std::size_t i = 0; i < one.preferences.size(); ++i) {
-    table.rows.push_back(PreferenceRow(one.preferences[i], i));
-    table.rows.back().key = one.id + "/" + std::to_string(i);
-  }
+  const Span ask{one.selected ? "Why?" : "Why not?", Role::kTag, AskWhy(WhyRequest::About::kOperator, one.id)};
+  const Span look{"in memory", Role::kTag, Action{ObjectRequest{one.id, true}, PanelId::kMemory},
+                  "Look at it in working memory"};
+  table.Add(one.id + "/ask", {{{ask}}, {{look}}}).depth = 1;
+  for (std::size_t i = 0; i < one.preferences.size(); ++i)
+    AddPreference(one.preferences[i], one.id + "/" + std::to_string(i), table);
 }
 
 void AddOperators(const debugger::OperatorsView& view, Nodes& nodes) {
@@ -153,23 +143,17 @@ void AddBefore(const Contents& contents, Nodes& nodes) {
 /// Adds what the agent's script shows of its state. Rows of the active path are highlighted.
 void AddShown(const Contents& contents, Nodes& nodes) {
   if (contents.shown.rows.empty()) return;
-  Table table;
-  table.key = "shown";
-  table.columns = {{"State"}, {"Value", false, false, true}};
+  Table table{"shown", {{"State"}, {"Value", false, false, true}}};
   table.has_heads = false;
   for (const world::ShownRow& shown : contents.shown.rows) {
-    TableRow row;
-    row.key = std::to_string(table.rows.size());
-    row.depth = shown.depth;
-    row.is_chosen = shown.active;
     char since[40];
     std::snprintf(since, sizeof since, "since %.2f s", static_cast<double>(shown.since_tick) * contents.moment.step_s);
+    const Role role = shown.active ? Role::kGood : shown.depth == 0 ? Role::kStrong : Role::kPlain;
+    TableRow& row = table.Add(std::to_string(table.rows.size()),
+                              {TextCell(shown.name, role), TextCell(shown.value, Role::kNumber)});
+    row.depth = shown.depth;
+    row.is_chosen = shown.active;
     row.hint = since;
-    row.cells = {TextCell(shown.name, shown.active       ? Role::kGood
-                                      : shown.depth == 0 ? Role::kStrong
-                                                         : Role::kPlain),
-                 TextCell(shown.value, Role::kNumber)};
-    table.rows.push_back(std::move(row));
   }
   nodes.push_back(Heading("State", "What the agent's script shows of its state"));
   nodes.push_back(std::move(table));

@@ -39,20 +39,14 @@ Plot PlotOf(const debugger::PlotSeries& series, const Moment& moment) {
 Nodes PlotsDocument(const Contents& contents) {
   Nodes nodes;
   if (!contents.agent.empty()) {
-    Form form;
-    form.key = "plot";
-    form.action.request = PlotRequest{contents.agent, {}, true};
     Field what{Field::Kind::kSuggested, "what", "Plot a number of " + contents.agent,
                "Plot a number of " + contents.agent};
-    what.is_needed = true;
     constexpr std::string_view kUsual[] = {"health", "speed", "decisions", "fired", "decide_us"};
     for (const std::string_view usual : kUsual) what.options.emplace_back(usual, debugger::PlotTitle(usual));
     for (const std::string& path : contents.plottable)
       if (std::ranges::find(kUsual, path) == std::end(kUsual))
         what.options.emplace_back(path, debugger::PlotTitle(path));
-    form.fields.push_back(std::move(what));
-    form.button = "Plot";
-    nodes.push_back(std::move(form));
+    nodes.push_back(LineForm("plot", PlotRequest{contents.agent, {}, true}, std::move(what), "Plot"));
   }
   if (contents.plots == nullptr || contents.plots->empty()) {
     nodes.push_back(Empty("Nothing is plotted yet.",

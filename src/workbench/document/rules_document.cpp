@@ -18,24 +18,19 @@ Node List(const Contents& contents) {
     return Empty("This mind has no rules.", "Add some in the panel " + std::string(InfoOf(PanelId::kEdit).title) +
                                                 ", or type a rule into the Console.");
   }
-  Table table;
-  table.key = "rules";
-  table.columns = {{"Rule"}, {"Fired", true}, {"Matches", true}};
+  Table table{"rules", {{"Rule"}, {"Fired", true}, {"Matches", true}}};
   table.filter = "Filter by name";
   table.groups = {"all", "match now", "have fired", "never fired"};
   table.none_fits = {"No rule matches.", "Clear the filter, or choose 'all'."};
   table.is_sortable = true;
   table.press = RowAction{{RuleRequest{}}, "rule"};
   for (const mind::RuleFact& rule : contents.rules) {
-    TableRow row;
-    row.key = rule.name;
-    row.is_chosen = contents.rule && contents.rule->rule.name == rule.name;
-    row.groups = kAll | (rule.matches > 0 ? kMatchNow : 0u) | (rule.firings > 0 ? kHaveFired : kNeverFired);
     Cell name = TextCell(rule.name, rule.matches > 0 ? Role::kGood : rule.firings > 0 ? Role::kPlain : Role::kQuiet);
     if (rule.type == "chunk") name.spans.push_back(Quiet(" learned"));
-    row.cells = {std::move(name), CountCell(rule.firings), CountCell(rule.matches)};
+    TableRow& row = table.Add(rule.name, {std::move(name), CountCell(rule.firings), CountCell(rule.matches)});
+    row.is_chosen = contents.rule && contents.rule->rule.name == rule.name;
+    row.groups = kAll | (rule.matches > 0 ? kMatchNow : 0u) | (rule.firings > 0 ? kHaveFired : kNeverFired);
     row.hint = rule.documentation;
-    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -47,23 +42,19 @@ Nodes Coverage(const Contents& contents) {
                                "Notes how far the rules that have not fired match now"},
                         Text("Which rules took part in the run, and where the others stop", Role::kQuiet)}});
   if (!is_asked) return nodes;
-  Table table;
-  table.key = "coverage";
-  table.columns = {{"Rule"}, {"Fired", true}, {"Stops at"}};
+  Table table{"coverage", {{"Rule"}, {"Fired", true}, {"Stops at"}}};
   table.filter = "Filter by name";
   table.press = RowAction{{RuleRequest{}}, "rule"};
   for (const debugger::Coverage::Row& rule : contents.coverage) {
-    TableRow row;
-    row.key = rule.rule;
-    row.cells = {TextCell(rule.rule, rule.firings > 0 ? Role::kGood
-                                     : rule.matched   ? Role::kWarn
-                                                      : Role::kBad),
-                 rule.firings > 0 ? CountCell(rule.firings) : NumberCell(0, "never", Role::kBad), Cell()};
+    const Role role = rule.firings > 0 ? Role::kGood : rule.matched ? Role::kWarn : Role::kBad;
+    Cell stops;
     if (rule.firings == 0 && !rule.stops_at.empty())
-      row.cells.back() =
+      stops =
           TextCell(std::to_string(rule.furthest) + " of " + std::to_string(rule.conditions) + " hold; " + rule.stops_at,
                    Role::kQuiet);
-    table.rows.push_back(std::move(row));
+    table.Add(rule.rule,
+              {TextCell(rule.rule, role),
+               rule.firings > 0 ? CountCell(rule.firings) : NumberCell(0, "never", Role::kBad), std::move(stops)});
   }
   nodes.push_back(std::move(table));
   return nodes;
@@ -79,21 +70,17 @@ void AddMatch(const debugger::PartialMatch& match, Nodes& nodes) {
   else if (!match.sentence.empty())
     nodes.push_back(Text(match.sentence, Role::kGood));
   if (facts.conditions.empty()) return;
-  Table conditions;
-  conditions.key = "conditions";
-  conditions.columns = {{"Condition", false, false, true}};
+  Table conditions{"conditions", {{"Condition", false, false, true}}};
   conditions.has_heads = false;
   for (std::size_t i = 0; i < facts.conditions.size(); ++i) {
     const mind::ConditionFact& condition = facts.conditions[i];
     const bool fails = i == failing, is_after = i > failing;
     const Role role = fails ? Role::kBad : is_after ? Role::kQuiet : Role::kGood;
-    TableRow row;
-    row.key = std::to_string(i + 1);
-    row.cells = {TextCell((fails ? "\xe2\x9c\x97 " : is_after ? "  " : "\xe2\x9c\x93 ") + condition.text, role)};
+    Cell cell = TextCell((fails ? "\xe2\x9c\x97 " : is_after ? "  " : "\xe2\x9c\x93 ") + condition.text, role);
     if (!fails && !is_after)
-      row.cells[0].spans.push_back({"  " + std::to_string(condition.partial_matches), Role::kQuiet, std::nullopt,
-                                    "How many combinations of elements pass it"});
-    conditions.rows.push_back(std::move(row));
+      cell.spans.push_back({"  " + std::to_string(condition.partial_matches), Role::kQuiet, std::nullopt,
+                            "How many combinations of elements pass it"});
+    conditions.Add(std::to_string(i + 1), {std::move(cell)});
   }
   nodes.push_back(std::move(conditions));
   for (const mind::ElementFact& element : facts.seen)
@@ -157,9 +144,7 @@ Section RuleStoryPart(const Contents& contents, const debugger::RuleView& view) 
 }  // namespace
 
 Nodes RulesDocument(const Contents& contents) {
-  if (auto without = WithoutMind(contents)) return std::move(*without);
   Nodes nodes;
-  NoteRecorded(contents, nodes);
   if (contents.rule) nodes.push_back(RuleStoryPart(contents, *contents.rule));
   Tabs tabs{"pages", {}};
   tabs.pages.push_back({"Rules", "All rules with how often they fired", {List(contents)}});

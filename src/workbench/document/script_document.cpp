@@ -15,8 +15,6 @@ using debugger::ScriptRow;
 using debugger::StoppedScript;
 using How = ScriptGoRequest::How;
 
-const char* const kRemove = "\xc3\x97";
-
 std::string NameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
@@ -38,40 +36,33 @@ Line Steps() {
 }
 
 Table Calls(const Contents& contents, const StoppedScript& stopped) {
-  Table table;
-  table.key = "calls";
-  table.columns = {{"Call", false, false, true}, {"Line", false, false, true}};
+  Table table{"calls", {{"Call", false, false, true}, {"Line", false, false, true}}};
   table.press = RowAction{{ScriptCallRequest{}}, "call"};
   for (std::size_t i = 0; i < stopped.calls.size(); ++i) {
     const script::ScriptFrame& call = stopped.calls[i];
-    TableRow row;
-    row.key = std::to_string(i);
-    row.is_chosen = i == stopped.call;
-    row.cells = {TextCell(call.function, Role::kName), {}};
+    Cell place;
     if (!call.file.empty())
-      row.cells.back().spans.push_back(FileLink(contents, call.file, call.line, ScriptPlace(call.file, call.line)));
-    table.rows.push_back(std::move(row));
+      place.spans.push_back(FileLink(contents, call.file, call.line, ScriptPlace(call.file, call.line)));
+    table.Add(std::to_string(i), {TextCell(call.function, Role::kName), std::move(place)}).is_chosen =
+        i == stopped.call;
   }
   return table;
 }
 
 /// The lines around the place, each with a button that sets or removes a stop.
 Table Source(const ScriptContents& script, const script::ScriptFrame& call) {
-  Table table;
-  table.key = "source";
+  Table table{"source", {{""}, {"", true}, {"", false, false, true}}};
   table.has_heads = false;
-  table.columns = {{""}, {"", true}, {"", false, false, true}};
   for (const ScriptContents::Line& line : script.lines) {
     const bool stops = std::ranges::find(script.stops, LineStop{call.file, line.number}) != script.stops.end();
-    TableRow row;
-    row.key = std::to_string(line.number);
-    row.is_chosen = line.number == call.line;
-    row.cells = {{{Span{stops ? "\xe2\x97\x8f" : "\xe2\x97\x8b", stops ? Role::kBad : Role::kQuiet,
-                        Action{LineStopRequest{call.file, line.number, !stops}},
-                        stops ? "Remove the stop at this line" : "Stop at this line"}}},
-                 TextCell(std::to_string(line.number), Role::kQuiet),
-                 TextCell(line.text.empty() ? " " : line.text, Role::kCode)};
-    table.rows.push_back(std::move(row));
+    const Span stop{stops ? "\xe2\x97\x8f" : "\xe2\x97\x8b", stops ? Role::kBad : Role::kQuiet,
+                    Action{LineStopRequest{call.file, line.number, !stops}},
+                    stops ? "Remove the stop at this line" : "Stop at this line"};
+    const std::string number = std::to_string(line.number);
+    table
+        .Add(number,
+             {{{stop}}, TextCell(number, Role::kQuiet), TextCell(line.text.empty() ? " " : line.text, Role::kCode)})
+        .is_chosen = line.number == call.line;
   }
   return table;
 }
@@ -99,14 +90,11 @@ void AddVariables(const char* key, const char* title, const std::vector<ScriptRo
 
 void AddWatches(const ScriptContents& script, Nodes& nodes) {
   nodes.push_back(Heading("Watch"));
-  Form form;
-  form.key = "watch";
-  form.action.request = ScriptWatchRequest{};
-  form.fields.push_back({Field::Kind::kLine, "what",
-                         "An expression of Lua that changes nothing: variables, fields, operators, functions that read",
-                         "agent:GetPosition().x > 3"});
-  form.fields.back().is_needed = true;
-  form.button = "Watch";
+  Form form = LineForm("watch", ScriptWatchRequest{},
+                       {Field::Kind::kLine, "what",
+                        "An expression of Lua that changes nothing: variables, fields, operators, functions that read",
+                        "agent:GetPosition().x > 3"},
+                       "Watch");
   form.clears = form.repeats = true;
   nodes.push_back(std::move(form));
   if (script.watches.empty()) return;
@@ -137,9 +125,8 @@ void AddStops(const Contents& contents, Nodes& nodes) {
   const ScriptContents& script = contents.script;
   nodes.push_back(Heading("Stop scripts at"));
   if (!script.files.empty()) {
-    Form form;
-    form.key = "stop";
-    form.action.request = LineStopRequest{};
+    Form form{"stop", {LineStopRequest{}}, {}, "Add"};
+    form.clears = true;
     Field file{Field::Kind::kChoice, "file", "Script"};
     for (const std::string& each : script.files) file.options.emplace_back(each, NameOf(each));
     form.fields.push_back(std::move(file));
@@ -149,8 +136,6 @@ void AddStops(const Contents& contents, Nodes& nodes) {
                            "Stop only if this expression of Lua is true. It changes nothing: variables, fields, "
                            "operators, functions that read",
                            "only if: agent:GetHealth() < 50"});
-    form.button = "Add";
-    form.clears = true;
     nodes.push_back(std::move(form));
   }
   Button errors{"Stop at errors", Action{ErrorStopRequest{!script.at_errors}},
@@ -161,17 +146,13 @@ void AddStops(const Contents& contents, Nodes& nodes) {
     nodes.push_back(Text("No lines yet. Add one here, or click beside a line in Edit.", Role::kQuiet));
     return;
   }
-  Table table;
-  table.key = "stops";
+  Table table{"stops", {{"Line", false, false, true}, {""}}};
   table.has_heads = false;
-  table.columns = {{"Line", false, false, true}, {""}};
   for (const LineStop& stop : script.stops) {
-    TableRow row;
-    row.key = ScriptPlace(stop.file, stop.line);
-    row.cells = {{{FileLink(contents, stop.file, stop.line, row.key)}},
-                 {{Span{kRemove, Role::kTag, Action{LineStopRequest{stop.file, stop.line, false}}, "Remove"}}}};
-    if (!stop.condition.empty()) row.cells.front().spans.push_back({" if " + stop.condition, Role::kCode});
-    table.rows.push_back(std::move(row));
+    const std::string place = ScriptPlace(stop.file, stop.line);
+    Spans spans{FileLink(contents, stop.file, stop.line, place)};
+    if (!stop.condition.empty()) spans.push_back({" if " + stop.condition, Role::kCode});
+    table.Add(place, {{std::move(spans)}, ButtonCell(kRemove, LineStopRequest{stop.file, stop.line, false}, "Remove")});
   }
   nodes.push_back(std::move(table));
 }
@@ -180,17 +161,13 @@ void AddStops(const Contents& contents, Nodes& nodes) {
 
 Nodes ScriptDocument(const Contents& contents) {
   const ScriptContents& script = contents.script;
+  if (contents.moment.is_recording)
+    return {Empty("Scripts stop in a run, not in a recording.",
+                  "Open the recording in your editor: its debugger (soarbox dap) runs the scripts again.")};
+  if (!script.can_stop)
+    return {Empty("Scripts cannot stop here.",
+                  "They stop in a run in a window, on a server's page, and in an editor (soarbox dap).")};
   Nodes nodes;
-  if (contents.moment.is_recording) {
-    nodes.push_back(Empty("Scripts stop in a run, not in a recording.",
-                          "Open the recording in your editor: its debugger (soarbox dap) runs the scripts again."));
-    return nodes;
-  }
-  if (!script.can_stop) {
-    nodes.push_back(Empty("Scripts cannot stop here.",
-                          "They stop in a run in a window, on a server's page, and in an editor (soarbox dap)."));
-    return nodes;
-  }
   if (script.stopped) {
     const StoppedScript& stopped = *script.stopped;
     const script::ScriptFrame call =

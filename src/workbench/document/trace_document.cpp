@@ -58,9 +58,7 @@ void AddWords(const Contents& contents, Field& field) {
 }
 
 Form FilterForm(const Contents& contents) {
-  Form form;
-  form.key = "trace";
-  form.action.request = TraceRequest{};
+  Form form{"trace", {TraceRequest{}}, {}, {}};
   // Each level includes those before it.
   constexpr std::pair<const char*, const char*> kLevels[] = {
       {"error", "errors"}, {"decision", "decisions"}, {"command", "commands"}, {"event", "events"},
@@ -83,10 +81,7 @@ Form FilterForm(const Contents& contents) {
   return form;
 }
 
-TableRow RowOfTraceLine(const Contents& contents, const TraceLine& line, std::size_t number) {
-  TableRow row;
-  row.key = std::to_string(number);
-  row.arguments = {std::to_string(line.tick)};
+void AddLine(const Contents& contents, const TraceLine& line, std::size_t number, Table& table) {
   Span text{std::string(static_cast<std::size_t>(std::max(0, line.level - 1)) * 2, ' ') + line.text,
             TraceRole(line.kind)};
   if (line.kind == TraceKind::kError)
@@ -94,12 +89,12 @@ TableRow RowOfTraceLine(const Contents& contents, const TraceLine& line, std::si
       text = FileLink(contents, place->file, place->line, line.text);
       text.role = Role::kBad;
     }
-  row.cells = {TimeCell(line.tick),
-               TextCell(std::string(debugger::NameOf(line.kind)), Role::kQuiet),
-               {{Quiet(line.agent.empty() ? "world" : line.agent)}},
-               {{std::move(text)}}};
+  TableRow& row = table.Add(std::to_string(number), {TimeCell(line.tick),
+                                                     TextCell(std::string(debugger::NameOf(line.kind)), Role::kQuiet),
+                                                     {{Quiet(line.agent.empty() ? "world" : line.agent)}},
+                                                     {{std::move(text)}}});
+  row.arguments = {std::to_string(line.tick)};
   if (line.tick == contents.moment.shown_tick) row.cells[0].spans[0].role = Role::kWarn;
-  return row;
 }
 
 }  // namespace
@@ -109,21 +104,15 @@ Nodes TraceDocument(const Contents& contents) {
     return {Empty("Nothing has happened yet.",
                   "Let the world run: what minds decide and say appears here, the newest first.")};
   Nodes nodes{FilterForm(contents)};
-  Table table;
-  table.key = "lines";
-  table.columns = {{"Time"}, {"Kind", false, true}, {"Agent"}, {"What happened", false, false, true}};
+  Table table{"lines", {{"Time"}, {"Kind", false, true}, {"Agent"}, {"What happened", false, false, true}}};
   table.has_heads = false;
   table.press = RowAction{{SeekRequest{}}, "tick", 1};
   const auto add = [&](const auto& found) {
     for (std::size_t i = found.size(); i > 0 && table.rows.size() < kMostTraceLines; --i)
-      if (found[i - 1]->tick <= contents.moment.shown_tick)
-        table.rows.push_back(RowOfTraceLine(contents, *found[i - 1], i));
+      if (found[i - 1]->tick <= contents.moment.shown_tick) AddLine(contents, *found[i - 1], i, table);
   };
   contents.trace_found != nullptr ? add(*contents.trace_found) : add(contents.trace->Find(contents.trace_filter));
-  if (table.rows.empty())
-    nodes.push_back(Empty("No line matches.", "Show more levels, or clear the search."));
-  else
-    nodes.push_back(std::move(table));
+  nodes.push_back(OrEmpty(std::move(table), "No line matches.", "Show more levels, or clear the search."));
   return nodes;
 }
 

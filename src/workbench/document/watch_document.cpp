@@ -8,35 +8,22 @@
 namespace soarbox::workbench::document {
 
 Nodes WatchDocument(const Contents& contents) {
-  Form form;
-  form.key = "watch";
-  form.action.request = WatchRequest{};
-  form.fields.push_back(
+  Form form = LineForm(
+      "watch", WatchRequest{},
       {Field::Kind::kLine, "what",
        "A path is followed from the top state: io.input-link.self.health; <s> is the lowest state, <o> its operator",
-       "Watch: a path, or print s1 -d 2"});
-  form.fields.back().is_needed = true;
-  form.button = "Watch";
+       "Watch: a path, or print s1 -d 2"},
+      "Watch");
   form.clears = form.repeats = true;
   Nodes nodes{std::move(form)};
   if (!contents.watch_fault.empty()) nodes.push_back(Text(contents.watch_fault, Role::kBad));
   nodes.push_back(BesideLine(contents));
-  if (contents.watches.empty()) {
-    nodes.push_back(Empty("Nothing is watched yet.",
-                          "Type a path above (io.input-link.self.health, <s>.operator.name) or a command that prints "
-                          "(print s1 -d 2, preferences, matches RULE). It is evaluated again at each decision."));
-    return nodes;
-  }
-  Table table;
-  table.key = "watches";
-  table.columns = {{"Watch", false, false, true}};
+  Table table{"watches", {{"Watch", false, false, true}}};
   for (const std::string& agent : contents.beside) table.columns.push_back({agent, false, false, true});
   if (contents.beside.empty()) table.columns.push_back({"", false, false, true});
   for (const WatchRow& watch : contents.watches) {
-    TableRow row;
-    row.key = watch.what;
-    row.cells = {{{Span{"\xc3\x97", Role::kTag, Action{WatchRequest{watch.what, false}}, "No longer watch it"},
-                   Span{" " + watch.what, Role::kName}}}};
+    TableRow& row = table.Add(watch.what, {ButtonCell(kRemove, WatchRequest{watch.what, false}, "No longer watch it")});
+    row.cells[0].spans.push_back({" " + watch.what, Role::kName});
     for (const WatchRow::Cell& cell : watch.cells) {
       const Role role = cell.text.empty() ? Role::kQuiet
                         : cell.is_error   ? Role::kBad
@@ -47,9 +34,10 @@ Nodes WatchDocument(const Contents& contents) {
         row.cells.back().spans[0].hint =
             "So since " + ClockText(static_cast<double>(cell.tick) * contents.moment.step_s);
     }
-    table.rows.push_back(std::move(row));
   }
-  nodes.push_back(std::move(table));
+  nodes.push_back(OrEmpty(std::move(table), "Nothing is watched yet.",
+                          "Type a path above (io.input-link.self.health, <s>.operator.name) or a command that prints "
+                          "(print s1 -d 2, preferences, matches RULE). It is evaluated again at each decision."));
   return nodes;
 }
 

@@ -10,12 +10,9 @@ Nodes WhyDocument(const Contents& contents) {
     return {Empty("No agent is selected.", "Click one: this panel then explains why it does what it does.")};
   Line ask;
   ask.nodes.push_back(Button{"Why this?", Action{WhyRequest{}}, "Why does the agent do what it does now?"});
-  Form form;
-  form.key = "not";
-  form.action.request = WhyRequest{WhyRequest::About::kNot, {}};
-  form.fields.push_back({Field::Kind::kLine, "what", "What to ask about", "Why not ... a rule, operator or command"});
-  form.fields.back().is_needed = true;
-  form.button = "Why not?";
+  Form form = LineForm("not", WhyRequest{WhyRequest::About::kNot, {}},
+                       {Field::Kind::kLine, "what", "What to ask about", "Why not ... a rule, operator or command"},
+                       "Why not?");
   form.hint = "Why is it not chosen, or why does it not happen?";
   ask.nodes.push_back(std::move(form));
   Nodes nodes{std::move(ask)};

@@ -146,11 +146,11 @@ test("a form without a button sends while the user types; a number is sent as a 
   assert.deepEqual(asked, [["search-memory", { text: "io" }], ["episode", { number: 3 }]]);
 });
 
-test("pages, stories, columns and facts are drawn; the page that was chosen stays", () => {
+test("pages, stories and columns are drawn; the page that was chosen stays", () => {
   const { view } = made();
   const nodes: Document = [
     { is: "tabs", key: "pages", first: 1, pages: [{ title: "Rules 0", hint: "", nodes: [{ is: "text", s: "none yet" }] }, { title: "Values 2", hint: "", nodes: [{ is: "code", tokens: [["sp", "command"], " {x"] }] }] },
-    { is: "section", key: "rule", title: [["my*rule", "strong"]], story: true, nodes: [{ is: "facts", rows: [["before", [["nothing", "warn"]]]] }] },
+    { is: "section", key: "rule", title: [["my*rule", "strong"]], story: true, nodes: [{ is: "text", s: [["before: ", "quiet"], ["nothing", "warn"]] }] },
     { is: "columns", parts: [{ is: "section", key: "a", title: "scout", nodes: [{ is: "line", nodes: [{ is: "button", label: "scout", on: true }] }] }] },
   ];
   assert.match(textOf(view.view(nodes)), /sp \{x.*my\*rule.*before.*nothing.*scout/s);

@@ -96,7 +96,6 @@ export class DocumentView {
       case "tabs": return this.tabs(node);
       case "columns": return h("div.columns", null, node.parts.map((part) => h("section", { key: part.key },
         h("h3", null, this.spans(part.title)), this.nodes(part.nodes))));
-      case "facts": return h("dl.facts", null, node.rows.map(([name, is]) => [h("dt", null, name), h("dd", null, this.spans(is))]));
       default: return this.paragraph(node);
     }
   }

@@ -18,8 +18,7 @@ export type DocumentNode =
   | Section
   | Actions
   | Tabs
-  | Columns
-  | Facts;
+  | Columns;
 
 export type Cell = Spans | CellValue;
 
@@ -393,14 +392,6 @@ export interface Columns {
   readonly is: "columns";
   /** the sections */
   readonly parts: readonly Section[];
-}
-
-/** A list of names with their values. */
-export interface Facts {
-  /** what it is */
-  readonly is: "facts";
-  /** names and values */
-  readonly rows: readonly (readonly [string, Spans])[];
 }
 
 /** A cell that is sorted by a number, or has a bar. */
