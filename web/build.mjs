@@ -2,6 +2,7 @@
 // Bundles the page into dist/page, and prints the size that a browser loads.
 import { build } from "esbuild";
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { noticesFor } from "./licences.mjs";
 
@@ -31,7 +32,7 @@ const needed = new Set(["page", "scene_view", "pointer"].flatMap((name) => {
 const preloads = [...needed].map((file) => `<link rel="modulepreload" href="${file.replace("dist/page", "")}">`).join("\n");
 // The parts that `soarbox report` puts into one file: the page with its style, and the scripts for the data and for a
 // recorded run in 3D.
-const noEditor = { name: "no editor", setup: (bundle) => bundle.onResolve({ filter: /\/edit_panel$/ }, () => ({ path: `${import.meta.dirname}/src/report/no_edit_panel.ts` })) };
+const noEditor = { name: "no editor", setup: (bundle) => bundle.onResolve({ filter: /\/edit_panel$/ }, () => ({ path: fileURLToPath(new URL("src/report/no_edit_panel.ts", import.meta.url)) })) };
 const whole = await build({ plugins: [noEditor], entryPoints: { report: "src/report.ts", report_scene: "src/report_scene.ts", style: "src/styles/report_page.css" }, outdir: "dist", bundle: true, write: false, metafile: true, format: "esm", target: "es2022", minify: true, legalComments: "none", logLevel: "warning" });
 const textOf = (ending) => whole.outputFiles.find((file) => file.path.endsWith(ending)).text;
 writeFileSync("dist/page/report.html", readFileSync("src/report.html", "utf8").replace("{{style}}", () => textOf(".css"))

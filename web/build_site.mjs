@@ -22,6 +22,7 @@ if (target === undefined || !Object.values(PARTS).every((name) => existsSync(joi
   process.exit(2);
 }
 
+/** @type {import("esbuild").BuildOptions} */
 const COMMON = { bundle: true, target: "es2022", minify: true, legalComments: "none", logLevel: "warning", write: false };
 /** The script of the worker, including emscripten's script. */
 async function worker() {
