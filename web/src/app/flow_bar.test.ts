@@ -13,7 +13,8 @@ test("a slider that is moved faster than answers arrive keeps its last position"
   assert.equal(wanted.tick, null);
 });
 
-test("a slider without an answer returns to the actual position", async (context) => {
+const NEEDS_TIMERS = { skip: process.versions.node.startsWith("18.") && "Node.js 18 mocks timers in another way" };
+test("a slider without an answer returns to the actual position", NEEDS_TIMERS, async (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   const wanted = new WantedTick();
   let told = 0;
