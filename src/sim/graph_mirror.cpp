@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "sml_Client.h"
-
 namespace soarbox::sim {
 namespace {
 
@@ -19,9 +17,53 @@ std::string WithPlace(const std::string& attribute, std::uint32_t place) {
   return place == 0 ? attribute : attribute + "#" + std::to_string(place);
 }
 
+/// Valid as long as the value.
+mind::Value ValueOf(const PerceptGraph::Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  return std::string_view(std::get<std::string>(value));
+}
+
 }  // namespace
 
+GraphMirror::GraphMirror(PerceptLink& link) : link_(link) {
+  link.Include([this](std::vector<PerceptLink::Again>& again) {
+    if (nodes_.empty()) return;
+    is_written_.assign(nodes_.size(), false);
+    is_written_[0] = true;
+    ListAgain(0, again);
+  });
+}
+
+void GraphMirror::ListAgain(std::size_t n, std::vector<PerceptLink::Again>& again) {
+  Node& node = nodes_[n];
+  node.id = n == 0 ? link_.InputLink() : node.id;
+  for (Constant& constant : node.constants) {
+    if (constant.element == 0) continue;
+    again.push_back({constant.element, [this, &node, &constant] {
+                       constant.element = link_.input()->Add(node.id, constant.attribute, ValueOf(constant.value));
+                     }});
+  }
+  for (Link& link : node.links)
+    if (link.element != 0) again.push_back({link.element, [this, &node, &link] { WriteAgain(node, link); }});
+}
+
+/// The first link to an object creates it.
+void GraphMirror::WriteAgain(Node& node, Link& link) {
+  Handle& to = nodes_[link.node].id;
+  if (is_written_[link.node]) {
+    link.element = link_.input()->AddLink(node.id, link.attribute, to);
+    return;
+  }
+  link.element = link_.input()->AddObject(node.id, link.attribute, to);
+  is_written_[link.node] = true;
+  std::vector<PerceptLink::Again> below;
+  ListAgain(link.node, below);
+  PerceptLink::WriteAgain(std::move(below));
+}
+
 void GraphMirror::Show(const PerceptGraph& graph) {
+  if (link_.input() == nullptr) return;
   Match(graph);
   DropLinks();
   MakeObjects();
@@ -30,8 +72,8 @@ void GraphMirror::Show(const PerceptGraph& graph) {
   // Links to existing objects are created last, when all objects exist.
   for (Node& node : next_) {
     for (Link& link : node.links) {
-      if (link.is_first || link.element != nullptr || node.id == nullptr || next_[link.node].id == nullptr) continue;
-      link.element = agent_->CreateSharedIdWME(node.id, link.attribute.c_str(), next_[link.node].id);
+      if (link.is_first || link.element != 0 || node.id == 0 || next_[link.node].id == 0) continue;
+      link.element = link_.input()->AddLink(node.id, link.attribute, next_[link.node].id);
     }
   }
   nodes_ = std::exchange(next_, {});
@@ -64,7 +106,7 @@ void GraphMirror::Match(const PerceptGraph& graph) {
       if (link.is_first) next_[wanted.node].path = next_[n].path + WithPlace(link.attribute, link.place) + ".";
       if (before == nullptr) continue;
       const auto at = std::ranges::find_if(before->links, [&](const Link& old) {
-        return old.name == link.name && old.is_first == link.is_first && old.element != nullptr;
+        return old.name == link.name && old.is_first == link.is_first && old.element != 0;
       });
       if (at == before->links.end()) continue;
       if (link.is_first && !stays_[at->node]) {
@@ -77,27 +119,27 @@ void GraphMirror::Match(const PerceptGraph& graph) {
     }
   }
   for (std::size_t n = 0; n < next_.size(); ++n)
-    if (before_[n] != kNone) next_[n].id = n == 0 ? agent_->GetInputLink() : nodes_[before_[n]].id;
-  if (!next_.empty()) next_[0].id = agent_->GetInputLink();
+    if (before_[n] != kNone) next_[n].id = n == 0 ? link_.InputLink() : nodes_[before_[n]].id;
+  if (!next_.empty()) next_[0].id = link_.InputLink();
 }
 
 /// Removes what the new graph does not have: first additional links to objects, then the objects.
 void GraphMirror::DropLinks() {
-  std::vector<sml::WMElement*> kept;
+  std::vector<Handle> kept;
   for (const Node& node : next_)
     for (const Link& link : node.links)
-      if (link.element != nullptr) kept.push_back(link.element);
+      if (link.element != 0) kept.push_back(link.element);
   std::ranges::sort(kept);
   const auto is_kept = [&](const Link& link) { return std::ranges::binary_search(kept, link.element); };
   for (const Node& node : nodes_)
     for (const Link& link : node.links)
-      if (!link.is_first && link.element != nullptr && !is_kept(link)) agent_->DestroyWME(link.element);
+      if (!link.is_first && link.element != 0 && !is_kept(link)) link_.input()->Remove(link.element);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     if (!stays_[n]) continue;  // It is removed together with its object.
     for (const Link& link : nodes_[n].links) {
-      if (!link.is_first || link.element == nullptr || is_kept(link)) continue;
+      if (!link.is_first || link.element == 0 || is_kept(link)) continue;
       NoteGone(nodes_[n].path, link.attribute, link.place);
-      agent_->DestroyWME(link.element);
+      link_.input()->Remove(link.element);
     }
   }
 }
@@ -105,76 +147,45 @@ void GraphMirror::DropLinks() {
 void GraphMirror::MakeObjects() {
   for (Node& node : next_) {
     for (Link& link : node.links) {
-      if (!link.is_first || link.element != nullptr || node.id == nullptr) continue;
-      sml::Identifier* made = agent_->CreateIdWME(node.id, link.attribute.c_str());
-      link.element = made;
-      next_[link.node].id = made;
+      if (!link.is_first || link.element != 0 || node.id == 0) continue;
+      link.element = link_.input()->AddObject(node.id, link.attribute, next_[link.node].id);
     }
   }
-}
-
-sml::WMElement* GraphMirror::Create(Node& node, const Constant& constant) {
-  if (node.id == nullptr) return nullptr;
-  const char* const attribute = constant.attribute.c_str();
-  if (const auto* integer = std::get_if<std::int64_t>(&constant.value))
-    return agent_->CreateIntWME(node.id, attribute, *integer);
-  if (const auto* number = std::get_if<double>(&constant.value))
-    return agent_->CreateFloatWME(node.id, attribute, *number);
-  return agent_->CreateStringWME(node.id, attribute, std::get<std::string>(constant.value).c_str());
-}
-
-bool GraphMirror::Update(Constant& before, const PerceptGraph::Value& value) {
-  if (before.element == nullptr || before.value.index() != value.index()) return false;
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    agent_->Update(static_cast<sml::IntElement*>(before.element), *integer);
-  } else if (const auto* number = std::get_if<double>(&value)) {
-    agent_->Update(static_cast<sml::FloatElement*>(before.element), *number);
-  } else {
-    agent_->Update(static_cast<sml::StringElement*>(before.element), std::get<std::string>(value).c_str());
-  }
-  return true;
 }
 
 void GraphMirror::ShowConstants(const PerceptGraph::Node& wanted, Node& shown, const Node* before) {
   std::vector<Constant> old = before == nullptr ? std::vector<Constant>() : before->constants;
   std::map<std::string, std::uint32_t> places;
   for (const PerceptGraph::Constant& one : wanted.constants) {
-    Constant constant{one.attribute, places[one.attribute]++, one.value, nullptr};
+    Constant constant{one.attribute, places[one.attribute]++, one.value};
     // Working memory is a set: only one of several equal elements exists.
     const bool is_there = std::ranges::any_of(shown.constants, [&](const Constant& other) {
       return other.attribute == constant.attribute && other.value == constant.value;
     });
     if (is_there) continue;
     const auto at = std::ranges::find_if(old, [&](const Constant& other) {
-      return other.attribute == constant.attribute && other.place == constant.place && other.element != nullptr;
+      return other.attribute == constant.attribute && other.place == constant.place && other.element != 0;
     });
     bool has_changed = true;
     if (at != old.end()) {
       has_changed = at->value != constant.value;
-      if (!one.is_new && (!has_changed || Update(*at, constant.value)))
-        constant.element = std::exchange(at->element, nullptr);
-    }
-    if (constant.element == nullptr) {
-      if (at != old.end()) agent_->DestroyWME(std::exchange(at->element, nullptr));
-      constant.element = Create(shown, constant);
-    }
-    if (has_changed && log_ != nullptr) {
-      mind::PerceptChanged percept{shown.path, constant.attribute, constant.place, {}};
-      if (const auto* integer = std::get_if<std::int64_t>(&constant.value)) {
-        percept.value = *integer;
-      } else if (const auto* number = std::get_if<double>(&constant.value)) {
-        percept.value = *number;
-      } else {
-        percept.value = std::string_view(std::get<std::string>(constant.value));
+      if (!one.is_new && at->value.index() == constant.value.index()) {
+        if (has_changed) link_.input()->Change(at->element, ValueOf(constant.value));
+        constant.element = std::exchange(at->element, 0);
       }
-      log_->Add(percept);
     }
+    if (constant.element == 0) {
+      if (at != old.end()) link_.input()->Remove(std::exchange(at->element, 0));
+      if (shown.id != 0) constant.element = link_.input()->Add(shown.id, constant.attribute, ValueOf(constant.value));
+    }
+    if (has_changed && log_ != nullptr)
+      log_->Add(mind::PerceptChanged{shown.path, constant.attribute, constant.place, ValueOf(constant.value)});
     shown.constants.push_back(std::move(constant));
   }
   for (const Constant& gone : old) {
-    if (gone.element == nullptr) continue;
+    if (gone.element == 0) continue;
     NoteGone(shown.path, gone.attribute, gone.place);
-    agent_->DestroyWME(gone.element);
+    link_.input()->Remove(gone.element);
   }
 }
 

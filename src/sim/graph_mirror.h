@@ -9,12 +9,7 @@
 
 #include "mind/event_log.h"
 #include "script/percept_graph.h"
-
-namespace sml {
-class Agent;
-class Identifier;
-class WMElement;
-}  // namespace sml
+#include "sim/percept_link.h"
 
 namespace soarbox::sim {
 
@@ -23,32 +18,35 @@ namespace soarbox::sim {
 /// An object is identified with an object of the previous graph if both have the same key. Objects without a key are
 /// identified if they are at the same place of identified objects. They then keep their identifier. The place is the
 /// shortest path from the input link. Equal constants stay unchanged, unless their object is marked as new. Elements
-/// that others have added to the input link are not changed. Owned by the agent's mind.
+/// that others have added to the input link are not changed. Owned by the agent's mind, as the link is.
 class GraphMirror {
  public:
-  explicit GraphMirror(sml::Agent& agent) : agent_(&agent) {}
+  explicit GraphMirror(PerceptLink& link);
+  GraphMirror(const GraphMirror&) = delete;
+  GraphMirror& operator=(const GraphMirror&) = delete;
 
   void Show(const script::PerceptGraph& graph);
   /// Records each change in `log` from now on, with the first path of each object; null: stops. Not owned.
   void SetLog(mind::EventLog* log) { log_ = log; }
 
  private:
+  using Handle = mind::InputWriter::Handle;
   struct Constant {
     std::string attribute;
     std::uint32_t place = 0;  ///< Index among the constants with the same attribute.
     script::PerceptGraph::Value value;
-    sml::WMElement* element = nullptr;
+    Handle element = 0;
   };
   struct Link {
     std::string attribute;
     std::string name;  ///< Identifies the link: attribute, and key or index.
     std::uint32_t place = 0;
     std::size_t node = 0;
-    sml::WMElement* element = nullptr;
+    Handle element = 0;
     bool is_first = false;  ///< The link with which its object was created.
   };
   struct Node {
-    sml::Identifier* id = nullptr;
+    Handle id = 0;
     std::string path;  ///< Ends with a dot.
     std::vector<Constant> constants;
     std::vector<Link> links;
@@ -58,18 +56,20 @@ class GraphMirror {
   void DropLinks();
   void MakeObjects();
   void ShowConstants(const script::PerceptGraph::Node& wanted, Node& shown, const Node* before);
-  sml::WMElement* Create(Node& node, const Constant& constant);
-  /// Changes the element's value. Returns false if the type differs.
-  bool Update(Constant& before, const script::PerceptGraph::Value& value);
+  /// Lists what is below an object and must be written again.
+  void ListAgain(std::size_t n, std::vector<PerceptLink::Again>& again);
+  void WriteAgain(Node& node, Link& link);
   void NoteGone(std::string_view path, std::string_view attribute, std::uint32_t place);
 
-  sml::Agent* agent_;
+  PerceptLink& link_;
   mind::EventLog* log_ = nullptr;
   std::vector<Node> nodes_;  ///< The objects on the input link; empty before the first Show.
   // Scratch of Show.
   std::vector<Node> next_;
   std::vector<std::size_t> before_;  ///< By index in next_: the index in nodes_, or none.
   std::vector<bool> stays_;          ///< By index in nodes_.
+  // Scratch of WriteAgain.
+  std::vector<bool> is_written_;  ///< By index in nodes_.
 };
 
 }  // namespace soarbox::sim

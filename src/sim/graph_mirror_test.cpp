@@ -20,7 +20,8 @@ class GraphMirrorTest : public testing::Test {
   GraphMirrorTest()
       : kernel_(sml::Kernel::CreateKernelInCurrentThread(true, static_cast<int>(sml::Kernel::kSuppressListener))),
         agent_(kernel_->CreateAgent("eater")),
-        mirror_(*agent_) {}
+        link_(*agent_),
+        mirror_(link_) {}
 
   /// The element with an attribute and a value, "(16: H1 ^content wall)"; empty if there is none.
   std::string Find(const std::string& attribute_and_value) {
@@ -49,6 +50,7 @@ class GraphMirrorTest : public testing::Test {
 
   std::unique_ptr<sml::Kernel> kernel_;
   sml::Agent* agent_;
+  PerceptLink link_;
   GraphMirror mirror_;
 };
 

@@ -135,16 +135,7 @@ void InputMirror::End() {
 }
 
 void InputMirror::Note(const Slot& slot) {
-  mind::PerceptChanged percept{Path(), slot.Attribute(), slot.key, {}};
-  if (slot.kind == Kind::kInteger) {
-    percept.value = slot.integer;
-  } else if (slot.kind == Kind::kFloat) {
-    percept.value = slot.number;
-  } else {
-    const std::string_view text = slot.Text();
-    percept.value = text.substr(0, text.find('\0'));
-  }
-  log_->Add(percept);
+  log_->Add(mind::PerceptChanged{Path(), slot.Attribute(), slot.key, slot.Value()});
 }
 
 /// Computed only when something changes, because most objects are only compared.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/client_input.h"
 #include "sml_Client.h"
 #include "vocabulary/vocabulary_percepts.h"
 
@@ -41,7 +42,7 @@ class InputMirrorTest : public testing::Test {
 
   std::unique_ptr<sml::Kernel> kernel_{sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener)};
   sml::Agent* agent_ = kernel_->CreateAgent("scout");
-  PerceptLink link_{*agent_, PerceptLink::Way::kClientApi};  // Its elements can be read back.
+  PerceptLink link_{OpenClientInput(*agent_)};  // Its elements can be read back.
   InputMirror mirror_{link_};
 };
 

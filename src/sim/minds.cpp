@@ -208,7 +208,6 @@ Result<void> Minds::MakeMind(world::EntityId agent, const script::AgentCreationR
   settings.waits = kind->waits && !by_sandbox;
   settings.imagines = options->body.senses.scene;
   settings.detail = detail_;
-  settings.shares_input = by_sandbox;
   settings.origins = records_origins_;
   Result<SoarHost::Loaded> loaded = Load(body.name(), *rules, settings, is_scripted);
   if (!loaded) return loaded.error();

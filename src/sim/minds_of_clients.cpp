@@ -182,7 +182,6 @@ void Minds::AddClientMind(const std::string& name, world::Agent& body, sml::Agen
   MindSettings settings;
   settings.has_distance = settings.blinks = false;
   settings.detail = detail_;
-  settings.shares_input = true;
   settings.origins = records_origins_;
   const world::EntityId id = body.id();
   Mind mind{id, settings, false, true, true, true, {}, SoarMind(agent, settings), thread};

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "mind/input_writer.h"
 #include "vocabulary/vocabulary.h"
 
 namespace sml {
@@ -23,7 +26,7 @@ struct PerceptSlot {
   enum class Kind : std::uint8_t { kInteger, kFloat, kText, kObject };
   struct Object {
     std::vector<PerceptSlot>* below;
-    std::uint64_t handle;  ///< See PerceptLink.
+    mind::InputWriter::Handle handle;
   };
   static constexpr std::size_t kShort = 16;
   static constexpr std::uint8_t kLong = 0xFF;
@@ -40,7 +43,7 @@ struct PerceptSlot {
     const vocabulary::PerceptRow* row = nullptr;
     const std::string* other;
   };
-  std::uint64_t element = 0;  ///< See PerceptLink.
+  mind::InputWriter::Handle element = 0;
   std::uint32_t key = 0;
   Kind kind = Kind::kText;
   std::uint8_t size = 0;  ///< Size of a text, or kLong.
@@ -51,57 +54,64 @@ struct PerceptSlot {
     return has_row ? row->path.substr(row->path.size() - attribute_size) : std::string_view(*other);
   }
   std::string_view Text() const { return size == kLong ? std::string_view(*long_text) : std::string_view(text, size); }
+  /// The value of a constant.
+  mind::Value Value() const;
 };
 using PerceptSlots = std::vector<PerceptSlot>;
 
-/// The input link of one agent, as its InputMirrors write to it. There are two ways to the kernel:
+/// The input link of one agent, as its InputMirrors and its GraphMirror write to it. It uses the shortest way:
 /// * to our kernel in this process, if no other client can see the input: directly (soarbox_DirectInput.h). After
-///   init-soar, the link writes all percepts again, in the order in which they were first added;
-/// * to any other kernel: through the client API, which does this itself and has its own copy of the input.
-/// Both have the same effects on the agent: the same elements, in the same order, with the same time tags. If others
-/// write the input of the agent, too, use kClientApi: after init-soar, the elements of the client API are written
-/// first.
+///   init-soar, the link writes all percepts again, depth first, in the order in which they were first added;
+/// * to any other kernel: through the client API (client_input.h), which does this itself and has its own copy.
+/// Both have the same effects on the agent: the same elements, in the same order, with the same time tags.
 ///
-/// `element` and `handle` of slots are values of the present way. Use it while no other thread uses the kernel. Destroy
-/// it before its agent, and with its InputMirrors.
+/// Use it while no other thread uses the kernel. Destroy it before its agent, and with its mirrors.
 class PerceptLink {
  public:
-  enum class Way : std::uint8_t { kShortest, kClientApi };
-  explicit PerceptLink(sml::Agent& agent, Way way = Way::kShortest);
-  ~PerceptLink();
+  using Handle = mind::InputWriter::Handle;
+  /// An element that is written again after init-soar, with everything below it.
+  struct Again {
+    Handle element = 0;  ///< Its previous handle.
+    std::function<void()> write;
+  };
+  using Lister = std::function<void(std::vector<Again>& again)>;
+
+  explicit PerceptLink(sml::Agent& agent);
+  explicit PerceptLink(std::unique_ptr<mind::InputWriter> input) : input_(std::move(input)) {}
   PerceptLink(const PerceptLink&) = delete;
   PerceptLink& operator=(const PerceptLink&) = delete;
 
   /// Percepts directly on the input link that must be written again after init-soar. Not owned.
-  void Include(PerceptSlots& top) { tops_.push_back(&top); }
+  void Include(PerceptSlots& top) {
+    Include([this, &top](std::vector<Again>& again) { ListAgain(InputLink(), top, again); });
+  }
+  void Include(Lister list) { listers_.push_back(std::move(list)); }
+  /// Writes the elements of one object again, in the order in which they were first added.
+  static void WriteAgain(std::vector<Again> again);
 
   /// Forgets the agent, which may be destroyed before this then. Nothing is added or changed any more.
-  void Close();
+  void Close() { input_.reset(); }
+  /// Null after Close.
+  mind::InputWriter* input() { return input_.get(); }
 
-  /// The handle of the input link.
-  std::uint64_t InputLink();
+  Handle InputLink() { return input_ == nullptr ? 0 : input_->InputLink(); }
   /// Adds the percept of the slot to an object, and sets its `element`, and `handle` for objects. Returns false if the
   /// kernel no longer answers.
-  bool Add(std::uint64_t parent, PerceptSlot& slot);
+  bool Add(Handle object, PerceptSlot& slot);
   /// Replaces the element of a constant by one with the slot's new value.
-  void Change(const PerceptSlot& slot);
+  void Change(const PerceptSlot& slot) {
+    if (input_ != nullptr) input_->Change(slot.element, slot.Value());
+  }
   /// Removes the percept, with everything below it.
-  void Remove(const PerceptSlot& slot);
+  void Remove(const PerceptSlot& slot) {
+    if (input_ != nullptr) input_->Remove(slot.element);
+  }
 
  private:
-  struct Direct;
-  struct EndDirect {
-    void operator()(Direct* direct) const;
-  };
+  void ListAgain(Handle object, PerceptSlots& slots, std::vector<Again>& again);
 
-  bool AddDirectly(std::uint64_t parent, PerceptSlot& slot);
-  void WriteAgain(std::uint64_t parent, std::vector<PerceptSlot*> slots);
-
-  sml::Agent& agent_;
-  std::unique_ptr<Direct, EndDirect> direct_;  ///< Null: the client API is used.
-  bool is_closed_ = false;
-  std::vector<PerceptSlots*> tops_;
-  std::uint32_t added_ = 0;  ///< Number of percepts that were added directly.
+  std::unique_ptr<mind::InputWriter> input_;
+  std::vector<Lister> listers_;
 };
 
 }  // namespace soarbox::sim

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/client_input.h"
+#include "sim/graph_mirror.h"
 #include "sim/input_mirror.h"
 #include "sml_Client.h"
 #include "vocabulary/vocabulary_percepts.h"
@@ -16,10 +18,13 @@
 namespace soarbox::sim {
 namespace {
 
-/// An agent with two mirrors, which share its input link. One rule tests some percepts.
+enum class Way { kShortest, kClientApi };
+
+/// An agent with three mirrors, which share its input link. One rule tests some percepts.
 struct Mind {
-  Mind(sml::Kernel& kernel, const char* name, PerceptLink::Way way)
-      : agent(*kernel.CreateAgent(name)), link(agent, way) {
+  Mind(sml::Kernel& kernel, const char* name, Way way)
+      : agent(*kernel.CreateAgent(name)),
+        own_link(way == Way::kShortest ? new PerceptLink(agent) : new PerceptLink(OpenClientInput(agent))) {
     agent.ExecuteCommandLine(
         "sp {near (state <s> ^io.input-link.agent <a>) (<a> ^range < 3 ^name <n>) --> (<s> ^near <n>)}");
   }
@@ -27,8 +32,10 @@ struct Mind {
   std::string Memory() { return agent.ExecuteCommandLine("print --depth 9 --internal --tree s1"); }
 
   sml::Agent& agent;
-  PerceptLink link;
+  std::unique_ptr<PerceptLink> own_link;
+  PerceptLink& link = *own_link;
   InputMirror first{link}, second{link};
+  GraphMirror graph{link};
 };
 
 class PerceptLinkTest : public testing::Test {
@@ -47,8 +54,8 @@ class PerceptLinkTest : public testing::Test {
   void Compare() { ASSERT_EQ(direct_.Memory(), client_.Memory()); }
 
   std::unique_ptr<sml::Kernel> kernel_{sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kSuppressListener)};
-  Mind direct_{*kernel_, "direct", PerceptLink::Way::kShortest};
-  Mind client_{*kernel_, "client", PerceptLink::Way::kClientApi};
+  Mind direct_{*kernel_, "direct", Way::kShortest};
+  Mind client_{*kernel_, "client", Way::kClientApi};
 };
 
 void TellAgent(InputMirror& mirror, std::uint32_t key, std::string_view name, double range_m) {
@@ -97,6 +104,44 @@ TEST_F(PerceptLinkTest, BothWaysHaveTheSameElementsIdentifiersAndTimeTags) {
     Compare();
     if (HasFatalFailure()) FAIL() << "after init-soar in step " << step;
   }
+}
+
+/// A graph of cells in a row, with links in both directions, to further cells, and to the input link.
+script::PerceptGraph RandomGraph(std::mt19937& random) {
+  script::PerceptGraph graph;
+  graph.nodes.resize(random() % 6 + 1);
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    script::PerceptGraph::Node& node = graph.nodes[n];
+    if (n % 3 == 2) node.key = std::to_string(random() % 3);
+    if (n + 1 < graph.nodes.size()) node.links.push_back({"next", n + 1});
+    if (n > 0) node.links.push_back({"back", n - 1});
+    if (random() % 2 == 0) node.links.push_back({"far", random() % graph.nodes.size()});
+    node.constants.push_back({"content", static_cast<std::int64_t>(random() % 3), random() % 4 == 0});
+    node.constants.push_back({"content", 1.5, false});
+    if (random() % 2 == 0)
+      node.constants.push_back({"name", std::string("cell") + static_cast<char>('a' + random() % 3), false});
+  }
+  return graph;
+}
+
+TEST_F(PerceptLinkTest, BothWaysHaveTheSameGraphsOfObjects) {
+  std::mt19937 random(11);
+  for (int step = 0; step < 300; ++step) {
+    const script::PerceptGraph graph = RandomGraph(random);
+    const double range_m = static_cast<double>(random() % 5);
+    for (Mind* mind : {&direct_, &client_}) {
+      mind->first.Show([&](InputMirror& mirror) {
+        for (std::uint32_t key = 1; key < range_m; ++key) TellAgent(mirror, key, "red", range_m);
+      });
+      mind->graph.Show(graph);
+      if (step % 17 == 16) mind->agent.InitSoar();
+      mind->agent.RunSelf(1);
+    }
+    Compare();
+    if (HasFatalFailure()) FAIL() << "in step " << step;
+  }
+  EXPECT_NE(direct_.Memory().find("^far"), std::string::npos);
+  EXPECT_EQ(direct_.agent.GetInputLink()->GetNumberChildren(), 0);
 }
 
 TEST_F(PerceptLinkTest, BothWaysTreatZeroBytesAndMissingAttributesAlike) {
@@ -153,7 +198,7 @@ TEST_F(PerceptLinkTest, ASecondLinkToAnAgentUsesTheClientApi) {
 TEST(PerceptLink, TheInputGoesThroughTheClientApiIfOtherClientsCanSeeIt) {
   std::unique_ptr<sml::Kernel> kernel(sml::Kernel::CreateKernelInCurrentThread(true, sml::Kernel::kUseAnyPort));
   if (kernel->GetListenerPort() > 0) {
-    Mind mind(*kernel, "seen", PerceptLink::Way::kShortest);
+    Mind mind(*kernel, "seen", Way::kShortest);
     mind.first.Show([](InputMirror& mirror) { TellAgent(mirror, 1, "red", 2); });
     EXPECT_EQ(mind.agent.GetInputLink()->GetNumberChildren(), 1);
   }

@@ -122,13 +122,12 @@ void SoarMind::EndWriting::operator()(Writing* writing) const {
 
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
     : agent_(&agent),
-      link_(std::make_unique<PerceptLink>(
-          agent, settings.shares_input ? PerceptLink::Way::kClientApi : PerceptLink::Way::kShortest)),
+      link_(std::make_unique<PerceptLink>(agent)),
       own_body_(*link_),
       messages_(*link_),
       surroundings_(*link_),
       rows_(*link_),
-      graph_(agent),
+      graph_(std::make_unique<GraphMirror>(*link_)),
       blinks_(settings.blinks),
       writing_(new Writing(agent)) {
   agent.SetBlinkIfNoChange(settings.blinks);
@@ -161,7 +160,7 @@ void SoarMind::SetDetail(MindDetail detail, [[maybe_unused]] bool origins) {
 #endif
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
     mirror->SetLog(is_logged_ ? &log_.events() : nullptr);
-  graph_.SetLog(is_logged_ ? &log_.events() : nullptr);
+  graph_->SetLog(is_logged_ ? &log_.events() : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {
@@ -179,6 +178,11 @@ void SoarMind::SetDistance(float distance_squared_m2) {
 void SoarMind::ShowRows(const vocabulary::PerceptList& percepts) {
   const Batch batch(*agent_);
   rows_.Show(percepts);
+}
+
+void SoarMind::ShowGraph(const script::PerceptGraph& percepts) {
+  const Batch batch(*agent_);
+  graph_->Show(percepts);
 }
 
 void SoarMind::Perceive(const Actor& body, bool surroundings) {

@@ -32,7 +32,6 @@ struct MindSettings {
                                           ///< unless a file of rules says otherwise (soar wait-snc off).
   bool imagines = false;                  ///< Its spatial visual system is on and receives what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much is recorded of what it does.
-  bool shares_input = false;              ///< Others write its input link, too: the board of a game, or a client.
   bool origins = true;                    ///< If something is recorded: the kernel also records origins for *why*.
 };
 
@@ -56,7 +55,7 @@ class SoarMind {
   /// Writes what the senses of its body report. `surroundings`: includes the surroundings.
   void Perceive(const Actor& body, bool surroundings);
   /// Writes all percepts that a sandbox's script returns.
-  void ShowGraph(const script::PerceptGraph& percepts) { graph_.Show(percepts); }
+  void ShowGraph(const script::PerceptGraph& percepts);
   void ShowRows(const vocabulary::PerceptList& percepts);
 
   /// Runs decisions until there is output or the decision budget (max-nil-output-cycles) is used up. commands() then
@@ -132,7 +131,7 @@ class SoarMind {
   std::unique_ptr<PerceptLink> link_;       ///< Of distance_ and the mirrors.
   std::unique_ptr<PerceptSlots> distance_;  ///< One slot: the thesis' ^distance. Null if it does not perceive it.
   InputMirror own_body_, messages_, surroundings_, rows_;
-  GraphMirror graph_;
+  std::unique_ptr<GraphMirror> graph_;
   bool blinks_ = true;                 ///< See MindSettings.
   std::unique_ptr<SceneSense> scene_;  ///< Null if it does not imagine.
   std::uint32_t heard_ = 0;            ///< Number of the last message that it received.

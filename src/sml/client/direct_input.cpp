@@ -9,86 +9,77 @@
 namespace soarbox {
 namespace {
 
-kernel::InputLink& LinkOf(sml::AgentData& data) {
-  return static_cast<sml::LocalAgentLink&>(*data.link).hosted().agent().input();
-}
-
 std::string_view UpToZero(std::string_view text) {
   return text.substr(0, text.find('\0'));
 }
 
-kernel::InputObject KernelObject(DirectInput::Object object) {
-  static_assert(static_cast<std::uint32_t>(DirectInput::Object::kInputLink) ==
-                static_cast<std::uint32_t>(kernel::InputObject::kInputLink));
-  static_assert(static_cast<std::uint32_t>(DirectInput::Object::kNone) ==
-                static_cast<std::uint32_t>(kernel::InputObject::kNone));
-  return static_cast<kernel::InputObject>(object);
-}
+/// A handle is 1 more than the kernel's handle. Above it, a handle of an element has the number of the addition.
+class DirectInput final : public mind::InputWriter {
+ public:
+  DirectInput(sml::AgentData& data, std::function<void()> write_again) : data_(data) {
+    data_.write_direct_input = [this, write_again = std::move(write_again)] {
+      added_ = 0;
+      write_again();
+    };
+  }
+  ~DirectInput() override { data_.write_direct_input = nullptr; }
 
-kernel::InputElement KernelElement(DirectInput::Element element) {
-  return static_cast<kernel::InputElement>(element);
-}
+  Handle InputLink() override { return HandleOf(kernel::InputObject::kInputLink); }
+  Handle Add(Handle object, std::string_view attribute, const mind::Value& value) override {
+    if (const auto* text = std::get_if<std::string_view>(&value)) return AddValue(object, attribute, UpToZero(*text));
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return AddValue(object, attribute, *integer);
+    return AddValue(object, attribute, std::get<double>(value));
+  }
+  Handle AddObject(Handle object, std::string_view attribute, Handle& made) override {
+    made = 0;
+    if (object == 0 || UpToZero(attribute).empty() || !IsUsable()) return 0;
+    made = HandleOf(Link().NewObject());
+    return AddLink(object, attribute, made);
+  }
+  Handle AddLink(Handle object, std::string_view attribute, Handle to) override {
+    return AddValue(object, attribute, KernelHandle<kernel::InputObject>(to));
+  }
+  void Change(Handle element, const mind::Value& value) override {
+    if (!IsUsable()) return;
+    const auto changed = KernelHandle<kernel::InputElement>(element);
+    if (const auto* number = std::get_if<double>(&value)) return Link().Update(changed, *number);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return Link().Update(changed, *integer);
+    Link().Update(changed, UpToZero(std::get<std::string_view>(value)));
+  }
+  void Remove(Handle element) override {
+    if (IsUsable()) Link().Remove(KernelHandle<kernel::InputElement>(element));
+  }
 
-DirectInput::Element AddTo(sml::AgentData& data, DirectInput::Object parent, std::string_view attribute,
-                           const kernel::InputValue& value) {
-  attribute = UpToZero(attribute);
-  if (attribute.empty()) return DirectInput::Element::kNone;
-  return static_cast<DirectInput::Element>(LinkOf(data).Add(KernelObject(parent), attribute, value));
-}
+ private:
+  static Handle HandleOf(kernel::InputObject object) { return Handle{static_cast<std::uint32_t>(object)} + 1; }
+  template <typename Kernel>
+  static Kernel KernelHandle(Handle handle) {
+    return static_cast<Kernel>(static_cast<std::uint32_t>(handle) - 1);
+  }
+
+  /// False if the agent was destroyed or the kernel was shut down.
+  bool IsUsable() const { return data_.link != nullptr && !data_.kernel_data().shut_down; }
+  kernel::InputLink& Link() { return static_cast<sml::LocalAgentLink&>(*data_.link).hosted().agent().input(); }
+
+  Handle AddValue(Handle object, std::string_view attribute, const kernel::InputValue& value) {
+    attribute = UpToZero(attribute);
+    if (object == 0 || attribute.empty() || !IsUsable()) return 0;
+    const kernel::InputElement element = Link().Add(KernelHandle<kernel::InputObject>(object), attribute, value);
+    return Handle{++added_} << 32 | (static_cast<std::uint32_t>(element) + 1);
+  }
+
+  sml::AgentData& data_;
+  std::uint32_t added_ = 0;
+};
 
 }  // namespace
 
-std::unique_ptr<DirectInput> DirectInput::Open(sml::Agent& agent, std::function<void()> write_again) {
+std::unique_ptr<mind::InputWriter> OpenDirectInput(sml::Agent& agent, std::function<void()> write_again) {
   sml::AgentData& data = sml::AgentData::Of(agent);
   auto* const link = sml::LocalLinkOf(agent);
   if (link == nullptr || link->host().Port() != 0 || link->hosted().log != nullptr || data.write_direct_input)
     return nullptr;
-  data.write_direct_input = std::move(write_again);
-  return std::unique_ptr<DirectInput>(new DirectInput(data));
-}
-
-DirectInput::~DirectInput() {
-  data_.write_direct_input = nullptr;
-}
-
-bool DirectInput::IsUsable() const {
-  return data_.link != nullptr && !data_.kernel_data().shut_down;
-}
-
-DirectInput::Element DirectInput::Add(Object parent, std::string_view attribute, std::string_view value) {
-  return AddTo(data_, parent, attribute, UpToZero(value));
-}
-
-DirectInput::Element DirectInput::Add(Object parent, std::string_view attribute, std::int64_t value) {
-  return AddTo(data_, parent, attribute, value);
-}
-
-DirectInput::Element DirectInput::Add(Object parent, std::string_view attribute, double value) {
-  return AddTo(data_, parent, attribute, value);
-}
-
-DirectInput::Element DirectInput::AddObject(Object parent, std::string_view attribute, Object& object) {
-  object = Object::kNone;
-  if (parent == Object::kNone || attribute.empty() || attribute.front() == '\0') return Element::kNone;
-  const kernel::InputObject made = LinkOf(data_).NewObject();
-  object = static_cast<Object>(made);
-  return AddTo(data_, parent, attribute, made);
-}
-
-void DirectInput::Update(Element element, std::string_view value) {
-  LinkOf(data_).Update(KernelElement(element), UpToZero(value));
-}
-
-void DirectInput::Update(Element element, std::int64_t value) {
-  LinkOf(data_).Update(KernelElement(element), value);
-}
-
-void DirectInput::Update(Element element, double value) {
-  LinkOf(data_).Update(KernelElement(element), value);
-}
-
-void DirectInput::Remove(Element element) {
-  LinkOf(data_).Remove(KernelElement(element));
+  return std::make_unique<DirectInput>(data, std::move(write_again));
 }
 
 }  // namespace soarbox
