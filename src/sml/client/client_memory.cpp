@@ -302,7 +302,10 @@ void WorkingMemory::SendNew(WMElement* wme) {
   data_.link->FlushInput();
 }
 
-void WorkingMemory::SendUpdated(WMElement* wme, long long old_tag) {
+/// Assigns a new tag to an element with a new value.
+void WorkingMemory::SendUpdated(WMElement* wme) {
+  const long long old_tag = wme->time_tag_;
+  wme->time_tag_ = --data_.kernel_data().next_tag;
   if (CommitsAtOnce(data_.kernel_data())) {
     wme->input_ = data_.link->UpdateInput(wme->input_, old_tag, Describe(wme));
     data_.link->FlushInput();
@@ -330,33 +333,21 @@ void WorkingMemory::Update(StringElement* wme, char const* value) {
   if (!value) value = "nil";
   if (!data_.blink && std::strcmp(wme->value_.c_str(), value) == 0) return;
   wme->value_.Assign(value, std::strlen(value));
-  SendValue(wme, [&](AgentLink& link) {
-    return link.UpdateValue(wme->input_, wme->time_tag_, std::string_view(wme->value_.c_str()));
-  });
+  SendUpdated(wme);
 }
 
 void WorkingMemory::Update(IntElement* wme, long long value) {
   if (!CheckUpdate(wme)) return;
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
-  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, value); });
+  SendUpdated(wme);
 }
 
 void WorkingMemory::Update(FloatElement* wme, double value) {
   if (!CheckUpdate(wme)) return;
   if (!data_.blink && wme->value_ == value) return;
   wme->value_ = value;
-  SendValue(wme, [&](AgentLink& link) { return link.UpdateValue(wme->input_, wme->time_tag_, value); });
-}
-
-/// Assigns a new tag to an element with a new value. `send` is the fast path for percepts: it sends only the value. It
-/// returns false if the link needs the complete element.
-template <typename Send>
-void WorkingMemory::SendValue(WMElement* wme, Send send) {
-  KernelData& kernel = data_.kernel_data();
-  const long long old_tag = wme->time_tag_;
-  wme->time_tag_ = --kernel.next_tag;
-  if (!CommitsAtOnce(kernel) || !send(*data_.link)) SendUpdated(wme, old_tag);
+  SendUpdated(wme);
 }
 
 bool WorkingMemory::Destroy(WMElement* wme) {

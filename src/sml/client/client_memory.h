@@ -99,9 +99,7 @@ class WorkingMemory {
   IdentifierSymbol* NewSymbol(std::string_view name, long long key);
   IdentifierSymbol* SymbolFor(long long key);
   void SendNew(WMElement* wme);
-  void SendUpdated(WMElement* wme, long long old_tag);
-  template <typename Send>
-  void SendValue(WMElement* wme, Send send);
+  void SendUpdated(WMElement* wme);
   static soarbox::server::InputWme Describe(WMElement* wme);
   WMElement* MakeOutput(const OutputWme& wme, IdentifierSymbol* parent);
   static bool HasOwn(IdentifierSymbol& parent, const OutputWme& wme);

@@ -103,20 +103,6 @@ class AgentLink {
   /// Links that identify elements by their tags return no handle.
   virtual InputHandle AddInput(const soarbox::server::InputWme& wme) = 0;
   virtual InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) = 0;
-  /// Sets a new constant, without the other data of the element. Returns false, and does nothing, if the link needs
-  /// those data.
-  virtual bool UpdateValue(InputHandle element, long long tag, double value) {
-    (void)element, (void)tag, (void)value;
-    return false;
-  }
-  virtual bool UpdateValue(InputHandle element, long long tag, long long value) {
-    (void)element, (void)tag, (void)value;
-    return false;
-  }
-  virtual bool UpdateValue(InputHandle element, long long tag, std::string_view value) {
-    (void)element, (void)tag, (void)value;
-    return false;
-  }
   virtual void RemoveInput(InputHandle element, long long tag) = 0;
   virtual void FlushInput() = 0;
 

@@ -62,24 +62,6 @@ InputHandle LocalAgentLink::UpdateInput(InputHandle element, long long old_tag, 
   return static_cast<InputHandle>(updated);
 }
 
-bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, double value) {
-  if (!TakesValueAlone(element)) return false;
-  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), value, tag);
-  return true;
-}
-
-bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, long long value) {
-  if (!TakesValueAlone(element)) return false;
-  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), std::int64_t{value}, tag);
-  return true;
-}
-
-bool LocalAgentLink::UpdateValue(InputHandle element, long long tag, std::string_view value) {
-  if (!TakesValueAlone(element)) return false;
-  hosted_.agent().input().Update(static_cast<kernel::InputElement>(element), value, tag);
-  return true;
-}
-
 void LocalAgentLink::RemoveInput(InputHandle element, long long tag) {
   if (element == kNoInputHandle) {
     hosted_.input().RemoveByTag(tag);

@@ -28,9 +28,6 @@ class LocalAgentLink final : public AgentLink, private MindLink {
   std::string InputLinkName() override;
   InputHandle AddInput(const soarbox::server::InputWme& wme) override;
   InputHandle UpdateInput(InputHandle element, long long old_tag, const soarbox::server::InputWme& wme) override;
-  bool UpdateValue(InputHandle element, long long tag, double value) override;
-  bool UpdateValue(InputHandle element, long long tag, long long value) override;
-  bool UpdateValue(InputHandle element, long long tag, std::string_view value) override;
   void RemoveInput(InputHandle element, long long tag) override;
   void FlushInput() override {
     if (!noted_.empty()) TellInput();
@@ -64,10 +61,6 @@ class LocalAgentLink final : public AgentLink, private MindLink {
                             soarbox::kernel::Symbol value);
   const OutputWme& Describe(const soarbox::kernel::OutputChange& change) {
     return Describe(static_cast<long long>(change.timetag), change.id, change.attribute, change.value);
-  }
-  /// Whether only the new value of an element is needed.
-  bool TakesValueAlone(InputHandle element) const {
-    return element != kNoInputHandle && !hosted_.Listens(smlEVENT_XML_INPUT_RECEIVED) && hosted_.log == nullptr;
   }
   void Note(const soarbox::server::InputWme& wme);
   void NoteRemoval(long long tag);
