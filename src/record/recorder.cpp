@@ -63,8 +63,9 @@ void KeepLevel(TickRecord& record, Level level) {
   std::erase_if(record.minds, [](const MindRecord& mind) { return mind.events.empty(); });
 }
 
-/// Takes a record that is not in use. Waits until there is one; after a failure, there may be none.
-TickRecord Recorder::Blank() {
+/// Returns a record to fill in, which is not in use. Waits until there is one; after a failure, there may be none.
+TickRecord& Recorder::Blank() {
+  if (blank_) return *blank_;
   std::unique_lock lock(mutex_);
   if (written_.empty() && unused_ == 0 && !failure_) {
     using Clock = std::chrono::steady_clock;
@@ -76,18 +77,19 @@ TickRecord Recorder::Blank() {
     waits_.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
   if (written_.empty()) {
+    blank_.emplace();
     if (unused_ > 0) --unused_;
-    return {};
+    return *blank_;
   }
   // The record that was used last is the most likely to be in a cache of the processor.
-  TickRecord tick = std::move(written_.back());
+  blank_.emplace(std::move(written_.back()));
   written_.pop_back();
-  return tick;
+  return *blank_;
 }
 
 Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList events, const TickRecord* seen) {
   if (is_told_) return {};
-  TickRecord tick = Blank();
+  TickRecord& tick = Blank();
   if (seen != nullptr) {
     tick.tick = seen->tick;
     tick.state_hash = seen->state_hash;
@@ -99,27 +101,30 @@ Result<void> Recorder::Take(const sim::Simulation& simulation, sim::EventList ev
     ObserveWorld(simulation, std::move(events), world::HungThings::kNotPlaced, tick);
   }
   ObserveMinds(simulation, level_, tick.minds);
-  return Push(std::move(tick));
+  return Push();
 }
 
 Result<void> Recorder::Take(TickRecord record) {
   if (is_told_) return {};
-  (void)Blank();  // Drops an unused record, because `record` is used instead.
-  return Push(std::move(record));
+  Blank() = std::move(record);
+  return Push();
 }
 
-Result<void> Recorder::Push(TickRecord tick) {
-  if (!thread_.joinable()) Write(tick);
+/// Passes the record that was filled in to the writing thread.
+Result<void> Recorder::Push() {
+  if (!thread_.joinable()) Write(*blank_);
   const std::lock_guard lock(mutex_);
   if (failure_) {
     is_told_ = true;
     return *failure_;
   }
   if (!thread_.joinable()) {
-    written_.push_back(std::move(tick));
+    written_.push_back(std::move(*blank_));
+    blank_.reset();
     return {};
   }
-  waiting_.push_back(std::move(tick));
+  waiting_.push_back(std::move(*blank_));
+  blank_.reset();
   if (waiting_.size() == 1) has_work_.notify_one();
   return {};
 }

@@ -51,8 +51,8 @@ class Recorder {
   void Write();
   void Write(TickRecord& tick);
   void Flush();
-  TickRecord Blank();
-  Result<void> Push(TickRecord tick);
+  TickRecord& Blank();
+  Result<void> Push();
 
   std::unique_ptr<Writer> writer_;  ///< Used only by the writing thread.
   Level level_;
@@ -62,6 +62,7 @@ class Recorder {
   std::condition_variable has_work_, has_room_;
   std::deque<TickRecord> waiting_;   ///< Ticks that are to be written.
   std::vector<TickRecord> written_;  ///< Records that were written, to be used again.
+  std::optional<TickRecord> blank_;  ///< The record that the run fills in. If that throws, the next tick uses it.
   std::size_t unused_;               ///< Number of records that were not created yet.
   bool is_waited_for_ = false;       ///< The run waits for a record.
   bool is_over_ = false;             ///< No more ticks will be added.
