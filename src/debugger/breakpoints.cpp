@@ -124,8 +124,8 @@ std::optional<Breakpoints::Cause> CauseIn(const Breakpoint& point, const sim::Ru
     return "it dies" + (event.text.empty() ? std::string() : ", " + event.text);
   }
   // An event about an open check reports that the check exists.
-  if (point.kind == BreakKind::kCheck && event.news == "check" && event.parameters != "open" &&
-      IsNamed(point, event.text))
+  if (point.kind == BreakKind::kCheck && std::holds_alternative<sim::CheckReport>(event.values) &&
+      event.parameters != "open" && IsNamed(point, event.text))
     return "check '" + event.text + "': " + event.parameters;
   return std::nullopt;
 }

@@ -10,29 +10,6 @@
 #include "sim/input_text.h"
 
 namespace soarbox::debugger {
-namespace {
-
-/// Parses the text of a "says" event: "to scout: ^about contact ^range 3".
-MessageRow ReadSaid(const sim::RunEvent& event) {
-  MessageRow row;
-  row.tick = event.tick;
-  row.time_s = event.time_s;
-  row.from = event.agent;
-  row.text = event.text;
-  const std::size_t colon = event.text.find(": ");
-  if (event.text.starts_with("to ") && colon != std::string::npos) {
-    row.to = event.text.substr(3, colon - 3);
-    row.text = event.text.substr(colon + 2);
-  }
-  constexpr std::string_view kAbout = "^about ";
-  if (const std::size_t at = row.text.find(kAbout); at != std::string::npos) {
-    const std::size_t begin = at + kAbout.size();
-    row.about = row.text.substr(begin, row.text.find(' ', begin) - begin);
-  }
-  return row;
-}
-
-}  // namespace
 
 void MessageLog::Add(const record::TickRecord& tick) {
   const auto cut = [&] {
@@ -52,7 +29,8 @@ void MessageLog::Add(const record::TickRecord& tick) {
     }
   }
   for (const sim::RunEvent& event : tick.events)
-    if (event.kind == sim::EventKind::kNews && event.news == "says") add(ReadSaid(event));
+    if (const auto* said = std::get_if<sim::Speech>(&event.values))
+      add({event.tick, event.time_s, event.agent, said->to, said->about, said->text});
   while (rows_.size() > kMost) rows_.pop_front();
 }
 

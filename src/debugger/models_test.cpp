@@ -329,6 +329,7 @@ TEST(Messages, AreReadFromEventsAndOrders) {
   said.agent = "a";
   said.news = "says";
   said.text = "to team red: ^about contact ^range 12";
+  said.values = sim::Speech{"team red", "contact", "^about contact ^range 12"};
   tick.events.push_back(said);
   tick.inputs = {"4 order b go home"};
   MessageLog log;

@@ -40,7 +40,7 @@ std::string LineOf(const sim::RunEvent& event) {
     if (!more->empty()) text += " " + *more;
   // The text of an outcome contains its reason.
   if (event.kind != sim::EventKind::kOutcome)
-    for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
+    for (const std::string& remark : sim::Remarks(event)) text += "; " + remark;
   if (event.diagnostic.message.empty()) return text;
   text += " ";
   if (!event.diagnostic.file.empty())

@@ -21,7 +21,7 @@ MarkKind KindOf(const sim::RunEvent& event) {
     case Kind::kOutcome:
       return MarkKind::kOutcome;
     case Kind::kNews:
-      return event.news == "says" ? MarkKind::kMessage : MarkKind::kEvent;
+      return std::holds_alternative<sim::Speech>(event.values) ? MarkKind::kMessage : MarkKind::kEvent;
     case Kind::kDiagnostic:
       return event.diagnostic.severity == Severity::kError ? MarkKind::kError : MarkKind::kEvent;
     case Kind::kAgentFailed:

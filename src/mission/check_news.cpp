@@ -18,7 +18,7 @@ sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict
   const bool is_over_seeds = asked.pass && verdict.state != State::kTrue && verdict.state != State::kOpen;
   event.parameters = std::string(NameOf(is_over_seeds ? State::kUndecided : verdict.state));
   const std::string was = is_over_seeds ? OverSeeds(*asked.pass) : verdict.was;
-  event.reasons = {Expectation(asked, {}, mission), was, verdict.agent, std::string(asked.marker ? "marker" : "")};
+  event.values = sim::CheckReport{Expectation(asked, {}, mission), was, verdict.agent, asked.marker};
   return event;
 }
 

@@ -10,9 +10,7 @@
 
 namespace soarbox::mission {
 
-/// The state of a check as an event of a run, with the word "check". Windows show it and recordings store it. Its text
-/// is the name of the check, its parameters are the state. Its reasons are: what was expected, what was found, the
-/// agent that decided it, and "marker" or nothing.
+/// The state of a check as an event of a run (sim::CheckReport). Windows show it and recordings store it.
 sim::RunEvent CheckNews(const Mission& mission, std::size_t check, const Verdict& verdict, std::uint64_t tick,
                         double time_s);
 

@@ -43,7 +43,7 @@ Json OfEvent(const sim::RunEvent& event) {
   if (!event.text.empty()) json["text"] = event.text;
   // The text of an outcome contains its reason.
   if (event.kind != sim::EventKind::kOutcome)
-    for (const explain::Reason& reason : event.reasons) json["reasons"].push_back(reason.text);
+    for (std::string& remark : sim::Remarks(event)) json["reasons"].push_back(std::move(remark));
   if (!event.parameters.empty()) json["parameters"] = event.parameters;
   if (!event.diagnostic.message.empty()) json["diagnostic"] = Format(event.diagnostic);
   return json;

@@ -46,8 +46,9 @@ Result<void> PrintTicks(Reader& recording, TickRange range, std::ostream& out) {
       for (const std::string* text : {&event.news, &event.text, &event.parameters})
         if (!text->empty()) out << ' ' << *text;
       out << '\n';
-      for (const explain::Reason& reason : event.reasons)
-        if (!reason.text.empty() && event.kind != sim::EventKind::kOutcome) out << "        " << reason.text << '\n';
+      // The text of an outcome contains its reason.
+      if (event.kind != sim::EventKind::kOutcome)
+        for (const std::string& remark : sim::Remarks(event)) out << "        " << remark << '\n';
       if (!event.diagnostic.message.empty()) out << Format(event.diagnostic);
     }
   });

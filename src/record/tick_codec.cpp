@@ -58,6 +58,13 @@ void WriteEvent(BufferedWriter& out, const sim::RunEvent& event) {
     out.Text(reason.text);
     out.Text(reason.rule);
   }
+  out.Byte(static_cast<std::uint8_t>(event.values.index()));
+  if (const auto* speech = std::get_if<sim::Speech>(&event.values)) {
+    for (const std::string* text : {&speech->to, &speech->about, &speech->text}) out.Text(*text);
+  } else if (const auto* check = std::get_if<sim::CheckReport>(&event.values)) {
+    for (const std::string* text : {&check->expected, &check->was, &check->agent}) out.Text(*text);
+    out.Byte(check->is_marker ? 1 : 0);
+  }
   out.Number(event.tick);
   out.Double(event.time_s);
   if (HasDiagnostic(event.kind)) WriteDiagnostic(out, event.diagnostic);
@@ -78,6 +85,17 @@ void ReadEvent(ByteReader& in, sim::RunEvent& event) {
     reason.kind = static_cast<explain::Reason::Kind>(what);
     reason.text = in.Text();
     reason.rule = in.Text();
+  }
+  const std::uint8_t values = in.Byte();
+  if (values == 1) {
+    auto& speech = event.values.emplace<sim::Speech>();
+    for (std::string* text : {&speech.to, &speech.about, &speech.text}) *text = in.Text();
+  } else if (values == 2) {
+    auto& check = event.values.emplace<sim::CheckReport>();
+    for (std::string* text : {&check.expected, &check.was, &check.agent}) *text = in.Text();
+    check.is_marker = in.Byte() != 0;
+  } else if (values != 0) {
+    return in.Fail();
   }
   event.tick = in.Number();
   event.time_s = in.Double();

@@ -98,6 +98,11 @@ inline std::vector<TickRecord> SomeTicks(std::size_t count, std::uint32_t seed =
       event.text = "seek";
       event.position = {1, 2, 3};
       tick.events.push_back(event);
+      event.values = sim::Speech{"team red", "contact", "^about contact"};
+      tick.events.push_back(event);
+      event.values = sim::CheckReport{"it arrives", "it stands still", "agent1", true};
+      tick.events.push_back(event);
+      event.values = {};
       event.kind = sim::EventKind::kDiagnostic;
       event.diagnostic.file = "x.soar";
       event.diagnostic.line = 3;

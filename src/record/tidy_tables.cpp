@@ -164,7 +164,7 @@ class Rows {
   void AddWorldEvent(const TickRecord& record, const sim::RunEvent& event) {
     std::string text = event.text;
     if (!event.parameters.empty()) text += " " + event.parameters;
-    for (const explain::Reason& reason : event.reasons) text += "; " + reason.text;
+    for (const std::string& remark : sim::Remarks(event)) text += "; " + remark;
     if (!event.diagnostic.message.empty()) text = Format(event.diagnostic);
     while (!text.empty() && text.back() == '\n') text.pop_back();
     AddEvent(record, event.agent, {"world", sim::EventName(event.kind), event.news, {}, {}, std::move(text)});

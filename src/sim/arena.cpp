@@ -260,13 +260,14 @@ void Arena::Order(world::EntityId agent, const std::string& order) {
   board_.Post(std::move(message), world_.tick());
 }
 
-void Arena::Tell(world::EntityId agent, std::string_view news, std::string text) {
+void Arena::Tell(world::EntityId agent, std::string_view news, std::string text, std::optional<Speech> speech) {
   if (news == "dies") past_.deaths[agent] = {text, world_.time_s()};
   RunEvent event;
   event.kind = EventKind::kNews;
   event.agent = world_.FindAgent(agent)->name();
   event.news = news;
   event.text = std::move(text);
+  if (speech) event.values = *std::move(speech);
   event.position = world_.FindAgent(agent)->Position();
   report_(std::move(event));
 }

@@ -81,7 +81,7 @@ class Arena {
   const Past& past() const { return past_; }
   /// An order of the user: "advance waypoint gate" is converted to ^action advance ^waypoint gate.
   void Order(world::EntityId agent, const std::string& order);
-  void Tell(world::EntityId agent, std::string_view news, std::string text);
+  void Tell(world::EntityId agent, std::string_view news, std::string text, std::optional<Speech> speech = {});
 
   /// The ground on which agents walk. It is not listed as a thing.
   world::EntityId ground() const { return ground_; }

@@ -70,7 +70,8 @@ StepResult Post(Actor& actor, Running& command, world::EntityId to) {
     message.fields.push_back({field.attribute, std::move(value)});
   }
   std::string heard = to == world::kNoEntity ? "team " + message.team : actor.world().FindAgent(to)->name();
-  actor.arena().Tell(actor.id(), "says", "to " + heard + ": " + vocabulary::Describe(command.said.parameters));
+  const std::string said = vocabulary::Describe(command.said.parameters);
+  actor.arena().Tell(actor.id(), "says", "to " + heard + ": " + said, Speech{heard, message.about, said});
   actor.arena().board().Post(std::move(message), actor.world().tick());
   return StepResult::Done();
 }

@@ -11,4 +11,13 @@ std::string_view EventName(EventKind kind) {
   return NameIn(kNames, kind);
 }
 
+std::vector<std::string> Remarks(const RunEvent& event) {
+  std::vector<std::string> remarks;
+  for (const explain::Reason& reason : event.reasons) remarks.push_back(reason.text);
+  if (const auto* check = std::get_if<CheckReport>(&event.values))
+    remarks.insert(remarks.end(), {check->expected, check->was});
+  std::erase(remarks, "");
+  return remarks;
+}
+
 }  // namespace soarbox::sim

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "diagnostics/diagnostic.h"
@@ -33,6 +34,20 @@ inline constexpr EventKind kLastEventKind = EventKind::kAnswer;
 /// The word for a kind in JSON and in recordings: "command", "diagnostic", ...
 std::string_view EventName(EventKind kind);
 
+/// What an agent said (kNews, "says").
+struct Speech {
+  std::string to;  ///< An agent, or "team red".
+  std::string about, text;
+};
+/// The state of a check of the run's mission (kNews, "check"). The event's text is the name of the check, its
+/// parameters are the state.
+struct CheckReport {
+  std::string expected;
+  std::string was;    ///< What was found instead.
+  std::string agent;  ///< The agent that decided it; may be empty.
+  bool is_marker = false;
+};
+
 /// An event of a run, for the command line, the JSON output and the panels.
 struct RunEvent {
   EventKind kind = EventKind::kLog;
@@ -44,12 +59,16 @@ struct RunEvent {
                           ///< the command line.
   std::vector<explain::Reason> reasons = {};  ///< kGap: the most informative first. kOutcome: a fault of its form.
   std::string parameters = {};                ///< kCommand: the parameters of the command.
-  bool has_perceived = true;                  ///< kCommand: whether `perceived` is set.
-  Diagnostic diagnostic;                      ///< kDiagnostic, kAgentFailed and kMindFailed.
+  std::variant<std::monostate, Speech, CheckReport> values = {};  ///< kNews: what the text says, as values.
+  bool has_perceived = true;                                      ///< kCommand: whether `perceived` is set.
+  Diagnostic diagnostic;                                          ///< kDiagnostic, kAgentFailed and kMindFailed.
   float perceived = 0;   ///< kCommand: the ^distance that the mind perceived (squared metres, as in the thesis).
   world::Vec3 position;  ///< kCommand: position of the agent.
 };
 
 using EventList = std::vector<RunEvent>;
+
+/// The sentences that explain an event: its reasons; or what a check expected and what was found.
+std::vector<std::string> Remarks(const RunEvent& event);
 
 }  // namespace soarbox::sim
