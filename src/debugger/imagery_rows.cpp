@@ -215,8 +215,7 @@ std::optional<WhyNode> WhyRecord(explain::Inspector& mind, std::string_view reco
       if (value.record != record) continue;
       WhyNode why = value.why;
       why.text = "imagined by " + extract.command + " " + extract.id + " in " + line->state + ": " + why.text;
-      if (!extract.rule.empty())
-        why.below.push_back({"asked by rule " + extract.rule, WhyKind::kRule, extract.rule, {}});
+      if (!extract.rule.empty()) why.below.push_back({"asked by rule " + extract.rule, WhyKind::kRule, extract.rule});
       return why;
     }
   }

@@ -64,23 +64,23 @@ class FiringTeller {
   explicit FiringTeller(const LearnedRuleFact& learned) : learned_(learned) {}
 
   WhyNode Tell(const FiringFact& firing) {
-    WhyNode node{FiringName(firing), WhyKind::kRule, firing.rule, {}};
+    WhyNode node{FiringName(firing), WhyKind::kRule, firing.rule};
     if (!told_.insert(firing.serial).second) {
       node.text += ", see above";
       return node;
     }
     for (const TripleFact& condition : firing.conditions) {
       if (condition.negated) {
-        node.below.push_back({"required no " + condition.id, WhyKind::kReason, "", {}});
+        node.below.push_back({"required no " + condition.id});
         continue;
       }
       const std::string met = condition.met.empty() ? TripleText(condition) : "(" + condition.met + ")";
       if (condition.above) {
-        node.below.push_back({met + " of a higher state", WhyKind::kPercept, "", {}});
+        node.below.push_back({met + " of a higher state", WhyKind::kPercept});
         continue;
       }
       const FiringFact* const creator = FindFiring(learned_, condition.creator);
-      WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", WhyKind::kElement, "", {}});
+      WhyNode& local = node.below.emplace_back(WhyNode{met + " of the substate", WhyKind::kElement});
       if (creator != nullptr && told_.size() < kMostFirings) {
         local.text += ", made by";
         local.below.push_back(Tell(*creator));
@@ -97,20 +97,20 @@ class FiringTeller {
 };
 
 WhyNode ConditionNode(const LearnedRuleFact& learned, const TripleFact& condition) {
-  WhyNode node{TripleText(condition), WhyKind::kCondition, "", {}};
+  WhyNode node{TripleText(condition), WhyKind::kCondition};
   if (condition.negated) {
-    node.below.push_back({"a rule of the substate required that this is absent", WhyKind::kReason, "", {}});
+    node.below.push_back({"a rule of the substate required that this is absent"});
     return node;
   }
-  if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", WhyKind::kElement, "", {}});
+  if (!condition.met.empty()) node.below.push_back({"it was (" + condition.met + ")", WhyKind::kElement});
   for (std::size_t n = 0; n < condition.path.size(); ++n) {
     const FiringFact* const firing = FindFiring(learned, condition.path[n]);
     if (firing == nullptr) continue;
     std::string text = (n == 0 ? "tested by " : "which led to ") + FiringName(*firing);
     if (firing->made_result) text += ", which gave the result";
-    node.below.push_back({std::move(text), WhyKind::kRule, firing->rule, {}});
+    node.below.push_back({std::move(text), WhyKind::kRule, firing->rule});
   }
-  if (condition.path.empty()) node.below.push_back({"leads to what other conditions test", WhyKind::kReason, "", {}});
+  if (condition.path.empty()) node.below.push_back({"leads to what other conditions test"});
   return node;
 }
 
@@ -165,37 +165,33 @@ std::string ImpasseOf(const LearnedRuleFact& learned) {
 }
 
 WhyNode TellOrigin(const LearnedRuleFact& learned) {
-  WhyNode node{DecisionText(learned), WhyKind::kLearned, learned.rule, {}};
+  WhyNode node{DecisionText(learned), WhyKind::kLearned, learned.rule};
   if (const FiringFact* const base = FindFiring(learned, learned.base)) {
-    node.below.push_back({"from " + FiringName(*base) + ", which gave the result", WhyKind::kRule, base->rule, {}});
+    node.below.push_back({"from " + FiringName(*base) + ", which gave the result", WhyKind::kRule, base->rule});
   }
   constexpr std::size_t kMostOthers = 8;
   std::size_t others = 0;
   for (auto firing = learned.firings.rbegin(); firing != learned.firings.rend(); ++firing) {
     if (firing->serial == learned.base) continue;
     if (++others <= kMostOthers)
-      node.below.push_back({"which rested on " + FiringName(*firing), WhyKind::kRule, firing->rule, {}});
+      node.below.push_back({"which rested on " + FiringName(*firing), WhyKind::kRule, firing->rule});
   }
-  if (others > kMostOthers)
-    node.below.push_back(
-        {"and on " + std::to_string(others - kMostOthers) + " more firings", WhyKind::kReason, "", {}});
+  if (others > kMostOthers) node.below.push_back({"and on " + std::to_string(others - kMostOthers) + " more firings"});
   return node;
 }
 
 WhyNode TellLearnedRule(const LearnedRuleFact& learned) {
-  WhyNode root{learned.rule + ": " + DecisionText(learned), WhyKind::kLearned, learned.rule, {}};
+  WhyNode root{learned.rule + ": " + DecisionText(learned), WhyKind::kLearned, learned.rule};
   if (const std::string misgivings = Misgivings(learned); !misgivings.empty())
-    root.below.push_back({"note: " + misgivings, WhyKind::kReason, "", {}});
-  WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there", WhyKind::kReason, "", {}});
+    root.below.push_back({"note: " + misgivings});
+  WhyNode& conditions = root.below.emplace_back(WhyNode{"why each condition is there"});
   for (const TripleFact& condition : learned.conditions) conditions.below.push_back(ConditionNode(learned, condition));
-  WhyNode& actions =
-      root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(learned), WhyKind::kReason, "", {}});
+  WhyNode& actions = root.below.emplace_back(WhyNode{"what it is good for: it " + PurposeOf(learned)});
   for (const TripleFact& action : learned.actions) {
-    WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), WhyKind::kCondition, "", {}});
-    made.below.push_back({"it was (" + action.met + ")", WhyKind::kElement, "", {}});
+    WhyNode& made = actions.below.emplace_back(WhyNode{TripleText(action), WhyKind::kCondition});
+    made.below.push_back({"it was (" + action.met + ")", WhyKind::kElement});
   }
-  WhyNode& firings = root.below.emplace_back(
-      WhyNode{"how the substate came to the result, from its last firing back", WhyKind::kReason, "", {}});
+  WhyNode& firings = root.below.emplace_back(WhyNode{"how the substate came to the result, from its last firing back"});
   FiringTeller teller(learned);
   if (const FiringFact* const base = FindFiring(learned, learned.base)) firings.below.push_back(teller.Tell(*base));
   return root;
@@ -207,13 +203,10 @@ std::optional<WhyNode> WhyLearned(explain::Inspector& mind, std::string_view rul
   }
   for (const explain::RuleFact& known : mind.Rules()) {
     if (known.name != rule || known.type != "chunk") continue;
-    WhyNode root{known.name + ": a learned rule", WhyKind::kLearned, known.name, {}};
+    WhyNode root{known.name + ": a learned rule", WhyKind::kLearned, known.name};
     root.below.push_back({mind.TellsAll() ? "how it was learned is not known: it was loaded, or learned before anybody "
                                             "watched, or more than 1,000 rules ago"
-                                          : "how it was learned: this kernel does not report it",
-                          WhyKind::kReason,
-                          "",
-                          {}});
+                                          : "how it was learned: this kernel does not report it"});
     return root;
   }
   return std::nullopt;

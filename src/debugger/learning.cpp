@@ -129,8 +129,8 @@ LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& r
   if (std::optional<WhyNode> why = WhyLearned(mind, rule)) {
     view.why = *std::move(why);
   } else if (learned != nullptr && learned->tick <= until) {
-    view.why = {rule + ": learned " + learned->reason, WhyKind::kLearned, rule, {}};
-    view.why.below.push_back({"why its conditions are there: " + std::string(Absence(mind)), WhyKind::kReason, "", {}});
+    view.why = {rule + ": learned " + learned->reason, WhyKind::kLearned, rule};
+    view.why.below.push_back({"why its conditions are there: " + std::string(Absence(mind))});
   } else {
     return view;
   }

@@ -126,8 +126,8 @@ void TellRecalls(const RecallLog& log, WhyNode& answer) {
   for (std::size_t n = 0; n < std::min(recalls.size(), kMostTold); ++n) {
     Recall recall = recalls[recalls.size() - 1 - n];
     const std::string reason = std::exchange(recall.reason, {});
-    WhyNode node{(n == 0 ? "recalled last: " : "before that: ") + ToText(recall), WhyKind::kRecall, "", {}};
-    if (!reason.empty()) node.below.push_back({reason, WhyKind::kReason, "", {}});
+    WhyNode node{(n == 0 ? "recalled last: " : "before that: ") + ToText(recall), WhyKind::kRecall};
+    if (!reason.empty()) node.below.push_back({reason});
     answer.below.push_back(std::move(node));
   }
 }

@@ -407,10 +407,10 @@ WhyNode NodeOf(const RecordedMind::Command& command) {
   if (!command.parameters.empty()) text += " " + command.parameters;
   text += ": " + (command.status.empty() ? std::string("under way") : command.status);
   if (!command.reason.empty()) text += " " + command.reason;
-  WhyNode node{std::move(text), WhyKind::kCommand, command.name, {}};
+  WhyNode node{std::move(text), WhyKind::kCommand, command.name};
   if (!command.rule.empty())
     node.below.push_back(
-        {wording::Say(wording::Situation::kSaidBy, {{"rule", command.rule}}), WhyKind::kRule, command.rule, {}});
+        {wording::Say(wording::Situation::kSaidBy, {{"rule", command.rule}}), WhyKind::kRule, command.rule});
   for (const RecordedMind::Selected& selected : command.selected) {
     const std::optional<mind::Decision> decision =
         selected.decision.empty() ? std::nullopt : mind::Unpack(selected.decision);
@@ -418,9 +418,7 @@ WhyNode NodeOf(const RecordedMind::Command& command) {
     node.below.push_back({wording::Say(why.empty() ? wording::Situation::kSelectedWhenGiven
                                                    : wording::Situation::kSelectedWhenGivenBecause,
                                        {{"op", NameAndId(selected.name, selected.id)}, {"why", why}}),
-                          WhyKind::kOperator,
-                          "",
-                          {}});
+                          WhyKind::kOperator});
   }
   return node;
 }
@@ -433,8 +431,8 @@ std::optional<WhyNode> WhyRecordedCommand(const RecordedMind& mind, std::string_
 }
 
 WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
-  WhyNode root{std::string(agent) + ", as it was recorded", WhyKind::kAgent, std::string(agent), {}};
-  root.below.push_back(mind.commands.empty() ? WhyNode{"has given no command", WhyKind::kCommand, "", {}}
+  WhyNode root{std::string(agent) + ", as it was recorded", WhyKind::kAgent, std::string(agent)};
+  root.below.push_back(mind.commands.empty() ? WhyNode{"has given no command", WhyKind::kCommand}
                                              : NodeOf(mind.commands.front()));
   bool has_operator = false;
   for (const explain::StateFact& state : mind.stack) {
@@ -444,28 +442,23 @@ WhyNode WhyRecorded(const RecordedMind& mind, std::string_view agent) {
       // The recorded decision says why no operator was selected.
       if (!decision) continue;
       if (std::string why = wording::WhyNothing(*decision); !why.empty())
-        root.below.push_back({"no operator is selected in " + state.id + ": " + why, WhyKind::kReason, "", {}});
+        root.below.push_back({"no operator is selected in " + state.id + ": " + why});
       continue;
     }
     has_operator = true;
     WhyNode& node = root.below.emplace_back(
         WhyNode{"operator " + NameAndId(state.operator_name, state.operator_id) + " is selected in " + state.id,
-                WhyKind::kOperator,
-                "",
-                {}});
+                WhyKind::kOperator});
     if (account == nullptr) continue;
-    if (!account->remark.empty()) node.below.push_back({account->remark, WhyKind::kReason, "", {}});
+    if (!account->remark.empty()) node.below.push_back({account->remark});
     if (!decision) continue;
-    node.below.push_back({wording::WhyDecided(*decision), WhyKind::kReason, "", {}});
+    node.below.push_back({wording::WhyDecided(*decision)});
     for (const mind::Decision::Drop& drop : decision->drops) {
-      node.below.push_back(
-          {"also there: " + wording::OperatorText(*decision, drop.op) + ", " + wording::WhyDropped(*decision, drop.op),
-           WhyKind::kReason,
-           "",
-           {}});
+      node.below.push_back({"also there: " + wording::OperatorText(*decision, drop.op) + ", " +
+                            wording::WhyDropped(*decision, drop.op)});
     }
   }
-  if (!has_operator) root.below.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
+  if (!has_operator) root.below.push_back({"no operator is selected now"});
   return root;
 }
 

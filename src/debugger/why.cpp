@@ -55,7 +55,7 @@ class Tracer {
   }
 
   WhyNode Element(const explain::ElementFact& element, int depth) {
-    WhyNode node{Describe(element), WhyKind::kElement, std::to_string(element.timetag), {}};
+    WhyNode node{Describe(element), WhyKind::kElement, std::to_string(element.timetag)};
     if (followed_.contains(element.timetag)) return node;
     // An imagined value is reported at any depth, because it depends on nothing else in memory.
     if (element.attribute == "value") {
@@ -83,7 +83,7 @@ class Tracer {
   }
 
   WhyNode Rule(const explain::MakerFact& maker, int depth) {
-    WhyNode node{Describe(maker), WhyKind::kRule, maker.rule, {}};
+    WhyNode node{Describe(maker), WhyKind::kRule, maker.rule};
     if (maker.elements.empty() && maker.o_supported) node.text += ": it matched then, and what it made stays";
     if (std::optional<WhyNode> origin = OriginOf(mind_, maker.rule)) node.below.push_back(*std::move(origin));
     for (const explain::ElementFact& element : Telling(maker.elements))
@@ -92,7 +92,7 @@ class Tracer {
   }
 
   WhyNode Preference(const explain::PreferenceFact& preference) {
-    WhyNode node{Describe(preference), WhyKind::kPreference, preference.maker.rule, {}};
+    WhyNode node{Describe(preference), WhyKind::kPreference, preference.maker.rule};
     if (std::optional<WhyNode> origin = OriginOf(mind_, preference.maker.rule))
       node.below.push_back(*std::move(origin));
     for (const explain::ElementFact& element : Telling(preference.maker.elements))
@@ -140,10 +140,9 @@ std::string CommandText(const CommandRow& command) {
 
 WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag) {
   const std::optional<explain::ElementFact> element = mind.Element(timetag);
-  if (!element) return {"there is no element " + std::to_string(timetag) + " now", WhyKind::kReason, "", {}};
+  if (!element) return {"there is no element " + std::to_string(timetag) + " now"};
   WhyNode node = Tracer(mind).Element(*element, kRulesBack);
-  if (!mind.TellsAll())
-    node.below.push_back({"which rule made it: " + std::string(Absence(mind)), WhyKind::kReason, "", {}});
+  if (!mind.TellsAll()) node.below.push_back({"which rule made it: " + std::string(Absence(mind))});
   return node;
 }
 
@@ -151,13 +150,13 @@ std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op
   const std::optional<FoundOperator> found = Find(mind, op);
   if (!found) return std::nullopt;
   const auto& [view, row] = *found;
-  WhyNode node{view.sentence, WhyKind::kOperator, row.id, {}};
+  WhyNode node{view.sentence, WhyKind::kOperator, row.id};
   if (!row.selected) node.text = Title(row) + ": " + row.verdict + ". " + view.sentence;
   Tracer tracer(mind);
   for (const explain::PreferenceFact& preference : row.preferences) node.below.push_back(tracer.Preference(preference));
   for (const OperatorRow& other : view.rows) {
     if (other.id == row.id || node.below.size() >= kMostBelow) continue;
-    node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, WhyKind::kOperator, other.id, {}});
+    node.below.push_back({"also there: " + Title(other) + ", " + other.verdict, WhyKind::kOperator, other.id});
   }
   return node;
 }
@@ -165,7 +164,7 @@ std::optional<WhyNode> WhyOperator(explain::Inspector& mind, std::string_view op
 std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view command) {
   for (const CommandRow& row : LookAtIo(mind).commands) {
     if (row.name != command && row.id != command) continue;
-    WhyNode node{CommandText(row), WhyKind::kCommand, row.name, {}};
+    WhyNode node{CommandText(row), WhyKind::kCommand, row.name};
     const mind::OriginFacts origin = mind.origins.Of(row.timetag);
     node.below = explain::OriginTree(origin, mind.origins.time, true);
     if (!node.below.empty()) {
@@ -174,8 +173,7 @@ std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view com
       for (WhyNode& reason : explain::PresentReason(origin, selected)) node.below.push_back(std::move(reason));
     } else if (const std::optional<explain::ElementFact> element = mind.Element(row.timetag)) {
       node.below = Tracer(mind).Element(*element, kRulesBack).below;
-      if (!mind.TellsAll())
-        node.below.push_back({"which rule gave it: " + std::string(Absence(mind)), WhyKind::kReason, "", {}});
+      if (!mind.TellsAll()) node.below.push_back({"which rule gave it: " + std::string(Absence(mind))});
     }
     return node;
   }
@@ -198,7 +196,7 @@ WhyNode WhyNameOrError(sim::Simulation& simulation, std::string_view agent, std:
   if (why) return std::move(*why);
   std::string text = why.error().message;
   if (!why.error().hint.empty()) text += ": " + why.error().hint;
-  return {std::move(text), WhyKind::kReason, "", {}};
+  return {std::move(text)};
 }
 
 WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
@@ -206,15 +204,14 @@ WhyNode WhyAgent(const sim::Simulation& simulation, std::string_view agent) {
   const bool tells_all = mind != nullptr && mind->TellsAll();
   std::optional<WhyNode> root = simulation.Why(agent, !tells_all);
   if (!root)
-    return {
-        "there is no agent " + std::string(agent) + " with a mind of rules", WhyKind::kAgent, std::string(agent), {}};
+    return {"there is no agent " + std::string(agent) + " with a mind of rules", WhyKind::kAgent, std::string(agent)};
   // Our own kernel reports more about the selected operators. They are listed after the command.
   const auto command = std::ranges::find(root->below, WhyKind::kCommand, &WhyNode::kind);
   if (!tells_all || command == root->below.end()) return *std::move(root);
   std::vector<WhyNode> operators;
   for (const explain::StateFact& state : mind->Stack())
     if (std::optional<WhyNode> op = WhyOperator(*mind, state.operator_id)) operators.push_back(*std::move(op));
-  if (operators.empty()) operators.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
+  if (operators.empty()) operators.push_back({"no operator is selected now"});
   root->below.insert(command + 1, std::make_move_iterator(operators.begin()), std::make_move_iterator(operators.end()));
   return *std::move(root);
 }

@@ -20,22 +20,24 @@ using wording::Situation;
 
 /// Why no preference decides among candidates, as the end of a sentence: they have the same preference, or one rule
 /// proposes them because an attribute has several values. Empty if neither is so.
-std::string WhyAlike(MindView& view, const std::string& state, const std::vector<Preference>& proposals) {
-  const std::vector<Preference> preferences = view.Preferences(state);
+std::string WhyAlike(MindView& view, const std::string& state, const std::vector<PreferenceFact>& proposals) {
+  const std::vector<PreferenceFact> preferences = view.Preferences(state);
   // Whether all candidates have the same unary preference.
-  const auto have_all = [&](std::string_view section) {
-    return proposals.size() > 1 && std::ranges::all_of(proposals, [&](const Preference& proposal) {
-             return std::ranges::any_of(preferences, [&](const Preference& one) {
-               return one.section == section && one.operator_id == proposal.operator_id;
+  const auto have_all = [&](std::string_view type) {
+    return proposals.size() > 1 && std::ranges::all_of(proposals, [&](const PreferenceFact& proposal) {
+             return std::ranges::any_of(preferences, [&](const PreferenceFact& one) {
+               return one.type == type && one.value == proposal.value;
              });
            });
   };
   if (have_all("worst")) return Say(Situation::kTieAllSigned, {{"sign", "<"}});
   if (have_all("best")) return Say(Situation::kTieAllSigned, {{"sign", ">"}});
   // One rule proposes all of them because an attribute that rules make has several values.
-  const auto is_same = [&](const Preference& proposal) { return proposal.rule == proposals.front().rule; };
+  const auto is_same = [&](const PreferenceFact& proposal) {
+    return proposal.maker.rule == proposals.front().maker.rule;
+  };
   if (proposals.size() < 2 || !std::ranges::all_of(proposals, is_same)) return {};
-  const auto proposer = std::ranges::find(view.rules(), proposals.front().rule, &RuleText::name);
+  const auto proposer = std::ranges::find(view.rules(), proposals.front().maker.rule, &RuleText::name);
   if (proposer == view.rules().end()) return {};
   for (const RuleAttribute& action : proposer->actions) {
     if (action.attribute == "operator" || !IsVariable(action.value)) continue;
@@ -50,8 +52,8 @@ std::string WhyAlike(MindView& view, const std::string& state, const std::vector
               !made.removes && IsVariable(made.value) && !rule.applies.empty())
             maker = &rule;
       std::set<std::string> values;
-      for (const Preference& proposal : proposals)
-        for (const std::string& value : view.ValuesAt(proposal.operator_id, {action.attribute})) values.insert(value);
+      for (const PreferenceFact& proposal : proposals)
+        for (const std::string& value : view.ValuesAt(proposal.value, {action.attribute})) values.insert(value);
       if (maker == nullptr || values.size() != proposals.size()) continue;
       return Say(Situation::kTieBySeveral, {{"attribute", action.attribute},
                                             {"source", source.attribute},
@@ -67,30 +69,29 @@ std::string WhyAlike(MindView& view, const std::string& state, const std::vector
 std::vector<Reason> ExplainTie(MindView& view, const std::string& state, const std::string& below) {
   // The remaining candidates are the items of the impasse; other operators may be proposed and dropped.
   const std::vector<std::string> items = view.ValuesAt(below, {"item"});
-  std::vector<Preference> proposals;
-  for (Preference& preference : view.Preferences(state)) {
-    const std::string& op = preference.operator_id;
-    if (preference.section != "acceptable") continue;
+  std::vector<PreferenceFact> proposals;
+  for (PreferenceFact& preference : view.Preferences(state)) {
+    const std::string& op = preference.value;
+    if (preference.type != "acceptable") continue;
     if (!items.empty() && std::ranges::find(items, op) == items.end()) continue;
-    if (std::ranges::find(proposals, op, &Preference::operator_id) == proposals.end())
+    if (std::ranges::find(proposals, op, &PreferenceFact::value) == proposals.end())
       proposals.push_back(std::move(preference));
   }
   // Sorts "O2" before "O10".
-  std::ranges::sort(proposals, {}, [](const Preference& proposal) {
-    return std::pair(proposal.operator_id.size(), proposal.operator_id);
-  });
+  std::ranges::sort(proposals, {},
+                    [](const PreferenceFact& proposal) { return std::pair(proposal.value.size(), proposal.value); });
   std::vector<std::string> names;
   std::vector<Reason> lines;
-  for (const Preference& proposal : proposals) {
+  for (const PreferenceFact& proposal : proposals) {
     if (std::ranges::find(names, proposal.name) == names.end()) names.push_back(proposal.name);
-    if (lines.size() < kMostShown && !proposal.rule.empty())
+    if (lines.size() < kMostShown && !proposal.maker.rule.empty())
       lines.push_back(Say(Situation::kIsProposedBy,
-                          {{"op", view.DescribeOperator(proposal.operator_id)}, {"rule", proposal.rule}}));
+                          {{"op", view.DescribeOperator(proposal.value)}, {"rule", proposal.maker.rule}}));
   }
   const std::string alike = WhyAlike(view, state, proposals);
   // A proposed constant is a candidate without a name.
   for (const std::string& item : items)
-    if (std::ranges::find(proposals, item, &Preference::operator_id) == proposals.end()) names.push_back(item);
+    if (std::ranges::find(proposals, item, &PreferenceFact::value) == proposals.end()) names.push_back(item);
   const std::string among =
       names.size() == 1
           ? Say(Situation::kTieAlike, {{"count", std::to_string(proposals.size())}, {"name", names.front()}})
@@ -112,11 +113,11 @@ std::vector<Reason> ExplainConflict(MindView& view, const std::string& state, co
   // For another kernel: the preferences of that kind among the candidates.
   const std::vector<std::string> items = view.ValuesAt(below.id, {"item"});
   std::string said;
-  for (const Preference& preference : view.Preferences(state)) {
-    const std::string& kind = preference.section;
-    const bool may_be_why = is_conflict ? kind == "better" || kind == "worse" : kind == "require" || kind == "prohibit";
-    if (!may_be_why || std::ranges::find(items, preference.operator_id) == items.end()) continue;
-    said += (said.empty() ? "" : "; ") + ("rule " + preference.rule + " says " + preference.text);
+  for (const PreferenceFact& preference : view.Preferences(state)) {
+    const std::string& type = preference.type;
+    const bool may_be_why = is_conflict ? type == "better" || type == "worse" : type == "require" || type == "prohibit";
+    if (!may_be_why || std::ranges::find(items, preference.value) == items.end()) continue;
+    said += (said.empty() ? "" : "; ") + ("rule " + preference.maker.rule + " says " + PreferenceText(preference));
   }
   return {{Say(situation, {{"state", state}, {"why", said}}), kind}};
 }
@@ -128,13 +129,13 @@ std::string WhyAllDropped(MindView& view, const std::string& state) {
   // For another kernel, the drops are not known. Lists its preferences against operators, if there are proposals.
   std::string against;
   bool is_proposed = false;
-  for (const Preference& preference : view.Preferences(state)) {
-    is_proposed |= preference.section == "acceptable";
-    if (preference.section != "reject" && preference.section != "prohibit") continue;
+  for (const PreferenceFact& preference : view.Preferences(state)) {
+    is_proposed |= preference.type == "acceptable";
+    if (preference.type != "reject" && preference.type != "prohibit") continue;
     against +=
         (against.empty() ? "" : "; ") +
-        Say(preference.section == "reject" ? Situation::kRejects : Situation::kProhibits,
-            {{"maker", "rule " + preference.rule}, {"op", preference.name + " (" + preference.operator_id + ")"}});
+        Say(preference.type == "reject" ? Situation::kRejects : Situation::kProhibits,
+            {{"maker", "rule " + preference.maker.rule}, {"op", preference.name + " (" + preference.value + ")"}});
   }
   return is_proposed && !against.empty() ? Say(Situation::kAllDropped, {{"why", against}}) : std::string();
 }

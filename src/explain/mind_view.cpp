@@ -30,13 +30,6 @@ std::string ElementText(const ElementFact& element) {
          (element.acceptable ? " +)" : ")");
 }
 
-/// The word for a type in the output of `preferences`.
-std::string SectionOf(const std::string& type) {
-  if (type == "indifferent") return "unary indifferent";
-  if (type == "numeric") return "numeric indifferent";
-  return type == "equal" ? "binary indifferent" : type;
-}
-
 /// "O1 (left)"
 std::string WithName(const std::string& id, const std::string& name) {
   return name.empty() ? id : id + " (" + name + ")";
@@ -161,20 +154,10 @@ mind::Decision MindView::DecisionOf(const std::string& state) {
   return inspector_->Operators(state).decision.value_or(mind::Decision());
 }
 
-std::vector<Preference> MindView::Preferences(const std::string& state) {
-  std::vector<Preference> found;
-  for (const PreferenceFact& fact : inspector_->Operators(state).preferences) {
-    Preference& preference = found.emplace_back();
-    preference.section = SectionOf(fact.type);
-    preference.operator_id = fact.value;
-    preference.name = fact.name;
-    preference.text = WithName(fact.value, fact.name) + " " + fact.sign;
-    if (!fact.referent.empty())
-      preference.text += " " + WithName(wording::WithoutZeros(fact.referent), fact.other_name);
-    preference.rule = fact.maker.rule;
-    preference.fact = fact;
-  }
-  return found;
+std::string PreferenceText(const PreferenceFact& preference) {
+  const std::string text = WithName(preference.value, preference.name) + " " + preference.sign;
+  if (preference.referent.empty()) return text;
+  return text + " " + WithName(wording::WithoutZeros(preference.referent), preference.other_name);
 }
 
 std::vector<std::string> MindView::ValuesOf(const std::string& attribute) {
@@ -200,12 +183,11 @@ std::vector<std::string> MindView::ValuesAt(const std::string& id, const std::ve
   return at;
 }
 
-std::vector<std::string> MindView::Elements(const std::string& state, const Preference& preference) {
+std::vector<std::string> MindView::Elements(const std::string& state, const PreferenceFact& preference) {
   constexpr std::size_t kMost = 12;
-  std::vector<ElementFact> elements = preference.fact.maker.elements;
+  std::vector<ElementFact> elements = preference.maker.elements;
   if (!inspector_->TellsAll()) {
-    for (const std::uint64_t tag :
-         ReadRestsOn(preference.fact, Ask("preferences " + state + " operator --names --wmes"))) {
+    for (const std::uint64_t tag : ReadRestsOn(preference, Ask("preferences " + state + " operator --names --wmes"))) {
       if (elements.size() >= kMost) break;
       if (std::optional<ElementFact> element = inspector_->Element(tag)) elements.push_back(std::move(*element));
     }

@@ -31,14 +31,8 @@ struct RuleMatch {
   bool is_group = false;  ///< The failing condition is a negated group, -{ ... }.
 };
 
-/// One preference for an operator.
-struct Preference {
-  std::string section;            ///< "acceptable", "better", "best", ...
-  std::string operator_id, name;  ///< "O3", "move-to"
-  std::string text;               ///< "O1 (left) > O2 (right)"
-  std::string rule;               ///< The rule that made it; empty if no rule is named.
-  PreferenceFact fact;
-};
+/// "O1 (left) > O2 (right)".
+std::string PreferenceText(const PreferenceFact& preference);
 
 /// Searches what an Inspector reports about a Soar program of any kernel. Each call queries the kernel; only the rules
 /// are cached, and their numbers of firings if the inspector reports all data. Valid until the agent runs again.
@@ -57,7 +51,7 @@ class MindView {
   bool IsPending(const std::string& rule);
   /// How often the rule has fired; nothing if that is not reported.
   std::optional<std::uint64_t> Firings(const std::string& rule);
-  std::vector<Preference> Preferences(const std::string& state);
+  std::vector<PreferenceFact> Preferences(const std::string& state) { return inspector_->Operators(state).preferences; }
   /// The recorded decision about a state's operators; empty if the kernel does not report it.
   mind::Decision DecisionOf(const std::string& state);
   /// Values that an attribute has anywhere in working memory.
@@ -65,7 +59,7 @@ class MindView {
   /// Values at the end of a path of attributes that begins at identifier `id`. Each value occurs once.
   std::vector<std::string> ValuesAt(const std::string& id, const std::vector<std::string>& path);
   /// The elements that a preference of this state depends on: "(I2 ^path P2)".
-  std::vector<std::string> Elements(const std::string& state, const Preference& preference);
+  std::vector<std::string> Elements(const std::string& state, const PreferenceFact& preference);
   /// An operator's name and attributes: "move-to ^waypoint north".
   std::string DescribeOperator(const std::string& id);
 

@@ -54,9 +54,7 @@ class OriginTeller {
     const std::string why = origin.decided ? wording::WhySelected(*origin.decided) : std::string();
     WhyNode node{Say(why.empty() ? Situation::kSelectedThen : Situation::kSelectedThenBecause,
                      {{"op", OperatorText(origin)}, {"when", When(origin)}, {"why", why}}),
-                 WhyKind::kOperator,
-                 origin.op,
-                 {}};
+                 WhyKind::kOperator, origin.op};
     node.time_s = TimeOf(origin);
     if (!followed_.insert(place).second || depth <= 0) return node;
     for (const std::uint32_t proposal : origin.proposals)
@@ -109,17 +107,14 @@ class OriginTeller {
       ++told;
       node.below.push_back(Element(matched, depth - 1));
     }
-    if (more > 0)
-      node.below.push_back({Say(Situation::kMatchedMore, {{"count", std::to_string(more)}}), WhyKind::kReason, "", {}});
+    if (more > 0) node.below.push_back({Say(Situation::kMatchedMore, {{"count", std::to_string(more)}})});
   }
 
   WhyNode Element(const OriginElementFact& matched, int depth) {
     const mind::ElementFact& element = matched.element;
     WhyNode node{"^" + element.attribute + " " + wording::WithoutZeros(element.value) +
                      (element.acceptable ? " +" : "") + " of " + element.id,
-                 WhyKind::kElement,
-                 std::to_string(element.timetag),
-                 {}};
+                 WhyKind::kElement, std::to_string(element.timetag)};
     if (matched.source == OriginElementFact::Source::kInput) {
       node.kind = WhyKind::kPercept;
       node.text += " (perceived)";
@@ -155,10 +150,7 @@ std::vector<WhyNode> PresentReason(const mind::OriginFacts& facts, const std::ve
   if (facts.origins.empty() || facts.origins.front().op.empty() || !facts.origins.front().o_supported) return {};
   const OriginFact& origin = facts.origins.front();
   const bool is_selected = std::ranges::find(selected, origin.op) != selected.end();
-  return {{Say(is_selected ? Situation::kOperatorStays : Situation::kOperatorGone, {{"op", OperatorText(origin)}}),
-           WhyKind::kReason,
-           "",
-           {}}};
+  return {{Say(is_selected ? Situation::kOperatorStays : Situation::kOperatorGone, {{"op", OperatorText(origin)}})}};
 }
 
 }  // namespace soarbox::explain

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -100,7 +101,12 @@ class MindReasons {
   void TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into);
   void TellOperator(const std::string& name, int depth, Told& told, std::vector<WhyNode>& into);
   void TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into);
-  WhyNode OfPreference(const std::string& state, const Preference& preference, bool with_elements);
+  enum class PreferenceWords : std::uint8_t {
+    kAlone,
+    kWithElements,     ///< With the elements on which a proposal depends.
+    kRuleAndElements,  ///< The same, without the operator, which the step above names.
+  };
+  WhyNode OfPreference(const std::string& state, const PreferenceFact& preference, PreferenceWords words);
 
   sml::Agent& agent_;
   MindView view_;

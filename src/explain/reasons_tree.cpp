@@ -48,11 +48,8 @@ struct MindReasons::Told {
 void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vector<WhyNode>& into) {
   if (depth > kDeepest || !told.names.insert("rule " + rule.name).second) return;
   const std::optional<RuleWait> waiting = ExplainRule(rule, told.known);
-  WhyNode& node =
-      into.emplace_back(WhyNode{waiting ? waiting->Text() : "rule " + rule.name + ": all its conditions hold now",
-                                WhyKind::kRule,
-                                rule.name,
-                                {}});
+  WhyNode& node = into.emplace_back(WhyNode{
+      waiting ? waiting->Text() : "rule " + rule.name + ": all its conditions hold now", WhyKind::kRule, rule.name});
   node.wait = waiting;
   if (!waiting) return;
   const std::vector<ConditionText> waits = ReadCondition(rule, view_.Match(rule.name).failing);
@@ -66,16 +63,19 @@ void MindReasons::TellRule(const RuleText& rule, int depth, Told& told, std::vec
   }
 }
 
-WhyNode MindReasons::OfPreference(const std::string& state, const Preference& preference, bool with_elements) {
-  WhyNode node{
-      preference.section + ": " + preference.text +
-          (preference.rule.empty() ? "" : (preference.text.empty() ? "by rule " : " by rule ") + preference.rule),
-      WhyKind::kPreference,
-      preference.rule,
-      {}};
-  if (!with_elements || preference.section != "acceptable") return node;
+WhyNode MindReasons::OfPreference(const std::string& state, const PreferenceFact& preference, PreferenceWords words) {
+  const std::string& rule = preference.maker.rule;
+  std::string text = preference.type;
+  if (text == "indifferent") text = "unary indifferent";
+  if (text == "numeric") text = "numeric indifferent";
+  if (text == "equal") text = "binary indifferent";
+  text += ":";
+  if (words != PreferenceWords::kRuleAndElements) text += " " + PreferenceText(preference);
+  if (!rule.empty()) text += " by rule " + rule;
+  WhyNode node{std::move(text), WhyKind::kPreference, rule};
+  if (words == PreferenceWords::kAlone || preference.type != "acceptable") return node;
   for (std::string& element : view_.Elements(state, preference))
-    node.below.push_back({std::move(element), WhyKind::kElement, "", {}});
+    node.below.push_back({std::move(element), WhyKind::kElement});
   return node;
 }
 
@@ -89,44 +89,37 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
     }
     if (entry.about != name) continue;
     WhyNode& node = into.emplace_back(WhyNode{
-        "operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, WhyKind::kOperator, entry.id, {}});
-    for (Preference preference : view_.Preferences(state)) {
-      if (preference.operator_id != entry.id) continue;
-      preference.text.clear();
-      node.below.push_back(OfPreference(state, preference, true));
-    }
+        "operator " + view_.DescribeOperator(entry.id) + " is selected in " + state, WhyKind::kOperator, entry.id});
+    for (const PreferenceFact& preference : view_.Preferences(state))
+      if (preference.value == entry.id)
+        node.below.push_back(OfPreference(state, preference, PreferenceWords::kRuleAndElements));
     return;
   }
   // It may be proposed while another operator is preferred.
   const std::vector<StackEntry> stack = view_.Stack();
   const std::string top = stack.empty() ? "S1" : stack.front().id;
   const std::string chosen = stack.size() > 1 && !stack[1].is_state ? stack[1].about : std::string();
-  const std::vector<Preference> preferences = view_.Preferences(top);
-  if (std::ranges::find(preferences, name, &Preference::name) != preferences.end()) {
+  const std::vector<PreferenceFact> preferences = view_.Preferences(top);
+  if (std::ranges::find(preferences, name, &PreferenceFact::name) != preferences.end()) {
     WhyNode& node =
         into.emplace_back(WhyNode{"operator " + name + " is proposed in " + top +
                                       (chosen.empty() ? ", and none is selected" : ", and " + chosen + " is selected"),
-                                  WhyKind::kOperator,
-                                  name,
-                                  {}});
-    for (const Preference& preference : preferences)
-      if (preference.section != "acceptable" || preference.name == name)
-        node.below.push_back(OfPreference(top, preference, false));
+                                  WhyKind::kOperator, name});
+    for (const PreferenceFact& preference : preferences)
+      if (preference.type != "acceptable" || preference.name == name)
+        node.below.push_back(OfPreference(top, preference, PreferenceWords::kAlone));
     return;
   }
   WhyNode& node = into.emplace_back(
       WhyNode{"operator " + name + " is not proposed now" + (chosen.empty() ? "" : "; " + chosen + " is selected"),
-              WhyKind::kOperator,
-              name,
-              {}});
+              WhyKind::kOperator, name});
   RuleList proposers;
   for (const RuleText& rule : rules())
     if (rule.proposes.contains(name) || rule.proposes.contains("")) proposers.push_back(&rule);
   const std::string failed = WhatFailed();
   if (proposers.empty())
-    node.below.push_back(
-        {failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it", WhyKind::kReason, "", {}});
-  if (!failed.empty()) node.below.push_back({failed, WhyKind::kReason, "", {}});
+    node.below.push_back({failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it"});
+  if (!failed.empty()) node.below.push_back({failed});
   for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) TellRule(*proposers[i], depth + 1, told, node.below);
 }
 
@@ -136,15 +129,13 @@ void MindReasons::TellCommand(const std::string& command, Told& told, std::vecto
   if (was_given) {
     into = CommandTree(command, {});
   } else {
-    into.push_back({wording::Say(wording::Situation::kNeverGiven, {{"command", command}}), WhyKind::kReason, "", {}});
+    into.push_back({wording::Say(wording::Situation::kNeverGiven, {{"command", command}})});
   }
   for (const RuleText& rule : rules()) {
     if (!rule.says.contains(command)) continue;
     WhyNode& node = into.emplace_back(
         WhyNode{"rule " + rule.name + " gives it" + (rule.applies.empty() ? "" : " when it applies an operator"),
-                WhyKind::kRule,
-                rule.name,
-                {}});
+                WhyKind::kRule, rule.name});
     for (const std::string& name : rule.applies)
       if (!name.empty()) TellOperator(name, 2, told, node.below);
     // Requirements on an operator were reported above.
@@ -170,8 +161,7 @@ Result<std::vector<WhyNode>> MindReasons::WhyTopic(const std::string& topic, con
   if (is_operator) TellOperator(topic, 1, told, reasons);
   if (const RuleText* rule = view_.FindRule(topic)) TellRule(*rule, 1, told, reasons);
   const std::vector<FailedRule> failed = StillFailed();
-  if (std::ranges::find(failed, topic, &FailedRule::rule) != failed.end())
-    reasons.push_back({WhatFailed(), WhyKind::kReason, "", {}});
+  if (std::ranges::find(failed, topic, &FailedRule::rule) != failed.end()) reasons.push_back({WhatFailed()});
   if (!reasons.empty()) return reasons;
   Diagnostic problem;
   problem.message =
@@ -201,19 +191,12 @@ std::vector<WhyNode> MindReasons::CommandTree(const std::string& command, const 
   for (const RuleText& rule : rules())
     if (rule.says.contains(command) && view_.HasFired(rule.name)) speakers.push_back(rule.name);
   if (speakers.size() == 1)
-    nodes.push_back({wording::Say(wording::Situation::kSaidBy, {{"rule", speakers.front()}}),
-                     WhyKind::kRule,
-                     speakers.front(),
-                     {}});
+    nodes.push_back(
+        {wording::Say(wording::Situation::kSaidBy, {{"rule", speakers.front()}}), WhyKind::kRule, speakers.front()});
   if (speakers.size() > 1)
-    nodes.push_back({wording::Say(wording::Situation::kSaidByOneOf, {{"rules", wording::Listed(speakers)}}),
-                     WhyKind::kReason,
-                     "",
-                     {}});
-  nodes.push_back({wording::Say(facts.noted ? wording::Situation::kOriginNotNoted : wording::Situation::kOriginUnknown),
-                   WhyKind::kReason,
-                   "",
-                   {}});
+    nodes.push_back({wording::Say(wording::Situation::kSaidByOneOf, {{"rules", wording::Listed(speakers)}})});
+  nodes.push_back(
+      {wording::Say(facts.noted ? wording::Situation::kOriginNotNoted : wording::Situation::kOriginUnknown)});
   return nodes;
 }
 
@@ -223,25 +206,22 @@ std::vector<WhyNode> MindReasons::OperatorTree() {
   const auto selected =
       std::find_if(stack.begin(), stack.end(), [](const StackEntry& entry) { return !entry.is_state; });
   if (selected == stack.end()) {
-    nodes.push_back({"no operator is selected now", WhyKind::kReason, "", {}});
+    nodes.push_back({"no operator is selected now"});
     return nodes;
   }
   const std::string state = stack.front().is_state ? stack.front().id : "S1";
   WhyNode& node = nodes.emplace_back(
       WhyNode{"operator " + view_.DescribeOperator(selected->id) + " (" + selected->id + "), selected in " + state,
-              WhyKind::kOperator,
-              selected->id,
-              {}});
-  for (const Preference& preference : view_.Preferences(state)) {
-    const bool is_mine = preference.operator_id == selected->id;
-    if (preference.section == "acceptable" && !is_mine) {
+              WhyKind::kOperator, selected->id});
+  for (const PreferenceFact& preference : view_.Preferences(state)) {
+    const bool is_mine = preference.value == selected->id;
+    if (preference.type == "acceptable" && !is_mine) {
       node.below.push_back(
-          {"also proposed: " + view_.DescribeOperator(preference.operator_id) + " (" + preference.operator_id + ")",
-           WhyKind::kOperator,
-           preference.operator_id,
-           {}});
+          {"also proposed: " + view_.DescribeOperator(preference.value) + " (" + preference.value + ")",
+           WhyKind::kOperator, preference.value});
     } else {
-      node.below.push_back(OfPreference(state, preference, is_mine));
+      node.below.push_back(
+          OfPreference(state, preference, is_mine ? PreferenceWords::kWithElements : PreferenceWords::kAlone));
     }
   }
   return nodes;

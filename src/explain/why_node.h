@@ -33,8 +33,8 @@ enum class WhyKind : std::uint8_t {
 struct WhyNode {
   std::string text;
   WhyKind kind = WhyKind::kReason;
-  std::string link;  ///< Name of the agent, operator or rule, or the time tag of the element; may be empty.
-  std::vector<WhyNode> below;
+  std::string link = {};  ///< Name of the agent, operator or rule, or the time tag of the element; may be empty.
+  std::vector<WhyNode> below = {};
   std::optional<double> time_s = std::nullopt;  ///< The moment that the step is about, if it is not the present.
   std::optional<RuleWait> wait = std::nullopt;  ///< If it is about a rule that does not match: why.
 };

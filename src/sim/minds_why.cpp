@@ -40,7 +40,7 @@ std::string StatusOf(bool is_dead, bool has_ended) {
 Result<std::vector<explain::WhyNode>> Minds::WhyTopic(std::string_view agent, const std::string& topic) {
   Mind* mind = FindNamed(agent);
   if (mind == nullptr) return NewProblem("there is no agent '" + std::string(agent) + "' with a mind");
-  if (mind->gone) return std::vector<explain::WhyNode>{{mind->gone_because, WhyKind::kReason, "", {}}};
+  if (mind->gone) return std::vector<explain::WhyNode>{{mind->gone_because}};
   return explain::MindReasons(mind->soar.agent(), FailedIn(mind->rules)).WhyTopic(topic, KnownAttributes());
 }
 
@@ -66,9 +66,9 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
   Mind* at = FindNamed(agent);
   if (at == nullptr) return std::nullopt;
   const world::Agent& body = *world_.FindAgent(at->agent);
-  explain::WhyNode root{body.name() + " at " + Seconds(world_.time_s()) + " s", WhyKind::kAgent, body.name(), {}};
+  explain::WhyNode root{body.name() + " at " + Seconds(world_.time_s()) + " s", WhyKind::kAgent, body.name()};
   const auto add = [&root](std::string line) -> explain::WhyNode& {
-    return root.below.emplace_back(explain::WhyNode{std::move(line), WhyKind::kReason, "", {}});
+    return root.below.emplace_back(explain::WhyNode{std::move(line)});
   };
   if (body.IsGone()) {
     add("is no longer there: a script removed it");
@@ -94,15 +94,14 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     add(std::move(halted));
   } else if (at->last_said.empty() || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
-    for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes()))
-      idle.below.push_back({std::move(reason.text), WhyKind::kReason, "", {}});
+    for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes())) idle.below.push_back({std::move(reason.text)});
   }
   if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2));
   if (actor != nullptr) {
     explain::WhyNode& perceives = add("perceives");
     for (const vocabulary::Percept& percept : AllPercepts(*actor))
       perceives.below.push_back(
-          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), WhyKind::kPercept, "", {}});
+          {"^" + percept.attribute + " " + vocabulary::DescribeValue(percept), WhyKind::kPercept});
   }
   return root;
 }

@@ -321,10 +321,7 @@ void Desk::FillWhy(Contents& contents, explain::Inspector* mind) {
   if (mind == nullptr) return;
   if (world == nullptr) {
     why.question = "Why, or why not, " + why_.what + "?";
-    why.answer = debugger::WhyNode{"Not recorded. Soarbox can say why once it has simulated this moment again.",
-                                   debugger::WhyKind::kReason,
-                                   {},
-                                   {}};
+    why.answer = debugger::WhyNode{"Not recorded. Soarbox can say why once it has simulated this moment again."};
     return;
   }
   switch (why_.about) {

@@ -187,9 +187,9 @@ TEST_F(Panels, ShowLearnedRulesWithTheirReasonsAndDrawOnlyVisibleRows) {
   }
   debugger::LearnedRuleView& chosen = contents.learned_rule;
   chosen.name = "chunk*walker*turn*t4-1";
-  chosen.why = {"learned in the substate S2", debugger::WhyKind::kLearned, chosen.name, {}};
-  chosen.why.below.push_back({"why each condition is there", debugger::WhyKind::kReason, "", {}});
-  chosen.why.below[0].below.push_back({"(<s> ^operator <o>)", debugger::WhyKind::kCondition, "", {}});
+  chosen.why = {"learned in the substate S2", debugger::WhyKind::kLearned, chosen.name};
+  chosen.why.below.push_back({"why each condition is there"});
+  chosen.why.below[0].below.push_back({"(<s> ^operator <o>)", debugger::WhyKind::kCondition});
   chosen.fired = {20};
   ExpectShown(workbench::PanelId::kLearning,
               {"Fired since:", "0:00.67", "learned in the substate S2", "(<s> ^operator <o>)", "Close"});
