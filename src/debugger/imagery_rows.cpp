@@ -37,6 +37,17 @@ std::vector<double> NumbersIn(const Json& json, const char* name) {
   return numbers;
 }
 
+/// The input of the filter that computed a value: "^a self ^b box-1".
+std::string GivenTo(const Json& value) {
+  const auto from = value.find("from");
+  std::string given;
+  if (from == value.end() || !from->is_array()) return given;
+  for (const Json& argument : *from)
+    if (argument.is_object())
+      given += (given.empty() ? "^" : " ^") + TextIn(argument, "name") + " " + TextIn(argument, "value");
+  return given;
+}
+
 /// Explains a value by what it was computed from: "hull distance from self to box-1: 1.4".
 WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& begin) {
   WhyNode node;
@@ -44,20 +55,18 @@ WhyNode WhyOf(const Json& value, const std::string& filter, const std::string& b
   node.link = TextIn(value, "record");
   const std::string text = TextIn(value, "value");
   node.text = begin + text;
-  const auto from = value.find("from");
   if (filter.empty()) return node;
-  node.text += ": " + filter;
+  const std::string given = GivenTo(value);
+  node.text += ": " + filter + (given.empty() ? "" : " " + given);
+  const auto from = value.find("from");
   if (from == value.end() || !from->is_array()) return node;
-  std::string given;
   for (const Json& argument : *from) {
     if (!argument.is_object()) continue;
-    given += " ^" + TextIn(argument, "name") + " " + TextIn(argument, "value");
     const std::string source = TextIn(argument, "filter");
     // A value that was given by name needs no explanation.
     if (source.empty() || source == "node" || source == "all_nodes") continue;
     node.below.push_back(WhyOf(argument, source, "^" + TextIn(argument, "name") + " is "));
   }
-  node.text += given;
   return node;
 }
 
@@ -101,6 +110,7 @@ SceneExtractRow ReadExtract(std::string id, const Json& json) {
     row.record = TextIn(value, "record");
     row.text = TextIn(value, "value");
     row.why = WhyOf(value, extract.filter, {});
+    if (!extract.filter.empty()) row.given = GivenTo(value);
     if (const auto nodes = value.find("nodes"); nodes != value.end() && nodes->is_array()) {
       for (const Json& node : *nodes) {
         if (node.is_string()) row.nodes.push_back(node.get<std::string>());

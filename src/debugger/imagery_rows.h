@@ -44,6 +44,7 @@ struct SceneLine {
 struct SceneValueRow {
   std::string record;              ///< Its identifier in working memory.
   std::string text;                ///< "1.4", "true", "box-1".
+  std::string given;               ///< The input of the filter: "^a self ^b box-1"; may be empty.
   explain::WhyNode why;            ///< From what the value was computed.
   std::vector<std::string> nodes;  ///< Names of the nodes that the value is about.
   std::vector<SceneLine> lines;

@@ -136,7 +136,9 @@ bool HasLetter(const std::string& word) {
 }
 
 /// Finds constants that look like something else. Kernels print them in bars, whether their author used bars or not.
-void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
+/// Returns whether one of them is probably meant as a variable.
+bool FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
+  bool has_variable = false;
   std::set<std::string> told;
   for (const auto* side : {&rule.conditions, &rule.actions}) {
     for (const RuleAttribute& clause : *side) {
@@ -144,6 +146,7 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
         std::string word = test.second;
         if (word.size() > 2 && word.front() == '|' && word.back() == '|') word = word.substr(1, word.size() - 2);
         if (IsOtherLanguagesVariable(test.second) || IsQuestion(word)) {
+          has_variable = true;
           slips.push_back({rule.name, word, false,
                            word + " in rule " + rule.name + " is read as a word, not as a variable",
                            "write a variable between < and >: <" + word.substr(1) + ">"});
@@ -167,6 +170,7 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
           slips.push_back({rule.name, word, false, word + " in rule " + rule.name + " is read as a word",
                            "put a blank between them: " + word.substr(0, number) + " " + word.substr(number)});
         } else if ((word.front() == '<' || word.back() == '>') && HasLetter(word)) {
+          has_variable = true;
           slips.push_back({rule.name, word, false,
                            word + " in rule " + rule.name + " is read as a word, not as a variable",
                            "write a variable between < and >, without blanks"});
@@ -174,6 +178,7 @@ void FindOddWords(const RuleText& rule, std::vector<Slip>& slips) {
       }
     }
   }
+  return has_variable;
 }
 
 /// "2m" and "50%": returns the number that was meant; empty if there is none.
@@ -361,17 +366,13 @@ void FindUnboundValues(const RuleText& rule, std::vector<Slip>& slips) {
 std::vector<Slip> FindSlipsOfForm(const std::vector<RuleText>& rules) {
   std::vector<Slip> slips;
   for (const RuleText& rule : rules) {
-    FindOddWords(rule, slips);
+    const bool has_odd_variable = FindOddWords(rule, slips);
     FindComparedWords(rule, slips);
     FindJoiningWords(rule, slips);
     FindJoinedTests(rule, slips);
     FindUnproposed(rule, slips);
-    const std::size_t before = slips.size();
-    FindUnlinked(rule, slips);
     // A variable with a missing bracket is reported as such.
-    if (before > 0 && slips.size() > before && slips[before - 1].rule == rule.name &&
-        slips[before - 1].message.ends_with("not as a variable"))
-      slips.resize(before);
+    if (!has_odd_variable) FindUnlinked(rule, slips);
     FindOddActions(rule, slips);
     FindOddArguments(rule, slips);
     FindUnboundValues(rule, slips);

@@ -406,9 +406,7 @@ void Minds::Conclude(Mind& mind) {
   TellFailures(mind, body);
   if (TellBreakdown(mind, body)) return;
   if (!mind.soar.commands().empty()) {
-    const vocabulary::SaidCommand& said = mind.soar.commands().back();
-    mind.last_said = said.name;
-    if (!said.parameters.empty()) mind.last_said.append(" ").append(vocabulary::Describe(said.parameters));
+    mind.last_said = mind.soar.commands().back();
     mind.last_said_s = world_.time_s();
     mind.last_answer.clear();
     mind.last_failed = false;

@@ -149,11 +149,12 @@ class Minds final : public script::MindFactory {
     int gaps = 0;                  ///< Number of times that it was idle.
     std::uint64_t idle_ticks = 0;  ///< Number of ticks without a command, new or running.
     std::string last_command = {};
-    std::map<std::string, int> told = {};          ///< How often each of its faults occurred; reported the first time.
-    std::map<std::string, int> causes = {};        ///< How often each cause prevented an action; reported the first
-                                                   ///< time.
-    std::string last_said = {}, last_answer = {};  ///< The last command with its parameters, and its outcome.
-    bool last_failed = false;                      ///< The last outcome is an error.
+    std::map<std::string, int> told = {};    ///< How often each of its faults occurred; reported the first time.
+    std::map<std::string, int> causes = {};  ///< How often each cause prevented an action; reported the first
+                                             ///< time.
+    std::optional<vocabulary::SaidCommand> last_said = {};
+    std::string last_answer = {};  ///< The outcome of the last command.
+    bool last_failed = false;      ///< The last outcome is an error.
     double last_said_s = 0;
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.

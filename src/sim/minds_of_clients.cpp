@@ -140,8 +140,8 @@ void Minds::ReportClientCommands(Mind& mind) {
   world::Agent& body = *world_.FindAgent(mind.agent);
   for (const vocabulary::SaidCommand& command : mind.soar.commands()) {
     body.SetLastCommand(command.name);
-    mind.last_command = mind.last_said = command.name;
-    if (!command.parameters.empty()) mind.last_said.append(" ").append(vocabulary::Describe(command.parameters));
+    mind.last_command = command.name;
+    mind.last_said = command;
     mind.last_said_s = world_.time_s();
     mind.last_answer.clear();
     RunEvent event;

@@ -55,11 +55,13 @@ explain::DecisionTime Minds::TimeOf(const Mind& mind) const {
 }
 
 explain::WhyNode Minds::WhyCommand(Mind& mind, explain::MindReasons& reasons, bool is_dead, bool has_ended) {
-  if (mind.last_said.empty()) return {"has given no command", WhyKind::kCommand, "", {}};
-  const std::string command = mind.last_said.substr(0, mind.last_said.find(' '));
+  if (!mind.last_said) return {"has given no command", WhyKind::kCommand};
+  const std::string& command = mind.last_said->name;
+  const std::string parameters = vocabulary::Describe(mind.last_said->parameters);
   const std::string status = mind.last_answer.empty() ? StatusOf(is_dead, has_ended) : mind.last_answer;
-  return {"command " + mind.last_said + ", given at " + Seconds(mind.last_said_s) + " s: " + status, WhyKind::kCommand,
-          command, reasons.CommandTree(command, TimeOf(mind))};
+  return {"command " + command + (parameters.empty() ? "" : " " + parameters) + ", given at " +
+              Seconds(mind.last_said_s) + " s: " + status,
+          WhyKind::kCommand, command, reasons.CommandTree(command, TimeOf(mind))};
 }
 
 std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_operators) {
@@ -92,7 +94,7 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     std::string halted = Say(Situation::kHalted);
     if (const std::string why = reasons.WhyHalted(); !why.empty()) halted += ": " + why;
     add(std::move(halted));
-  } else if (at->last_said.empty() || has_ended) {
+  } else if (!at->last_said || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
     for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes())) idle.below.push_back({std::move(reason.text)});
   }

@@ -18,10 +18,7 @@ using debugger::SceneView;
 std::string AboutOf(const SceneValueRow& value) {
   std::string text;
   for (const std::string& node : value.nodes) text += (text.empty() ? "" : ", ") + node;
-  if (!value.nodes.empty()) return text;
-  const std::string& why = value.why.text;
-  const std::size_t filter = why.find(": "), given = filter == std::string::npos ? filter : why.find(' ', filter + 2);
-  return given == std::string::npos ? text : why.substr(given + 1);
+  return value.nodes.empty() ? value.given : text;
 }
 
 /// Which parts are drawn over the world.
