@@ -2,7 +2,6 @@
 #include "debugger/agents.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
 #include "diagnostics/diagnostic.h"
@@ -33,15 +32,15 @@ AgentRow RowOf(const world::AgentSnapshot& agent, const AgentTroubles& troubles,
   return row;
 }
 
-/// The last operator up to a tick; empty if there was none.
-std::string LastOperator(const Timeline& timeline, std::string_view agent, std::uint64_t tick) {
+/// The last operator up to a tick.
+OperatorName LastOperator(const Timeline& timeline, std::string_view agent, std::uint64_t tick) {
   const TimelineTrack* track = timeline.Find(agent);
   if (track == nullptr) return {};
   const auto is_meant = [&](const TimelineSpan& span) { return !span.is_state && span.first_tick <= tick; };
   if (const auto at = std::find_if(track->open.rbegin(), track->open.rend(), is_meant); at != track->open.rend())
-    return NameAndId(at->text, at->id);
+    return {at->text, at->id};
   const auto at = std::find_if(track->spans.rbegin(), track->spans.rend(), is_meant);
-  return at == track->spans.rend() ? std::string() : NameAndId(at->text, at->id);
+  return at == track->spans.rend() ? OperatorName() : OperatorName{at->text, at->id};
 }
 
 std::string FirstLine(const std::string& text) {
@@ -89,10 +88,12 @@ std::vector<AgentRow> ListAgents(const sim::Simulation& simulation, const AgentT
     }
     row.decisions = mind->Mind().decisions;
     for (const explain::StateFact& state : mind->Stack()) {
-      row.state = state.level == 1 ? state.id : state.id + " (" + state.attribute + " " + state.impasse + ")";
-      if (!state.operator_id.empty()) row.op = NameAndId(state.operator_name, state.operator_id);
+      row.state = state.id;
+      row.impasse = state.level == 1 ? std::string() : state.attribute + " " + state.impasse;
+      if (!state.operator_id.empty()) row.op = {state.operator_name, state.operator_id};
     }
-    row.last_op = row.op.empty() && timeline != nullptr ? LastOperator(*timeline, row.name, simulation.tick()) : row.op;
+    row.last_op =
+        row.op.id.empty() && timeline != nullptr ? LastOperator(*timeline, row.name, simulation.tick()) : row.op;
   }
   return rows;
 }
@@ -105,14 +106,23 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
     for (const TimelineSpan& span : timeline.At(agent.name, tick.tick)) {
       row.has_mind = true;
       if (span.is_state) {
-        row.state = span.level == 1 ? span.id : span.id + " (" + span.text + ")";
+        row.state = span.id;
+        row.impasse = span.level == 1 ? std::string() : span.text;
       } else {
-        row.op = NameAndId(span.text, span.id);
+        row.op = {span.text, span.id};
       }
     }
-    row.last_op = row.op.empty() ? LastOperator(timeline, row.name, tick.tick) : row.op;
+    row.last_op = row.op.id.empty() ? LastOperator(timeline, row.name, tick.tick) : row.op;
   }
   return rows;
+}
+
+std::string ToText(const OperatorName& op) {
+  return NameAndId(op.name, op.id);
+}
+
+std::string StateText(const AgentRow& row) {
+  return row.impasse.empty() ? row.state : row.state + " (" + row.impasse + ")";
 }
 
 std::string ToText(const std::vector<AgentRow>& rows) {
@@ -121,40 +131,12 @@ std::string ToText(const std::vector<AgentRow>& rows) {
   std::string errors;
   for (const AgentRow& row : rows) {
     const std::string health = row.alive ? std::to_string(static_cast<int>(row.health)) : "dead";
-    table.push_back({row.name, row.kind, row.team, health, row.has_mind ? row.state : "-", row.op, row.last_op,
-                     row.command, row.has_mind ? std::to_string(row.decisions) : "-",
+    table.push_back({row.name, row.kind, row.team, health, row.has_mind ? StateText(row) : "-", ToText(row.op),
+                     ToText(row.last_op), row.command, row.has_mind ? std::to_string(row.decisions) : "-",
                      row.errors == 0 ? "" : std::to_string(row.errors)});
     if (!row.error.empty()) errors += row.name + ": " + FirstLine(row.error) + "\n";
   }
   return Table(table) + errors;
-}
-
-Json ToJson(const std::vector<AgentRow>& rows) {
-  Json list = Json::array();
-  for (const AgentRow& row : rows) {
-    Json json;
-    json["name"] = row.name;
-    json["kind"] = row.kind;
-    json["team"] = row.team;
-    json["script"] = row.script;
-    json["mind"] = row.has_mind;
-    json["alive"] = row.alive;
-    json["failed"] = row.failed;
-    json["health"] = row.health;
-    json["state"] = row.state;
-    json["operator"] = row.op;
-    json["last_operator"] = row.last_op;
-    json["command"] = row.command;
-    json["decisions"] = row.decisions;
-    json["errors"] = row.errors;
-    if (row.errors != 0) {
-      json["error"] = row.error;
-      json["file"] = row.error_file;
-      json["line"] = row.error_line;
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace soarbox::debugger

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/timeline.h"
 #include "record/tick_record.h"
 #include "sim/foreign_kind.h"
@@ -35,6 +34,13 @@ class AgentTroubles {
   std::map<std::string, std::vector<Trouble>, std::less<>> troubles_;
 };
 
+/// Both are empty if there is no operator.
+struct OperatorName {
+  std::string name, id;  ///< The name may be empty.
+};
+/// "seek (O3)", "O3", or nothing.
+std::string ToText(const OperatorName& op);
+
 /// One row of the list of agents.
 struct AgentRow {
   std::uint32_t id = 0;  ///< As in the scene's snapshot.
@@ -46,12 +52,13 @@ struct AgentRow {
   bool alive = true;
   bool failed = false;  ///< Its script or its Soar program has stopped.
   float health = 0;
-  std::string state;    ///< The lowest state: "S1", "S3 (operator tie)"; empty without a mind.
-  std::string op;       ///< The lowest selected operator: "seek (O3)"; empty if none is selected.
-  std::string last_op;  ///< The operator that was selected last, in this tick or an earlier one; empty without a
-                        ///< timeline.
-  std::string command;  ///< The last command that its mind gave.
-  std::string error;    ///< The complete text of the newest error, with file and line; empty if there was none.
+  std::string state;     ///< The lowest state: "S3"; empty without a mind.
+  std::string impasse;   ///< Its impasse: "operator tie"; empty for the top state.
+  OperatorName op;       ///< The lowest selected operator.
+  OperatorName last_op;  ///< The operator that was selected last, in this tick or an earlier one; empty without a
+                         ///< timeline.
+  std::string command;   ///< The last command that its mind gave.
+  std::string error;     ///< The complete text of the newest error, with file and line; empty if there was none.
   std::string error_file;
   int error_line = 0;      ///< 0 if it is not known.
   std::size_t errors = 0;  ///< Number of errors so far.
@@ -59,6 +66,8 @@ struct AgentRow {
   double decide_us = 0;  ///< Real time that the decisions of the last tick took, in µs; differs from run to run.
 };
 
+/// "S1", "S3 (operator tie)".
+std::string StateText(const AgentRow& row);
 /// Whether another simulation controls the agent (docs/dis.md).
 inline bool IsForeign(const AgentRow& row) {
   return row.kind == sim::kForeignKind;
@@ -73,6 +82,5 @@ std::vector<AgentRow> ListAgents(const record::TickRecord& tick, const Timeline&
 
 /// Without decision times, because they differ from run to run.
 std::string ToText(const std::vector<AgentRow>& rows);
-Json ToJson(const std::vector<AgentRow>& rows);
 
 }  // namespace soarbox::debugger

@@ -278,8 +278,4 @@ std::string ToText(const std::vector<Breakpoint>& list) {
   return list.empty() ? "no breakpoints\n" : Table(table);
 }
 
-Json ToJson(const std::vector<Breakpoint>& list) {
-  return JsonOf(list);
-}
-
 }  // namespace soarbox::debugger

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "debugger/json.h"
 #include "diagnostics/result.h"
 #include "sim/simulation.h"
 
@@ -120,6 +119,5 @@ class Breakpoints {
 bool IsLike(const explain::ElementFact& element, std::string_view pattern);
 
 std::string ToText(const std::vector<Breakpoint>& list);
-Json ToJson(const std::vector<Breakpoint>& list);
 
 }  // namespace soarbox::debugger

@@ -5,7 +5,6 @@
 #include <set>
 #include <sstream>
 
-#include "debugger/fields.h"
 #include "debugger/rules.h"
 #include "diagnostics/diagnostic.h"
 #include "sim/live_edits.h"
@@ -149,10 +148,6 @@ std::string ToText(const std::deque<ConsoleLine>& lines) {
     text += kMarks[static_cast<int>(line.kind)] + line.text + "\n";
   }
   return text;
-}
-
-Json ToJson(const std::deque<ConsoleLine>& lines) {
-  return JsonOf(lines);
 }
 
 }  // namespace soarbox::debugger

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "sim/simulation.h"
 
 namespace soarbox::debugger {
@@ -64,6 +63,5 @@ Completion Complete(explain::Inspector& mind, std::string_view line);
 std::vector<std::string> NearMisses(explain::Inspector& mind, std::string_view line);
 
 std::string ToText(const std::deque<ConsoleLine>& lines);
-Json ToJson(const std::deque<ConsoleLine>& lines);
 
 }  // namespace soarbox::debugger

@@ -2,7 +2,6 @@
 #include "debugger/facts_text.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "diagnostics/lower_case.h"
@@ -36,30 +35,6 @@ std::string Describe(const explain::MakerFact& maker) {
 std::string NameAndId(std::string_view name, std::string_view id) {
   if (name.empty()) return std::string(id);
   return std::string(name) + " (" + std::string(id) + ")";
-}
-
-Json ToJson(const explain::ElementFact& element) {
-  Json json;
-  json["timetag"] = element.timetag;
-  json["id"] = element.id;
-  json["attribute"] = element.attribute;
-  json["value"] = element.value;
-  if (element.acceptable) json["acceptable"] = true;
-  if (element.is_object) json["object"] = true;
-  return json;
-}
-
-Json ToJson(const explain::MakerFact& maker) {
-  Json json;
-  using Kind = explain::MakerFact::Kind;
-  json["kind"] = maker.kind == Kind::kRule ? "rule" : maker.kind == Kind::kInput ? "input" : "architecture";
-  if (maker.kind != Kind::kRule) return json;
-  json["rule"] = maker.rule;
-  json["support"] = maker.o_supported ? "o" : "i";
-  json["level"] = maker.level;
-  json["elements"] = Json::array();
-  for (const explain::ElementFact& element : maker.elements) json["elements"].push_back(ToJson(element));
-  return json;
 }
 
 std::string Table(const std::vector<std::vector<std::string>>& rows) {

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "explain/inspector.h"
 
 namespace soarbox::debugger {
@@ -21,9 +20,6 @@ std::string Describe(const explain::ElementFact& element);
 std::string Describe(const explain::MakerFact& maker);
 /// "seek (O1)", "O1", or nothing.
 std::string NameAndId(std::string_view name, std::string_view id);
-
-Json ToJson(const explain::ElementFact& element);
-Json ToJson(const explain::MakerFact& maker);
 
 /// Formats rows as columns of equal width. The first row contains the titles.
 std::string Table(const std::vector<std::vector<std::string>>& rows);

@@ -258,8 +258,4 @@ std::string ToText(const ImageryView& view) {
   return text;
 }
 
-Json ToJson(const ImageryView& view) {
-  return JsonOf(view);
-}
-
 }  // namespace soarbox::debugger

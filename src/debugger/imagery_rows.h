@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "debugger/json.h"
 #include "explain/inspector.h"
 #include "explain/why_node.h"
 
@@ -44,8 +43,8 @@ struct SceneLine {
 struct SceneValueRow {
   std::string record;              ///< Its identifier in working memory.
   std::string text;                ///< "1.4", "true", "box-1".
-  std::string given;               ///< The input of the filter: "^a self ^b box-1"; may be empty.
   explain::WhyNode why;            ///< From what the value was computed.
+  std::string given;               ///< The input of the filter: "^a self ^b box-1"; may be empty.
   std::vector<std::string> nodes;  ///< Names of the nodes that the value is about.
   std::vector<SceneLine> lines;
 };
@@ -79,6 +78,5 @@ ImageryView ReadImagery(std::string_view facts);
 std::optional<explain::WhyNode> WhyRecord(explain::Inspector& mind, std::string_view record);
 
 std::string ToText(const ImageryView& view);
-Json ToJson(const ImageryView& view);
 
 }  // namespace soarbox::debugger

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
 
@@ -39,13 +38,13 @@ CommandRow CommandOf(const MemoryRow& row) {
   return command;
 }
 
-std::string ParametersOf(const CommandRow& command) {
+}  // namespace
+
+std::string ParameterText(const CommandRow& command) {
   std::string text;
   for (const MemoryRow& row : command.parameters) text += " ^" + row.element.attribute + " " + row.element.value;
   return text;
 }
-
-}  // namespace
 
 IoView LookAtIo(explain::Inspector& mind, const MemoryChanges& changes) {
   const explain::MindFacts facts = mind.Mind();
@@ -68,32 +67,13 @@ std::string ToText(const IoView& view) {
   text += "commands\n";
   if (view.commands.empty()) text += "  none\n";
   for (const CommandRow& command : view.commands) {
-    text += "  " + command.name + ParametersOf(command) + ": " + command.status;
+    text += "  " + command.name + ParameterText(command) + ": " + command.status;
     if (!command.reason.empty()) text += " " + command.reason;
     if (command.progress >= 0 && command.status == "under way")
       text += fmt::format(", {:.0f} %", 100 * command.progress);
     text += "\n";
   }
   return text;
-}
-
-Json ToJson(const IoView& view) {
-  Json json;
-  json["input"] = ToJson(view.input);
-  json["output"] = ToJson(view.output);
-  json["commands"] = Json::array();
-  for (const CommandRow& command : view.commands) {
-    Json one;
-    one["command"] = command.name;
-    if (!command.id.empty()) one["id"] = command.id;
-    one["timetag"] = command.timetag;
-    one["parameters"] = ParametersOf(command);
-    one["status"] = command.status;
-    if (!command.reason.empty()) one["reason"] = command.reason;
-    if (command.progress >= 0) one["progress"] = command.progress;
-    json["commands"].push_back(std::move(one));
-  }
-  return json;
 }
 
 }  // namespace soarbox::debugger

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/memory.h"
 #include "explain/inspector.h"
 
@@ -23,6 +22,9 @@ struct CommandRow {
   double progress = -1;               ///< 0 to 1; negative if it is not reported.
 };
 
+/// " ^within 1.2 ^waypoint north".
+std::string ParameterText(const CommandRow& command);
+
 struct IoView {
   MemoryObject input, output;
   std::vector<CommandRow> commands;  ///< Newest first.
@@ -31,6 +33,5 @@ struct IoView {
 IoView LookAtIo(explain::Inspector& mind, const MemoryChanges& changes = {});
 
 std::string ToText(const IoView& view);
-Json ToJson(const IoView& view);
 
 }  // namespace soarbox::debugger

@@ -31,9 +31,10 @@ namespace soarbox::debugger {
 ///     visit.Is("check");                                            // The field `is`: this word.
 ///   }
 ///
-/// FieldWriter writes the values. TypeLister lists the fields, for TypeScript and for docs/workbench.md. `Fields` is
-/// declared in the namespace of the type or in this one, before its first use. Types with another form have a function
-/// `ToJson`, and `ScriptTypeOf(const T*)` if pages read them.
+/// FieldWriter writes the values. TypeLister lists the fields, for TypeScript and for docs/workbench.md, unless the
+/// list has no `Type`: such a type is called JSON there. `Fields` is declared in the namespace of the type or in this
+/// one, before its first use. Types with another form have a function `ToJson`, and `ScriptTypeOf(const T*)` if pages
+/// read them.
 
 using Words = std::span<const std::string_view>;
 /// Whether a request must have a field.
@@ -67,7 +68,9 @@ inline std::string ChoiceOf(Words words) {
 
 class FieldVisitor {
  public:
-  void Type(std::string_view, std::string_view) {}
+  bool has_type = false;
+
+  void Type(std::string_view, std::string_view) { has_type = true; }
   void Is(std::string_view) {}
   void operator()(std::string_view, const auto&...) {}
   void Known(std::string_view, const auto&...) {}
@@ -166,6 +169,8 @@ Json JsonOf(const T& value) {
     return value.string();
   } else if constexpr (IsText<T>) {
     return std::string(value);
+  } else if constexpr (std::is_pointer_v<T>) {
+    return JsonOf(*value);
   } else if constexpr (kIsPair<T>) {
     return Json::array({JsonOf(value.first), JsonOf(value.second)});
   } else if constexpr (requires { typename T::mapped_type; }) {
@@ -196,7 +201,12 @@ class TypeLister {
   /// The type of a value. Adds it to the list if it has fields.
   template <typename T>
   FieldType TypeOf() {
-    if constexpr (HasFields<T>) {
+    if constexpr (std::is_pointer_v<T> && !IsText<T>) {
+      return TypeOf<std::remove_cv_t<std::remove_pointer_t<T>>>();
+    } else if constexpr (HasFields<T>) {
+      FieldVisitor visit;
+      Fields(visit, T{});
+      if (!visit.has_type) return {"unknown", "JSON"};
       const auto [at, is_new] = known_.try_emplace(&kKey<T>, nullptr);
       if (is_new) {
         TypeInfo& info = *(at->second = &types_.emplace_back());

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "debugger/learned_rule.h"
@@ -179,37 +178,6 @@ std::string ToText(const LearningView& view) {
   return text;
 }
 
-Json ToJson(const LearningView& view) {
-  Json json;
-  json["by_reward"] = view.by_reward;
-  json["last_reward"] = view.last_reward;
-  json["total_reward"] = view.total_reward;
-  json["numbers"] = Json::array();
-  for (const explain::NumberFact& number : view.numbers) {
-    Json one;
-    one["rule"] = number.rule;
-    one["when"] = number.when;
-    one["value"] = number.value;
-    one["current"] = number.current;
-    one["future"] = number.future;
-    one["updates"] = number.updates;
-    json["numbers"].push_back(std::move(one));
-  }
-  json["rules"] = Json::array();
-  for (const LearnedRuleRow& rule : view.rules) {
-    Json one;
-    one["rule"] = rule.name;
-    one["firings"] = rule.firings;
-    if (rule.tick) one["tick"] = *rule.tick;
-    if (!rule.source.empty()) one["source"] = rule.source;
-    if (!rule.purpose.empty()) one["purpose"] = rule.purpose;
-    if (rule.is_gone) one["excised"] = true;
-    json["rules"].push_back(std::move(one));
-  }
-  if (!view.note.empty()) json["note"] = view.note;
-  return json;
-}
-
 std::string ToText(const LearnedRuleView& view) {
   if (view.name.empty()) return {};
   std::string text = ToText(view.why);
@@ -219,15 +187,6 @@ std::string ToText(const LearnedRuleView& view) {
   return text + "\n";
 }
 
-Json ToJson(const LearnedRuleView& view) {
-  Json json;
-  json["rule"] = view.name;
-  json["why"] = ToJson(view.why);
-  json["fired"] = view.fired;
-  if (!view.fired_note.empty()) json["note"] = view.fired_note;
-  return json;
-}
-
 std::string ToText(const std::deque<RewardEpisode>& episodes) {
   std::string text;
   for (std::size_t n = 0; n < episodes.size(); ++n) {
@@ -235,15 +194,6 @@ std::string ToText(const std::deque<RewardEpisode>& episodes) {
                         episodes[n].last_tick);
   }
   return text;
-}
-
-Json ToJson(const std::deque<RewardEpisode>& episodes) {
-  Json json = Json::array();
-  for (const RewardEpisode& episode : episodes) {
-    json.push_back(
-        Json{{"first_tick", episode.first_tick}, {"last_tick", episode.last_tick}, {"reward", episode.reward}});
-  }
-  return json;
 }
 
 }  // namespace soarbox::debugger

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/learning_log.h"
 #include "debugger/why.h"
 #include "explain/inspector.h"
@@ -56,11 +55,8 @@ LearnedRuleView LookAtLearnedRule(explain::Inspector& mind, const std::string& r
 std::vector<std::string> MostMoved(const LearningView& view, std::size_t most);
 
 std::string ToText(const LearningView& view);
-Json ToJson(const LearningView& view);
 std::string ToText(const LearnedRuleView& view);
-Json ToJson(const LearnedRuleView& view);
 /// The reward of each episode, one line per episode.
 std::string ToText(const std::deque<RewardEpisode>& episodes);
-Json ToJson(const std::deque<RewardEpisode>& episodes);
 
 }  // namespace soarbox::debugger

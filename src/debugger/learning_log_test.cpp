@@ -10,6 +10,7 @@
 #include "debugger/mind_fixture.h"
 #include "debugger/recorded_mind.h"
 #include "debugger/run_models.h"
+#include "debugger/view_fields.h"
 #include "debugger/views.h"
 
 namespace soarbox::debugger {
@@ -127,7 +128,7 @@ TEST_F(LearnedRules, TellWhenARuleWasLearnedFromWhatAndWhatItIsGoodFor) {
   EXPECT_EQ(view.rules[0].source, "S2: operator no-change in S1, where price was selected");
   EXPECT_GT(view.rules[0].firings, 0u);
   EXPECT_THAT(ToText(view), AllOf(HasSubstr("it makes ^cost"), HasSubstr("operator no-change in S1")));
-  EXPECT_EQ(ToJson(view)["rules"][0]["purpose"], "makes ^cost");
+  EXPECT_EQ(JsonOf(view)["rules"][0]["purpose"], "makes ^cost");
   EXPECT_FALSE(LookAtLearning(*mind, "^cost", &log).rules.empty()) << "found by what it does";
   EXPECT_TRUE(LookAtLearning(*mind, "mortar", &log).rules.empty());
   EXPECT_FALSE(LookAtLearning(*mind, {}, &log, 0).rules[0].tick) << "it was not learned by then";
@@ -152,7 +153,7 @@ TEST_F(LearnedRules, TellWhyEachConditionIsThere) {
         "what it is good for: it makes ^cost", "^fruit pear)", "tested by hero*price*copy (firing",
         "which led to hero*price*look", "which gave the result", "of the substate, made by", "fired since, by ticks:"})
     EXPECT_THAT(text, HasSubstr(part));
-  EXPECT_EQ(ToJson(view)["why"]["kind"], "learned");
+  EXPECT_EQ(JsonOf(view)["why"]["kind"], "learned");
   EXPECT_TRUE(LookAtLearnedRule(*mind, "hero*price*look", nullptr).name.empty()) << "written, not learned";
 }
 

@@ -7,6 +7,7 @@
 
 #include "debugger/mind_fixture.h"
 #include "debugger/plots.h"
+#include "debugger/view_fields.h"
 #include "explain/command_inspector.h"
 
 namespace soarbox::debugger {
@@ -50,7 +51,7 @@ TEST_F(LearningPanel, ShowsWhatRewardHasTaughtTheHighestFirst) {
   ASSERT_EQ(view.rules.size(), 1u);
   EXPECT_EQ(view.rules[0].firings, 1u);
   EXPECT_THAT(ToText(view), HasSubstr("hero*learned"));
-  EXPECT_EQ(ToJson(view)["numbers"][0]["rule"], "hero*value*go");
+  EXPECT_EQ(JsonOf(view)["numbers"][0]["rule"], "hero*value*go");
   EXPECT_TRUE(LookAtLearning(*mind, "stay").rules.empty());
   EXPECT_EQ(LookAtLearning(*mind, "stay").learners, 2u);
 }

@@ -2,7 +2,6 @@
 #include "debugger/memory.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "debugger/facts_text.h"
@@ -69,18 +68,6 @@ void AppendRows(std::string& text, const std::vector<MemoryRow>& rows, std::size
   }
 }
 
-Json RowsToJson(const std::vector<MemoryRow>& rows) {
-  Json list = Json::array();
-  for (const MemoryRow& row : rows) {
-    Json json = ToJson(row.element);
-    if (!row.about.empty()) json["about"] = row.about;
-    if (row.change != Change::kNone) json["change"] = row.change == Change::kAdded ? "added" : "removed";
-    if (!row.below.empty()) json["elements"] = RowsToJson(row.below);
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
 }  // namespace
 
 explain::ElementFact FactOf(const mind::ElementChanged& element) {
@@ -133,16 +120,6 @@ std::string ToText(const MemoryObject& object) {
   return text + (object.note.empty() ? "" : object.note + "\n");
 }
 
-Json ToJson(const MemoryObject& object) {
-  Json json;
-  json["id"] = object.id;
-  json["about"] = object.about;
-  json["exists"] = object.exists;
-  if (!object.note.empty()) json["note"] = object.note;
-  json["elements"] = RowsToJson(object.rows);
-  return json;
-}
-
 std::string ToText(const ElementStory& story) {
   std::string text = "(" + std::to_string(story.element.timetag) + ": " + Describe(story.element) + ")\n";
   for (const explain::MakerFact& maker : story.makers) {
@@ -154,21 +131,6 @@ std::string ToText(const ElementStory& story) {
             (tester.negated ? " (negated)" : "") + (tester.matches ? ", which matches" : "") + "\n";
   }
   return text + (story.note.empty() ? "" : "  " + story.note + "\n");
-}
-
-Json ToJson(const ElementStory& story) {
-  Json json = ToJson(story.element);
-  if (!story.note.empty()) json["note"] = story.note;
-  json["made_by"] = Json::array();
-  for (const explain::MakerFact& maker : story.makers) json["made_by"].push_back(ToJson(maker));
-  json["tested_by"] = Json::array();
-  for (const explain::TesterFact& tester : story.testers) {
-    json["tested_by"].push_back(Json{{"rule", tester.rule},
-                                     {"condition", tester.condition + 1},
-                                     {"negated", tester.negated},
-                                     {"matches", tester.matches}});
-  }
-  return json;
 }
 
 }  // namespace soarbox::debugger

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "explain/inspector.h"
 #include "mind/event_log.h"
 
@@ -68,8 +67,6 @@ std::optional<ElementStory> LookAtElement(explain::Inspector& mind, std::uint64_
 std::vector<explain::ElementFact> SearchMemory(explain::Inspector& mind, std::string_view text, std::size_t most = 500);
 
 std::string ToText(const MemoryObject& object);
-Json ToJson(const MemoryObject& object);
 std::string ToText(const ElementStory& story);
-Json ToJson(const ElementStory& story);
 
 }  // namespace soarbox::debugger

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
 #include "sim/input_text.h"
@@ -49,21 +48,6 @@ std::string ToText(const std::vector<MessageRow>& rows) {
     text += fmt::format("{:8.3f} s  {} to {}: {}\n", row.time_s, row.from.empty() ? "the user" : row.from, row.to,
                         row.text);
   return rows.empty() ? "no messages\n" : text;
-}
-
-Json ToJson(const std::vector<MessageRow>& rows) {
-  Json list = Json::array();
-  for (const MessageRow& row : rows) {
-    Json json;
-    json["tick"] = row.tick;
-    json["time_s"] = row.time_s;
-    json["from"] = row.from;
-    json["to"] = row.to;
-    json["about"] = row.about;
-    json["text"] = row.text;
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace soarbox::debugger

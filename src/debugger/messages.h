@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/revision.h"
 #include "record/tick_record.h"
 
@@ -47,6 +46,5 @@ class MessageLog {
 };
 
 std::string ToText(const std::vector<MessageRow>& rows);
-Json ToJson(const std::vector<MessageRow>& rows);
 
 }  // namespace soarbox::debugger

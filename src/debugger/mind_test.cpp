@@ -385,7 +385,7 @@ TEST_F(Debugger, AgentsAreListedAndFiltered) {
   std::vector<AgentRow> rows = ListAgents(*simulation_, troubles);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].name, "hero");
-  EXPECT_THAT(rows[0].state, HasSubstr("("));
+  EXPECT_EQ(StateText(rows[0]), rows[0].state + " (operator tie)");
   EXPECT_GT(rows[0].decisions, 0u);
   EXPECT_GT(rows[0].decide_us, 0);
   RunModels models;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "debugger/facts_text.h"
@@ -282,43 +281,6 @@ std::string ToText(const OperatorsView& view) {
     }
   }
   return text + (view.note.empty() ? "" : view.note + "\n");
-}
-
-Json ToJson(const OperatorsView& view) {
-  Json json;
-  json["state"] = view.state;
-  json["selected"] = view.selected;
-  json["impasse"] = view.impasse;
-  json["why"] = view.sentence;
-  if (!view.note.empty()) json["note"] = view.note;
-  json["operators"] = Json::array();
-  for (const OperatorRow& row : view.rows) {
-    Json one;
-    one["id"] = row.id;
-    one["name"] = row.name;
-    if (!row.about.empty()) one["about"] = row.about;
-    one["selected"] = row.selected;
-    one["verdict"] = row.verdict;
-    if (row.dropped) {
-      Json& dropped = one["dropped"];
-      dropped["stage"] = row.dropped->stage;
-      dropped["rules"] = row.dropped->rules;
-      if (row.dropped->is_decisive) dropped["decisive"] = *row.dropped->is_decisive;
-    }
-    if (row.value) one["value"] = *row.value;
-    if (row.probability) one["probability"] = *row.probability;
-    one["preferences"] = Json::array();
-    for (const PreferenceFact& preference : row.preferences) {
-      Json told;
-      told["type"] = preference.type;
-      told["sign"] = preference.sign;
-      if (!preference.referent.empty()) told["referent"] = preference.referent;
-      told["maker"] = ToJson(preference.maker);
-      one["preferences"].push_back(std::move(told));
-    }
-    json["operators"].push_back(std::move(one));
-  }
-  return json;
 }
 
 }  // namespace soarbox::debugger

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "explain/inspector.h"
 
 namespace soarbox::debugger {
@@ -55,6 +54,5 @@ std::string Title(const OperatorRow& row);
 std::string Describe(const explain::PreferenceFact& preference);
 
 std::string ToText(const OperatorsView& view);
-Json ToJson(const OperatorsView& view);
 
 }  // namespace soarbox::debugger

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "debugger/learning_log.h"
@@ -268,21 +267,6 @@ std::string ToText(const std::vector<PlotSeries>& series) {
     for (const PlotPoint& point : one.points) text += fmt::format("  {:>6} {:g}\n", point.tick, point.value);
   }
   return series.empty() ? "nothing is plotted\n" : text;
-}
-
-Json ToJson(const std::vector<PlotSeries>& series) {
-  Json list = Json::array();
-  for (const PlotSeries& one : series) {
-    Json json;
-    json["agent"] = one.agent;
-    json["what"] = one.what;
-    json["minimum"] = one.minimum;
-    json["maximum"] = one.maximum;
-    json["points"] = Json::array();
-    for (const PlotPoint& point : one.points) json["points"].push_back(Json::array({point.tick, point.value}));
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace soarbox::debugger

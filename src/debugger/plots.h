@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/recorded_mind.h"
 #include "record/percept_values.h"
 #include "record/tick_record.h"
@@ -94,6 +93,5 @@ std::string PlotTitle(std::string_view what);
 std::vector<std::string> Plottable(explain::Inspector& mind);
 
 std::string ToText(const std::vector<PlotSeries>& series);
-Json ToJson(const std::vector<PlotSeries>& series);
 
 }  // namespace soarbox::debugger

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "debugger/recorded_mind.h"
@@ -150,48 +149,11 @@ std::string ToText(const LongTermView& view) {
   return text;
 }
 
-Json ToJson(const LongTermView& view) {
-  Json json;
-  json["semantic"] = view.facts.semantic;
-  json["episodic"] = view.facts.episodic;
-  json["objects"] = view.facts.objects;
-  json["augmentations"] = view.facts.augmentations;
-  json["episodes"] = view.facts.episodes;
-  json["known"] = Json::array();
-  for (const explain::KnownObjectFact& object : view.facts.known) {
-    Json one;
-    one["number"] = object.number;
-    one["activation"] = object.activation;
-    one["uses"] = object.uses;
-    one["text"] = object.text;
-    json["known"].push_back(std::move(one));
-  }
-  if (!view.note.empty()) json["note"] = view.note;
-  return json;
-}
-
 std::string ToText(const EpisodeView& view) {
   if (view.number == 0) return "there is no such episode\n";
   std::string text = fmt::format("episode {}\n", view.number);
   for (const std::string& line : view.lines) text += "  " + line + "\n";
   return text;
-}
-
-Json ToJson(const EpisodeView& view) {
-  Json json;
-  json["episode"] = view.number;
-  if (view.time_s) json["time"] = *view.time_s;
-  json["elements"] = view.lines;
-  json["things"] = Json::array();
-  for (const RememberedThing& thing : view.things) {
-    Json one;
-    one["name"] = thing.name;
-    one["kind"] = thing.kind;
-    one["x"] = thing.x;
-    one["z"] = thing.z;
-    json["things"].push_back(std::move(one));
-  }
-  return json;
 }
 
 std::string ToText(const Recall& recall) {
@@ -202,18 +164,6 @@ std::string ToText(const Recall& recall) {
   text += " for " + recall.question;
   if (!recall.reason.empty()) text += ": " + recall.reason;
   return text;
-}
-
-Json ToJson(const Recall& recall) {
-  Json json;
-  json["tick"] = recall.tick;
-  json["level"] = recall.level;
-  json["memory"] = recall.is_episode ? "episodic" : "semantic";
-  json["number"] = recall.number;
-  json["question"] = recall.question;
-  json["answer"] = recall.answer;
-  json["reason"] = recall.reason;
-  return json;
 }
 
 }  // namespace soarbox::debugger

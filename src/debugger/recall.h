@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/why.h"
 #include "explain/inspector.h"
 #include "explain/memory_facts.h"
@@ -73,11 +72,8 @@ EpisodeView LookAtEpisode(explain::Inspector& mind, std::size_t number);
 void TellRecalls(const RecallLog& log, WhyNode& answer);
 
 std::string ToText(const LongTermView& view);
-Json ToJson(const LongTermView& view);
 std::string ToText(const EpisodeView& view);
-Json ToJson(const EpisodeView& view);
 /// "@12 (^kind ammo) for ^kind <any>: the only one that fits".
 std::string ToText(const Recall& recall);
-Json ToJson(const Recall& recall);
 
 }  // namespace soarbox::debugger

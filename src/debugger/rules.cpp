@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "debugger/facts_text.h"
 #include "diagnostics/diagnostic.h"
@@ -49,26 +48,6 @@ std::string ListSeen(const std::vector<explain::ElementFact>& seen) {
     text += (i == 0 ? "" : "; ") + groups[i].first + groups[i].second;
   if (groups.size() > kMostShown) text += fmt::format("; and {} more", groups.size() - kMostShown);
   return text;
-}
-
-Json TokensToJson(const std::vector<Token>& tokens, const std::string& source) {
-  Json list = Json::array();
-  for (const Token& token : tokens)
-    list.push_back(Json{{"kind", NameOf(token.kind)}, {"text", source.substr(token.begin, token.length)}});
-  return list;
-}
-
-Json RuleToJson(const explain::RuleFact& rule) {
-  Json json;
-  json["name"] = rule.name;
-  json["type"] = rule.type;
-  if (!rule.file.empty()) json["file"] = rule.file;
-  if (rule.line != 0) json["line"] = rule.line;
-  if (!rule.documentation.empty()) json["documentation"] = rule.documentation;
-  json["firings"] = rule.firings;
-  json["matches"] = rule.matches;
-  if (rule.breaks) json["break"] = true;
-  return json;
 }
 
 }  // namespace
@@ -188,12 +167,6 @@ std::string ToText(const std::vector<explain::RuleFact>& rules) {
   return Table(table);
 }
 
-Json ToJson(const std::vector<explain::RuleFact>& rules) {
-  Json list = Json::array();
-  for (const explain::RuleFact& rule : rules) list.push_back(RuleToJson(rule));
-  return list;
-}
-
 std::string ToText(const RuleView& view) {
   std::string text = view.source;
   if (!text.ends_with('\n')) text += "\n";
@@ -216,29 +189,6 @@ std::string ToText(const RuleView& view) {
   return text;
 }
 
-Json ToJson(const RuleView& view) {
-  Json json = RuleToJson(view.rule);
-  json["source"] = view.source;
-  json["tokens"] = TokensToJson(view.tokens, view.source);
-  json["match"] = view.match.sentence;
-  json["complete"] = view.match.facts.complete;
-  if (view.match.facts.failing) json["failing"] = *view.match.facts.failing + 1;
-  json["conditions"] = Json::array();
-  for (const explain::ConditionFact& condition : view.match.facts.conditions) {
-    json["conditions"].push_back(
-        Json{{"text", condition.text}, {"negated", condition.negated}, {"partial_matches", condition.partial_matches}});
-  }
-  const auto elements = [](const std::vector<explain::ElementFact>& facts) {
-    Json list = Json::array();
-    for (const explain::ElementFact& element : facts) list.push_back(ToJson(element));
-    return list;
-  };
-  json["matches_now"] = Json::array();
-  for (const auto& match : view.match.facts.matches) json["matches_now"].push_back(elements(match));
-  json["seen"] = elements(view.match.facts.seen);
-  return json;
-}
-
 std::string ToText(const std::vector<Coverage::Row>& rows) {
   std::vector<std::vector<std::string>> table = {{"rule", "fired", "first", "last", "never fired because"}};
   for (const Coverage::Row& row : rows) {
@@ -250,25 +200,6 @@ std::string ToText(const std::vector<Coverage::Row>& rows) {
                      row.last ? std::to_string(*row.last) : "", why});
   }
   return Table(table);
-}
-
-Json ToJson(const std::vector<Coverage::Row>& rows) {
-  Json list = Json::array();
-  for (const Coverage::Row& row : rows) {
-    Json json;
-    json["rule"] = row.rule;
-    json["firings"] = row.firings;
-    json["matched"] = row.matched;
-    if (row.first) json["first_tick"] = *row.first;
-    if (row.last) json["last_tick"] = *row.last;
-    if (!row.matched) {
-      json["held"] = row.furthest;
-      json["conditions"] = row.conditions;
-      json["stops_at"] = row.stops_at;
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace soarbox::debugger

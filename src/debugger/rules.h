@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/syntax.h"
 #include "explain/inspector.h"
 #include "record/tick_record.h"
@@ -71,10 +70,7 @@ class Coverage {
 };
 
 std::string ToText(const std::vector<explain::RuleFact>& rules);
-Json ToJson(const std::vector<explain::RuleFact>& rules);
 std::string ToText(const RuleView& view);
-Json ToJson(const RuleView& view);
 std::string ToText(const std::vector<Coverage::Row>& rows);
-Json ToJson(const std::vector<Coverage::Row>& rows);
 
 }  // namespace soarbox::debugger

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -202,21 +201,6 @@ std::string ToText(const std::vector<const TraceLine*>& lines) {
                         line->agent.empty() ? "world" : line->agent, std::string(indent, ' '), line->text);
   }
   return text;
-}
-
-Json ToJson(const std::vector<const TraceLine*>& lines) {
-  Json list = Json::array();
-  for (const TraceLine* line : lines) {
-    Json json;
-    json["tick"] = line->tick;
-    json["time_s"] = line->time_s;
-    json["kind"] = NameOf(line->kind);
-    if (line->level != 0) json["level"] = line->level;
-    json["agent"] = line->agent;
-    json["text"] = line->text;
-    list.push_back(std::move(json));
-  }
-  return list;
 }
 
 }  // namespace soarbox::debugger

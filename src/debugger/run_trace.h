@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "debugger/revision.h"
 #include "record/tick_record.h"
 
@@ -86,6 +85,5 @@ class TraceSearch {
 };
 
 std::string ToText(const std::vector<const TraceLine*>& lines);
-Json ToJson(const std::vector<const TraceLine*>& lines);
 
 }  // namespace soarbox::debugger

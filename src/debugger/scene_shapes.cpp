@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "debugger/fields.h"
 #include "world/physics_hull.h"
 
 namespace soarbox::debugger {
@@ -135,14 +134,6 @@ AnswerLines LinesOf(const ImageryView& view, std::string_view record) {
     }
   }
   return {};
-}
-
-Json ToJson(const SceneShape& shape) {
-  return JsonOf(shape);
-}
-
-Json ToJson(const SceneLine& line) {
-  return JsonOf(line);
 }
 
 }  // namespace soarbox::debugger

@@ -43,7 +43,4 @@ struct AnswerLines {
 /// For the value with this record; empty if there is none now.
 AnswerLines LinesOf(const ImageryView& view, std::string_view record);
 
-Json ToJson(const SceneShape& shape);
-Json ToJson(const SceneLine& line);
-
 }  // namespace soarbox::debugger

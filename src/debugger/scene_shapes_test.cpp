@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "debugger/fields.h"
+
 namespace soarbox::debugger {
 namespace {
 
@@ -57,13 +59,13 @@ TEST(SceneShapes, AnAnswerHasItsValueAndLines) {
   const AnswerLines answer = LinesOf(view, "R5");
   EXPECT_EQ(answer.text, "1.4");
   ASSERT_EQ(answer.lines.size(), 1u);
-  EXPECT_EQ(ToJson(answer.lines[0]).dump(), R"({"from":[1.0,2.0,3.0],"to":[10.0,2.0,3.0],"is_crossed":false})");
+  EXPECT_EQ(JsonOf(answer.lines[0]).dump(), R"({"from":[1.0,2.0,3.0],"to":[10.0,2.0,3.0],"is_crossed":false})");
   EXPECT_TRUE(LinesOf(view, "R6").lines.empty());
   EXPECT_TRUE(LinesOf(view, "").text.empty());
 }
 
 TEST(SceneShapes, AsJsonAreFlatLists) {
-  const Json json = ToJson(ShapesOf(ReadImagery(kFacts), {})[1]);
+  const Json json = JsonOf(ShapesOf(ReadImagery(kFacts), {})[1]);
   EXPECT_EQ(json["kind"], "made-up");
   EXPECT_EQ(json["points"].size(), 18u);
   EXPECT_EQ(json["edges"].size(), 6u);

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "debugger/facts_text.h"
 #include "debugger/recorded_mind.h"
 
@@ -56,30 +54,6 @@ std::string ToText(const StackView& view) {
     text += view.note + "\n";
   }
   return text;
-}
-
-Json ToJson(const StackView& view) {
-  Json json;
-  if (!view.note.empty()) json["note"] = view.note;
-  json["decisions"] = view.decisions;
-  json["phase"] = view.phase;
-  json["halted"] = view.halted;
-  if (!view.breakdown.empty()) json["breakdown"] = view.breakdown;
-  json["elaborations"] = view.elaborations;
-  json["firings"] = view.firings;
-  json["elements"] = view.elements;
-  json["rules"] = view.rules;
-  json["states"] = Json::array();
-  for (const StackLevel& level : view.levels) {
-    Json one;
-    one["level"] = level.level;
-    one["state"] = level.state;
-    one["impasse"] = level.impasse;
-    one["operator"] = level.operator_id;
-    one["name"] = level.operator_name;
-    json["states"].push_back(std::move(one));
-  }
-  return json;
 }
 
 }  // namespace soarbox::debugger

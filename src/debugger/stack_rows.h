@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "debugger/json.h"
 #include "explain/inspector.h"
 
 namespace soarbox::debugger {
@@ -35,6 +34,5 @@ const std::vector<std::string>& Phases();
 StackView LookAtStack(explain::Inspector& mind);
 
 std::string ToText(const StackView& view);
-Json ToJson(const StackView& view);
 
 }  // namespace soarbox::debugger

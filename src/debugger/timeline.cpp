@@ -215,21 +215,18 @@ std::vector<TimelineSpan> Timeline::At(std::string_view agent, std::uint64_t tic
   return found;
 }
 
-std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
+std::string ToText(const std::vector<TrackRow>& rows) {
   std::string text;
-  for (const TimelineTrack* track : timeline.tracks()) {
-    if (!agent.empty() && track->agent != agent) continue;
-    text += (track->agent.empty() ? "world" : track->agent) + "\n";
-    for (const TimelineSpan& span : SpansWithin(*track, first, last)) {
+  for (const TrackRow& row : rows) {
+    text += (row.agent.empty() ? "world" : row.agent) + "\n";
+    for (const TimelineSpan& span : row.spans) {
       text += fmt::format("  {:>6} - {:<6} {}{} {}\n", span.first_tick, span.open ? "" : std::to_string(span.last_tick),
                           std::string(3 * static_cast<std::size_t>(span.level - 1), ' '),
                           span.is_state ? "==>S: " + span.id : "   O: " + span.id,
                           span.text.empty() ? "" : "(" + span.text + ")");
     }
-    for (const TimelineMark& mark : track->marks) {
-      if (mark.tick < first || mark.tick > last) continue;
+    for (const TimelineMark& mark : row.marks)
       text += fmt::format("  {:>6}          {}: {}\n", mark.tick, NameOf(mark.kind), mark.text);
-    }
   }
   return text;
 }
@@ -244,10 +241,6 @@ std::vector<TrackRow> TracksWithin(const Timeline& timeline, std::string_view ag
                          [&](const TimelineMark& mark) { return mark.tick >= first && mark.tick <= last; });
   }
   return rows;
-}
-
-Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last) {
-  return JsonOf(TracksWithin(timeline, agent, first, last));
 }
 
 }  // namespace soarbox::debugger

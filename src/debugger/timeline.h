@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "debugger/json.h"
 #include "record/tick_record.h"
 
 namespace soarbox::debugger {
@@ -95,7 +94,6 @@ struct TrackRow {
 /// The ticks `first` to `last`. An empty agent means all.
 std::vector<TrackRow> TracksWithin(const Timeline& timeline, std::string_view agent, std::uint64_t first,
                                    std::uint64_t last);
-std::string ToText(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
-Json ToJson(const Timeline& timeline, std::string_view agent, std::uint64_t first, std::uint64_t last);
+std::string ToText(const std::vector<TrackRow>& rows);
 
 }  // namespace soarbox::debugger

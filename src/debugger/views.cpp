@@ -5,18 +5,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "debugger/agents.h"
-#include "debugger/console.h"
 #include "debugger/facts_text.h"
-#include "debugger/imagery_rows.h"
-#include "debugger/io_rows.h"
-#include "debugger/learning.h"
-#include "debugger/memory.h"
-#include "debugger/operators.h"
-#include "debugger/recall.h"
-#include "debugger/shown.h"
-#include "debugger/stack_rows.h"
-#include "debugger/why.h"
+#include "debugger/view_fields.h"
 #include "diagnostics/problem.h"
 
 namespace soarbox::debugger {
@@ -56,13 +46,14 @@ Diagnostic NoSuch(const std::string& what, const std::string& name, const std::v
 
 /// All text that a filter searches.
 std::string TextOf(const AgentRow& row) {
-  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + row.state + " " + row.last_op + " " +
-         row.command + " " + row.error + (row.alive ? "" : " dead") + (row.failed ? " failed" : "");
+  return row.name + " " + row.kind + " " + row.team + " " + row.script + " " + StateText(row) + " " +
+         ToText(row.last_op) + " " + row.command + " " + row.error + (row.alive ? "" : " dead") +
+         (row.failed ? " failed" : "");
 }
 
 template <typename Model>
 ViewText Both(const Model& model) {
-  return {ToText(model), Print(ToJson(model))};
+  return {ToText(model), Print(JsonOf(model))};
 }
 
 /// The changes of the last tick, if they were recorded.
@@ -83,14 +74,10 @@ std::uint64_t WholeNumber(const std::string& text) {
 Result<ViewText> ShowMemory(explain::Inspector& mind, const MemoryChanges& changes, const std::string& of) {
   if (of.starts_with('/')) {
     const std::vector<explain::ElementFact> found = SearchMemory(mind, of.substr(1));
-    ViewText view;
-    Json json = Json::array();
-    for (const explain::ElementFact& element : found) {
+    ViewText view{{}, Print(JsonOf(found))};
+    for (const explain::ElementFact& element : found)
       view.text += "(" + std::to_string(element.timetag) + ": " + Describe(element) + ")\n";
-      json.push_back(ToJson(element));
-    }
     if (found.empty()) view.text = "nothing has " + of.substr(1) + "\n";
-    view.json = Print(json);
     return view;
   }
   if (const std::uint64_t timetag = WholeNumber(of); timetag != 0) {
@@ -115,14 +102,14 @@ Result<ViewText> ShowLongTerm(explain::Inspector& mind, const RecallLog* log, co
   }
   const LongTermView view = LookAtLongTerm(mind, of);
   ViewText text{ToText(view), {}};
-  Json json = ToJson(view);
+  Json json = JsonOf(view);
   json["recalls"] = Json::array();
   if (log != nullptr) {
     for (const Recall& recall : log->recalls()) {
       const std::string line = ToText(recall);
       if (line.find(of) == std::string::npos) continue;
       text.text += "tick " + std::to_string(recall.tick) + ": " + line + "\n";
-      json["recalls"].push_back(ToJson(recall));
+      json["recalls"].push_back(JsonOf(recall));
     }
   }
   text.json = Print(json);
@@ -139,10 +126,10 @@ Result<ViewText> ShowLearning(explain::Inspector& mind, const LearningLog* log, 
   }
   const LearningView view = LookAtLearning(mind, of, log);
   ViewText text{ToText(view), {}};
-  Json json = ToJson(view);
+  Json json = JsonOf(view);
   if (log != nullptr && !log->episodes().empty()) {
     text.text += ToText(log->episodes());
-    json["episodes"] = ToJson(log->episodes());
+    json["episodes"] = JsonOf(log->episodes());
   }
   text.json = Print(json);
   return text;
@@ -277,9 +264,8 @@ Result<ViewText> ShowRun(const ViewSource& source, const ViewRequest& request, c
       std::erase_if(one.points, [&](const PlotPoint& point) { return !within(point.tick); });
     return Both(series);
   }
-  const std::uint64_t first = request.first_tick, last = request.last_tick;
-  return ViewText{ToText(models.timeline, request.agent.empty() ? agent : request.agent, first, last),
-                  Print(ToJson(models.timeline, request.agent.empty() ? agent : request.agent, first, last))};
+  return Both(TracksWithin(models.timeline, request.agent.empty() ? agent : request.agent, request.first_tick,
+                           request.last_tick));
 }
 
 }  // namespace

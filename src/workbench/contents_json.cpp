@@ -2,13 +2,14 @@
 #include "workbench/contents_json.h"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
 
-#include "debugger/facts_text.h"
+#include "debugger/view_fields.h"
 #include "workbench/contents_fields.h"
 #include "workbench/document/panels.h"
 
@@ -113,8 +114,7 @@ constexpr ContentField kFields[] = {
     FieldRow<&C::story>("memory", "element", "", "the selected element, as `inspect --view \"memory TIMETAG\"` has it"),
     FieldRow<&C::found>("memory", "found", "", "elements with the text that is searched"),
 
-    FieldRow<[](const C& c) { return debugger::ToJson(c.rules); }>("rules", "rules", "rules",
-                                                                   "all rules, with firings and matches"),
+    FieldRow<&C::rules>("rules", "rules", "rules", "all rules, with firings and matches"),
     FieldRow<&C::rule>("rules", "rule", "rule", "the selected rule: its source, and how far it matches"),
     FieldRow<&C::rule_text>("rules", "rule_text", "", "that rule as its author wrote it; empty if no file contains it"),
     FieldRow<&C::rule_file>("rules", "rule_file", "", "the file that contains it"),
@@ -193,7 +193,7 @@ constexpr ContentField kFields[] = {
     FieldRow<&C::learning>("learning", "learning", "learning",
                            "learned rules, and values learned from reward; `inspect` adds `episodes`"),
     FieldRow<[](const C& c) {
-      return c.learning_log == nullptr ? Json::array() : debugger::ToJson(c.learning_log->episodes());
+      return c.learning_log == nullptr ? std::deque<debugger::RewardEpisode>() : c.learning_log->episodes();
     }>("learning", "episodes", "", "what was earned in each episode that has ended, the newest last"),
     FieldRow<&C::learned_rule>("learning", "rule", "",
                                "the selected learned rule, as `inspect --view \"learning #RULE\"` has it"),

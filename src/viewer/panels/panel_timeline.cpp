@@ -171,8 +171,8 @@ class TimelinePanel final : public Panel {
   std::string Text(const PanelFrame& frame) const override {
     const debugger::Timeline* timeline = frame.contents.timeline;
     if (timeline == nullptr || timeline->empty()) return {};
-    return debugger::ToText(*timeline, {}, static_cast<std::uint64_t>(std::max(0.0, first_)),
-                            static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_)));
+    return debugger::ToText(debugger::TracksWithin(*timeline, {}, static_cast<std::uint64_t>(std::max(0.0, first_)),
+                                                   static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_))));
   }
 
  private:

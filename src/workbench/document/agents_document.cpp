@@ -14,36 +14,21 @@ using debugger::AgentRow;
 
 constexpr float kLowHealth = 35;
 
-/// The impasse of the lowest state, "operator tie"; empty if there is none.
-std::string ImpasseOf(const AgentRow& row) {
-  const std::size_t open = row.state.find('(');
-  return open == std::string::npos ? std::string() : row.state.substr(open + 1, row.state.size() - open - 2);
-}
-
 /// Whether an agent has a problem. An operator no-change during a long command is normal.
 bool IsInTrouble(const AgentRow& row) {
-  const std::string impasse = ImpasseOf(row);
-  return !impasse.empty() && (row.op.empty() || impasse != "operator no-change");
-}
-
-/// Removes the identifier from "follow (O304)"; the panel Mind shows it.
-std::string NameAlone(const std::string& op) {
-  return op.substr(0, op.find(" ("));
+  return !row.impasse.empty() && (row.op.id.empty() || row.impasse != "operator no-change");
 }
 
 Cell Doing(const Contents& contents, const AgentRow& row) {
   if (row.failed) return TextCell("stopped by an error", Role::kBad);
   if (!row.alive) return TextCell("dead", Role::kQuiet);
-  if (IsInTrouble(row)) {
-    const std::string impasse = ImpasseOf(row);
-    return {{Span{impasse, Role::kWarn, std::nullopt, std::string(MeaningOf(impasse))}}};
-  }
+  if (IsInTrouble(row)) return {{Span{row.impasse, Role::kWarn, std::nullopt, std::string(MeaningOf(row.impasse))}}};
   const auto activity = contents.activities.find(row.id);
   if (activity != contents.activities.end() && !activity->second.empty()) return TextCell(activity->second);
   if (debugger::IsForeign(row)) return TextCell("foreign");
-  const std::string doing = !row.op.empty()        ? NameAlone(row.op)
-                            : !row.last_op.empty() ? NameAlone(row.last_op)
-                                                   : row.command;
+  // The panel Mind shows the identifier of an operator that has a name.
+  const debugger::OperatorName& op = row.op.id.empty() ? row.last_op : row.op;
+  const std::string& doing = op.id.empty() ? row.command : op.name.empty() ? op.id : op.name;
   if (!doing.empty()) return TextCell(doing);
   return TextCell(row.has_mind ? "idle" : row.script.empty() ? "" : "script " + row.script, Role::kQuiet);
 }
@@ -60,10 +45,10 @@ std::string HintOf(const AgentRow& row) {
   add("kind", row.kind);
   add("team", row.team);
   add("script", row.script);
-  add("state", row.has_mind               ? row.state
+  add("state", row.has_mind               ? StateText(row)
                : debugger::IsForeign(row) ? "foreign: another simulation moves it"
                                           : "no Soar mind: its script decides");
-  add("operator", row.op);
+  add("operator", ToText(row.op));
   add("command", row.command);
   add("error", row.error);
   return text;
