@@ -13,16 +13,17 @@ void AppendHex(std::string& text, unsigned char byte) {
   text += kDigits[byte & 15];
 }
 
-/// Whether a byte is within a UTF-8 character, so that the text must not be cut before it.
-bool IsInside(unsigned char byte) {
-  return (byte & 0xC0) == 0x80;
-}
-
 }  // namespace
 
+std::string_view Beginning(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  // A byte of this form is within a character.
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 std::string Printable(std::string_view text, const char* indent, std::size_t most) {
-  std::size_t shown = std::min(text.size(), most);
-  while (shown < text.size() && shown > 0 && IsInside(static_cast<unsigned char>(text[shown]))) --shown;
+  const std::size_t shown = Beginning(text, most).size();
   std::string safe;
   safe.reserve(shown);
   for (std::size_t i = 0; i < shown; ++i) {

@@ -7,6 +7,9 @@
 
 namespace soarbox {
 
+/// The beginning of a text: at most `most` bytes, and no part of a UTF-8 character.
+std::string_view Beginning(std::string_view text, std::size_t most);
+
 /// Makes an untrusted text safe for a terminal. Control characters except tabs are printed as \xNN, so that a text
 /// cannot move the cursor or change colours. Lines after the first begin with `indent`, so that none of them looks like
 /// a message; if `indent` is null, line ends are printed as \n. A text longer than `most` bytes is truncated and ends

@@ -17,6 +17,10 @@ TEST(PlainText, ShowsControlCharactersAndLeavesLettersOfAllLanguages) {
 TEST(PlainText, IsCutBetweenLettersAndTellsHowMuchIsLeftOut) {
   EXPECT_EQ(Printable("aäb", "", 2), "a ... (3 more bytes)");
   EXPECT_EQ(Printable("abc", "", 3), "abc");
+  EXPECT_EQ(Beginning("aäb", 2), "a");
+  EXPECT_EQ(Beginning("aäb", 3), "aä");
+  EXPECT_EQ(Beginning("ä", 1), "");
+  EXPECT_EQ(Beginning("ä", 9), "ä");
 }
 
 TEST(PlainText, NoForeignTextPassesForAMessageOfItsOwn) {

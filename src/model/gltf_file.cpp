@@ -7,6 +7,7 @@
 
 #include "bytes/base64.h"
 #include "bytes/percent_code.h"
+#include "diagnostics/plain_text.h"
 
 namespace soarbox::model {
 namespace {
@@ -101,7 +102,7 @@ void GltfFile::CheckVersion() {
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end() || required->empty()) return;
   const Json& extension = required->is_array() ? required->front() : *required;
-  const std::string name = extension.is_string() ? extension.get<std::string>().substr(0, 80) : "?";
+  const std::string name(Beginning(extension.is_string() ? extension.get<std::string>() : "?", 80));
   Fail("it requires the extension " + name + ", which is not supported: export it without this extension");
 }
 

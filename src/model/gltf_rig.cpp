@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "diagnostics/plain_text.h"
 #include "world/rotation.h"
 
 namespace soarbox::model {
@@ -27,7 +28,8 @@ const Json& ListOf(const Json& object, const char* member) {
 
 std::string NameOf(const Json& object) {
   const auto found = object.find("name");
-  return found != object.end() && found->is_string() ? found->get<std::string>().substr(0, kLongestName) : "";
+  if (found == object.end() || !found->is_string()) return {};
+  return std::string(Beginning(found->get_ref<const std::string&>(), kLongestName));
 }
 
 std::optional<Quat> QuatOf(const float* numbers) {

@@ -273,6 +273,13 @@ std::vector<world::Vec3> CornersAt(const Model& model, const char* animation, fl
 
 using Corners = std::vector<world::Vec3>;
 
+TEST(GltfSkin, ALongNameIsCutBetweenLetters) {
+  const std::string letters(99, 'a');
+  const Result<Model> read = ReadGltf(ArmFile({.armature = R"(, "name": ")" + letters + "ä\""}), kAlone);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->rig.BoneNames().front(), letters);
+}
+
 TEST(GltfSkin, JointsMoveTheirCornersByWeight) {
   const Result<Model> read = ReadGltf(ArmFile(), kAlone);
   ASSERT_TRUE(read) << read.error().message;

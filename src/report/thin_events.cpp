@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox::report {
 namespace {
 
@@ -21,10 +23,7 @@ std::size_t BytesOf(const StoryEvent& event) {
 std::string CutText(std::string text, std::size_t most_bytes) {
   constexpr std::string_view kDots = " ...";
   if (text.size() <= most_bytes) return text;
-  std::size_t end = most_bytes > kDots.size() ? most_bytes - kDots.size() : 0;
-  const auto is_inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
-  while (end > 0 && is_inside(end)) --end;
-  text.resize(end);
+  text.resize(Beginning(text, most_bytes > kDots.size() ? most_bytes - kDots.size() : 0).size());
   return text.append(kDots);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "diagnostics/diagnostic.h"
+#include "diagnostics/plain_text.h"
 #include "script/argument_check.h"
 #include "script/bind_api.h"
 #include "script/bind_arguments.h"
@@ -48,7 +49,7 @@ bool FiniteArgument(lua_State* state, float& number) {
 void PushUnknownName(lua_State* state, std::string_view name, const world::Rig& rig) {
   constexpr std::size_t kFew = 20, kMostShown = 60;
   const std::vector<std::string_view> known = rig.ClipNames();
-  std::string text = "there is no animation \"" + std::string(name.substr(0, kMostShown)) + "\" here";
+  std::string text = "there is no animation \"" + std::string(Beginning(name, kMostShown)) + "\" here";
   const std::string_view meant = Suggest(name, known);
   if (!meant.empty()) text += "; did you mean \"" + std::string(meant) + "\"?";
   if (known.empty()) text += "; the mesh has none";

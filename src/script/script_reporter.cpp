@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/script_reporter.h"
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox::script {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr std::size_t kLongestPrint = std::size_t{64} << 10;
 }  // namespace
 
 void ScriptReporter::OnPrint(std::string_view script, std::string_view text) {
-  if (text.size() > kLongestPrint) text = text.substr(0, kLongestPrint);
+  text = Beginning(text, kLongestPrint);
   if (budget_.TakePrint(text.size() + 100)) {
     listener_.OnPrint(script, text);
     return;

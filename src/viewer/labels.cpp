@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 
+#include "diagnostics/plain_text.h"
 #include "sim/foreign_kind.h"
 #include "viewer/draw_colors.h"
 #include "viewer/palette.h"
@@ -40,9 +41,7 @@ world::Color SwatchColor(const world::AgentSnapshot& agent) {
 /// The first bytes of a text, cut between characters, with a mark if it was cut.
 std::string Shortened(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
-  std::size_t end = most - 1;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-  return text.substr(0, end) + "\xe2\x80\xa6";
+  return std::string(Beginning(text, most - 1)) + "\xe2\x80\xa6";
 }
 
 /// The agent's activity in a word or two.

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox::workbench {
 namespace fs = std::filesystem;
 namespace {
@@ -36,7 +38,7 @@ fs::path Drafts::PlaceOf(const fs::path& file) const {
   for (const char c : NameOfDraft(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   char name[32];
   std::snprintf(name, sizeof name, "-%016llx.draft", static_cast<unsigned long long>(hash));
-  return folder_ / (file.stem().string().substr(0, 60) + name);
+  return folder_ / (std::string(Beginning(file.stem().string(), 60)) + name);
 }
 
 Result<void> Drafts::Keep(const fs::path& file, const std::string& text) const {

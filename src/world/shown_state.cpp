@@ -5,6 +5,8 @@
 #include <charconv>
 #include <map>
 
+#include "diagnostics/plain_text.h"
+
 namespace soarbox::world {
 namespace {
 
@@ -13,10 +15,7 @@ constexpr int kDeepest = 16;
 
 /// The text on one line, without tabs.
 std::string OneLine(std::string_view text) {
-  std::string line(text.substr(0, kLongestText));
-  // Does not cut within a character.
-  while (line.size() < text.size() && !line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xC0) == 0x80)
-    line.pop_back();
+  std::string line(Beginning(text, kLongestText));
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < 0x20; }, ' ');
   return line;

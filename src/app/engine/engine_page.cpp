@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "diagnostics/json_text.h"
+#include "diagnostics/plain_text.h"
 #include "diagnostics/problem.h"
 #include "sim/input_names.h"
 #include "workbench/contents_json.h"
@@ -46,12 +47,12 @@ bool FlagOf(const Json& json, const char* field) {
 /// Converts a page's input to an input of the simulation: a key, a button, the pointer, the wheel, a panel of a script,
 /// a gamepad or the size of the screen. Returns nothing for other kinds.
 std::optional<sim::InputValue> InputOf(const Json& json) {
-  const std::string kind = TextOf(json, "kind"), name = TextOf(json, "name").substr(0, 40);
+  const std::string kind = TextOf(json, "kind"), text = TextOf(json, "name"), name(Beginning(text, 40));
   const float x = FieldNumber(json, "x"), y = FieldNumber(json, "y");
   if (kind == "key") return sim::KeyInput{name, FlagOf(json, "pressed")};
   if (kind == "button") return sim::ButtonInput{name, FlagOf(json, "pressed"), x, y};
   if (kind == "pointer") return sim::PointerInput{x, y, FieldNumber(json, "dx"), FieldNumber(json, "dy")};
-  if (kind == "panel") return sim::PanelInput{TextOf(json, "name").substr(0, 100)};
+  if (kind == "panel") return sim::PanelInput{std::string(Beginning(text, 100))};
   if (kind == "pad") {
     const auto pad = static_cast<int>(FieldNumber(json, "pad"));
     const bool is_known =

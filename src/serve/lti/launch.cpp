@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "diagnostics/plain_text.h"
 #include "diagnostics/problem.h"
 #include "serve/lti/web_address.h"
 
@@ -83,11 +84,7 @@ bool Teaches(const ClaimJson& role) {
 
 /// Shortens a text to kMostNameBytes, between characters. Replaces control characters by blanks, and trims blanks.
 std::string ShortName(std::string text) {
-  if (text.size() > kMostNameBytes) {
-    std::size_t end = kMostNameBytes;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-    text.resize(end);
-  }
+  text.resize(Beginning(text, kMostNameBytes).size());
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
   const std::size_t begin = text.find_first_not_of(' ');

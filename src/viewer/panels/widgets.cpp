@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "diagnostics/plain_text.h"
 #include "viewer/panels/layout_audit.h"
 
 namespace soarbox::viewer {
@@ -105,9 +106,7 @@ void FoldedText(const char* id, std::string_view text, ImVec4 color) {
   if (*open) {
     WrappedText(color, text);
   } else {
-    std::size_t end = std::min({text.size(), kShort, line_end});
-    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-    WrappedText(color, std::string(text.substr(0, end)) + " ...");
+    WrappedText(color, std::string(Beginning(text, std::min(kShort, line_end))) + " ...");
   }
   if (Link("fold", *open ? "less" : "all of it")) *open = !*open;
   ImGui::PopID();
@@ -131,8 +130,7 @@ std::string CutBeforeNumber(const std::string& name, float width) {
   const std::string number = "..." + name.substr(dash);
   std::size_t kept = dash;
   while (kept > kLeast && width_of(name.substr(0, kept) + number) > width) --kept;
-  while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xc0) == 0x80) --kept;
-  return name.substr(0, kept) + number;
+  return std::string(Beginning(name, kept)) + number;
 }
 
 void CutText(std::string_view text, float width, ImVec4 color) {
