@@ -9,9 +9,9 @@ TankSoar.Settings = {
         "### ####",
         "### ####",
         "### ####",
-        "###1####",
+        "###1   3",
         "########"
     },
-    facing = { "north", "south" },
+    facing = { "north", "south", "west" },
     mostPacks = 0
 };
