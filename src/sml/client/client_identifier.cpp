@@ -15,11 +15,7 @@ namespace sml {
 IdentifierSymbol::~IdentifierSymbol() = default;
 
 char const* IdentifierSymbol::Name() {
-  if (name_.empty() && key_ != 0) {
-    std::string name;
-    AssignIdentifierName(name, key_);
-    name_.Assign(name.data(), name.size());
-  }
+  if (name_.empty() && key_ != 0) AssignIdentifierName(name_, key_);
   return name_.c_str();
 }
 
@@ -29,7 +25,7 @@ Agent* IdentifierSymbol::GetAgent() const {
 
 void IdentifierSymbol::SetIdentifierSymbol(char const* pID) {
   if (!pID) pID = "";
-  name_.Assign(pID, std::strlen(pID));
+  name_ = pID;
 }
 
 void IdentifierSymbol::UsedBy(Identifier* pIdentifier) {

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "sml/client/agent_data.h"
-#include "sml/client/shared_text.h"
 
 namespace sml {
 
@@ -47,7 +46,7 @@ IdentifierSymbol* WorkingMemory::NewSymbol(std::string_view name, long long key)
   IdentifierSymbol* symbol = symbols_.Take();
   symbol->memory_ = this;
   symbol->life_ = ++last_life_;
-  symbol->name_.Assign(name.data(), name.size());
+  symbol->name_ = name;
   symbol->key_ = key;
   symbol->ForgetUsers();
   symbol->children_modified_ = false;
@@ -63,25 +62,11 @@ IdentifierSymbol* WorkingMemory::SymbolFor(long long key) {
   return symbol;
 }
 
-/// Sets the attribute of an element, as a shared text if possible.
-void WorkingMemory::SetAttribute(WMElement* wme, std::string_view attribute) {
-  if (wme->owns_attribute_) delete[] wme->attribute_;
-  wme->owns_attribute_ = false;
-  wme->attribute_ = SharedText(attribute);
-  if (wme->attribute_) return;
-  wme->attribute_ = "";
-  char* const own = new char[attribute.size() + 1];
-  attribute.copy(own, attribute.size());
-  own[attribute.size()] = 0;
-  wme->attribute_ = own;
-  wme->owns_attribute_ = true;
-}
-
 void WorkingMemory::Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag,
                            bool output) {
   wme->parent_ = nullptr;
   wme->agent_ = &data_.agent;
-  SetAttribute(wme, attribute);
+  wme->attribute_ = attribute;
   wme->time_tag_ = tag;
   wme->life_ = ++last_life_;
   wme->just_added_ = output;
@@ -207,7 +192,7 @@ StringElement* WorkingMemory::CreateString(Identifier* parent, char const* attri
     value = "nil";
   }
   StringElement* wme = strings_.Take();
-  wme->value_.Assign(value, std::strlen(value));
+  wme->value_ = value;
   Attach(wme, parent->symbol_, attribute, --data_.kernel_data().next_tag, false);
   SendNew(wme);
   return wme;
@@ -255,7 +240,7 @@ Identifier* WorkingMemory::CreateSharedId(Identifier* parent, char const* attrib
     return nullptr;
   }
   // As in Soar, other elements may have the same attribute and value; each is removed individually.
-  const bool is_there = shared->parent_ == parent->symbol_ && std::strcmp(shared->attribute_, attribute) == 0;
+  const bool is_there = shared->parent_ == parent->symbol_ && std::strcmp(shared->GetAttribute(), attribute) == 0;
   if (is_there) return nullptr;
   Identifier* wme = identifiers_.Take();
   wme->symbol_ = shared->symbol_;
@@ -272,7 +257,7 @@ InputWme WorkingMemory::Describe(WMElement* wme) {
   if (wme->parent_->hint_ == 0) described.id = wme->parent_->Name();
   described.id_key = wme->parent_->key_;
   described.id_hint = wme->parent_->hint_;
-  described.attribute = wme->attribute_;
+  described.attribute = wme->GetAttribute();
   switch (wme->kind_) {
     case WMElement::Kind::kString:
       described.text = static_cast<StringElement*>(wme)->value_.c_str();
@@ -332,7 +317,7 @@ void WorkingMemory::Update(StringElement* wme, char const* value) {
   if (!CheckUpdate(wme)) return;
   if (!value) value = "nil";
   if (!data_.blink && std::strcmp(wme->value_.c_str(), value) == 0) return;
-  wme->value_.Assign(value, std::strlen(value));
+  wme->value_ = value;
   SendUpdated(wme);
 }
 
@@ -402,7 +387,7 @@ void WorkingMemory::Refresh() {
   if (!name.empty() && name != input_link_->symbol_->Name()) {
     IdentifierSymbol* symbol = input_link_->symbol_;
     symbols_by_key_.Take(symbol->key_);
-    symbol->name_.Assign(name.data(), name.size());
+    symbol->name_ = name;
     symbol->key_ = IdentifierKey(name);
     symbols_by_key_.Set(symbol->key_, symbol);
   }

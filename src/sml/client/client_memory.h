@@ -90,7 +90,6 @@ class WorkingMemory {
   Agent& agent() const;
   bool CheckParent(Identifier* parent, char const*& attribute);
   bool CheckUpdate(WMElement* wme);
-  static void SetAttribute(WMElement* wme, std::string_view attribute);
   void Attach(WMElement* wme, IdentifierSymbol* parent, std::string_view attribute, long long tag, bool output);
   void Detach(WMElement* wme);
   void Release(WMElement* wme);

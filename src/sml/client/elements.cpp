@@ -38,9 +38,7 @@ void AssignIdentifierName(std::string& out, long long key) {
   out.assign(begin, static_cast<std::size_t>(end - begin));
 }
 
-WMElement::~WMElement() {
-  if (owns_attribute_) delete[] attribute_;
-}
+WMElement::~WMElement() = default;
 StringElement::~StringElement() = default;
 IntElement::~IntElement() = default;
 FloatElement::~FloatElement() = default;

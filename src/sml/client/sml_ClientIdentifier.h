@@ -74,7 +74,7 @@ class EXPORT IdentifierSymbol {
   void ForgetUsers();
 
   WorkingMemory* memory_ = nullptr;
-  ElementText name_;  ///< If the kernel created the name: empty until it is first needed.
+  std::string name_;  ///< If the kernel created the name: empty until it is first needed.
   unsigned long long life_ = 0;
   long long key_ = 0;     ///< The kernel's name as a number; 0 for names that clients created.
   bool has_own_ = false;  ///< It may have children that the agent did not create.

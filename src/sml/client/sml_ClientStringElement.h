@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sml_ClientWMElement.h"
-#include "soarbox_ElementText.h"
 
 namespace sml {
 
@@ -26,7 +25,7 @@ class EXPORT StringElement : public WMElement {
   friend class ObjectPool<StringElement>;
   StringElement() : WMElement(Kind::kString) {}
 
-  ElementText value_;
+  std::string value_;
 };
 
 }  // namespace sml

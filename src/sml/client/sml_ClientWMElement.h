@@ -35,7 +35,7 @@ class EXPORT WMElement {
   /// The name of that identifier ("I2").
   char const* GetIdentifierName() const;
 
-  char const* GetAttribute() const { return attribute_; }
+  char const* GetAttribute() const { return attribute_.c_str(); }
 
   /// "string", "int", "double" or "id".
   virtual char const* GetValueType() const = 0;
@@ -74,8 +74,7 @@ class EXPORT WMElement {
 
  protected:
   enum class Kind : unsigned char { kString, kInt, kFloat, kIdentifier };
-  explicit WMElement(Kind kind)
-      : kind_(kind), just_added_(false), live_(false), output_(false), owns_attribute_(false) {}
+  explicit WMElement(Kind kind) : kind_(kind), just_added_(false), live_(false), output_(false) {}
 
  private:
   friend class WorkingMemory;
@@ -85,7 +84,7 @@ class EXPORT WMElement {
   friend class ObjectPool;
 
   IdentifierSymbol* parent_ = nullptr;
-  char const* attribute_ = "";
+  std::string attribute_;
   WMElement* next_ = nullptr;  ///< The next child of the parent; for dead objects see ObjectPool.
   union {
     WMElement* previous_ = nullptr;  ///< If it has a parent.
@@ -96,9 +95,8 @@ class EXPORT WMElement {
   unsigned int input_ = 0;  ///< Its handle in the connection to the kernel.
   Kind kind_;
   bool just_added_ : 1;
-  bool live_ : 1;            ///< False for dead objects.
-  bool output_ : 1;          ///< The agent created it.
-  bool owns_attribute_ : 1;  ///< False if the attribute's text is shared by all agents.
+  bool live_ : 1;    ///< False for dead objects.
+  bool output_ : 1;  ///< The agent created it.
 };
 
 }  // namespace sml

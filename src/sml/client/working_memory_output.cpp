@@ -101,7 +101,7 @@ WMElement* WorkingMemory::MakeOutput(const OutputWme& wme, IdentifierSymbol* par
       break;
   }
   StringElement* made = strings_.Take();
-  made->value_.Assign(wme.text.data(), wme.text.size());
+  made->value_ = wme.text;
   Attach(made, parent, wme.attribute, wme.tag, true);
   return made;
 }
