@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <vector>
+#include <map>
+#include <utility>
 
 #include "viewer/panels/layout_audit.h"
 #include "viewer/panels/panel.h"
@@ -18,28 +17,27 @@ using debugger::TimelineMark;
 using debugger::TimelineSpan;
 using debugger::TimelineTrack;
 
-ImVec4 MarkColor(MarkKind kind) {
-  switch (kind) {
-    case MarkKind::kCommand:
-      return theme::kNumber;
-    case MarkKind::kOutcome:
-      return theme::kGood;
-    case MarkKind::kMessage:
-      return theme::kVariable;
-    case MarkKind::kEvent:
-      return theme::kQuiet;
-    case MarkKind::kError:
-      return theme::kBad;
-    case MarkKind::kEdit:
-      return theme::kWarn;
-    case MarkKind::kLearned:
-      return theme::kAccent;
-  }
-  return theme::kText;
+/// How a kind of mark is drawn.
+struct MarkLook {
+  MarkKind kind;
+  const ImVec4& color;
+  int weight;  ///< Marks of larger weights are drawn over others.
+  const char* meaning;
+};
+constexpr MarkLook kMarks[] = {{MarkKind::kCommand, theme::kNumber, 2, "a command that was given"},
+                               {MarkKind::kOutcome, theme::kGood, 1, "how it went"},
+                               {MarkKind::kMessage, theme::kVariable, 3, "a message to others"},
+                               {MarkKind::kEvent, theme::kQuiet, 0, "another event"},
+                               {MarkKind::kError, theme::kBad, 6, "an error or a warning"},
+                               {MarkKind::kEdit, theme::kWarn, 4, "a command of yours, or an edit"},
+                               {MarkKind::kLearned, theme::kAccent, 5, "a rule was learned"}};
+
+const MarkLook& LookOf(MarkKind kind) {
+  return *std::ranges::find(kMarks, kind, &MarkLook::kind);
 }
 
 /// An operator has the same colour everywhere.
-ImVec4 MarkColor(const TimelineSpan& span) {
+ImVec4 ColorOf(const TimelineSpan& span) {
   if (span.is_state) return theme::kWarn;
   std::uint32_t hash = 2166136261u;
   for (const char c : span.text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -48,7 +46,7 @@ ImVec4 MarkColor(const TimelineSpan& span) {
 
 /// Kinds also differ in shape.
 void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
-  const ImU32 color = theme::Packed(MarkColor(kind));
+  const ImU32 color = theme::Packed(LookOf(kind).color);
   const auto [x, y] = at;
   switch (kind) {
     case MarkKind::kCommand:
@@ -75,66 +73,6 @@ void DrawSign(ImDrawList& out, MarkKind kind, ImVec2 at, float r, float thick) {
       out.AddCircleFilled(at, r * 0.8f, color, 8);
   }
 }
-
-/// Maximum number of vertices of all tracks together: ImGui counts those of a window with 16 bits.
-constexpr float kMostBarCorners = 56'000;
-
-/// The level of detail of the lines of bars, so that all visible lines together keep the limit. Finer parts share
-/// cells.
-struct Detail {
-  float cell_px = 2;          ///< Bars narrower than two cells share cells.
-  bool is_full = true;        ///< With round corners and texts.
-  float sign_cell_px = 6.8f;  ///< If there are more signs than cells of this width, signs share cells.
-
-  static Detail For(float corners, float width, float px, float r) {
-    const float per_px = corners / std::max(1.0f, width);
-    if (per_px > 6.5f) return {std::max(2 * px, 8 / (per_px - 6)), true, 2 * r};
-    // Half of the vertices for bars, half for signs; the roundest sign has 27.
-    const auto cell = [&](float corners_each, float least) {
-      return std::clamp(2 * corners_each / std::max(0.05f, per_px), least, std::max(least, width / 4));
-    };
-    return {cell(10, 2 * px), false, cell(27, 4 * r)};
-  }
-};
-
-/// Bars that are too narrow to be distinguished: the widest bar of a cell is shown.
-class NarrowBars {
- public:
-  NarrowBars(float left, float width, float cell) : left_(left), cell_(cell) {
-    cells_.resize(1 + static_cast<std::size_t>(std::max(0.0f, width / cell)));
-  }
-  void Add(int line, float x, float end, ImU32 color) {
-    if (end <= left_) return;
-    const auto at = static_cast<std::size_t>(std::max(0.0f, x - left_) / cell_);
-    if (at >= cells_.size()) return;
-    auto& cells = lines_[static_cast<std::size_t>(std::clamp(line, 0, kMostLines - 1))];
-    if (cells.empty()) cells.resize(cells_.size());
-    if (end - x <= cells[at].width) return;
-    cells[at] = {end - x, color};
-  }
-  void Draw(ImDrawList& out, float top, float height) const {
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-      const auto& cells = lines_[line];
-      const float y = top + height * static_cast<float>(line);
-      for (std::size_t i = 0, end = 0; i < cells.size(); i = end) {
-        for (end = i + 1; end < cells.size() && cells[end].color == cells[i].color && cells[i].width > 0;) ++end;
-        if (cells[i].width <= 0) continue;
-        out.AddRectFilled({left_ + cell_ * static_cast<float>(i), y + 1},
-                          {left_ + cell_ * static_cast<float>(end), y + height - 1}, cells[i].color);
-      }
-    }
-  }
-
- private:
-  struct Cell {
-    float width = 0;
-    ImU32 color = 0;
-  };
-  static constexpr int kMostLines = 64;
-  float left_, cell_;
-  std::vector<Cell> cells_;
-  std::array<std::vector<Cell>, kMostLines> lines_;
-};
 
 /// The operators and states of each agent over time.
 class TimelinePanel final : public Panel {
@@ -216,20 +154,13 @@ class TimelinePanel final : public Panel {
     row("an operator, for as long as it is selected; the same colour, the same operator", bar(theme::kAccent, 0.42f));
     row("a substate: an impasse that is being worked on", bar(theme::kWarn, 0.25f));
     row("rules that fired in a tick, of the selected agent", bar(theme::kGood, 0.8f));
-    for (const auto& [kind, meaning] : {std::pair{MarkKind::kCommand, "a command that was given"},
-                                        {MarkKind::kOutcome, "how it went"},
-                                        {MarkKind::kMessage, "a message to others"},
-                                        {MarkKind::kEvent, "another event"},
-                                        {MarkKind::kError, "an error or a warning"},
-                                        {MarkKind::kEdit, "a command of yours, or an edit"},
-                                        {MarkKind::kLearned, "a rule was learned"}}) {
-      row(meaning, [&](ImDrawList& out, ImVec2 at) { DrawSign(out, kind, at, frame.Px(3.4f), frame.Px(2)); });
+    for (const MarkLook& look : kMarks) {
+      row(look.meaning, [&](ImDrawList& out, ImVec2 at) { DrawSign(out, look.kind, at, frame.Px(3.4f), frame.Px(2)); });
     }
     ImGui::EndTooltip();
   }
 
   void DrawTrack(PanelFrame& frame, const TimelineTrack& track, bool is_whole) {
-    ImDrawList& out = *ImGui::GetWindowDrawList();
     int lines = 1;
     const auto first = static_cast<std::uint64_t>(std::max(0.0, first_));
     const auto last = static_cast<std::uint64_t>(std::max(0.0, first_ + shown_ticks_));
@@ -250,7 +181,10 @@ class TimelinePanel final : public Panel {
       ImGui::Dummy({1, full});
       return;
     }
-    const IdScope id(track.agent);
+    // In a window of its own: ImGui counts the vertices of a window with 16 bits.
+    const Part part(("track " + track.agent).c_str(), {0, full},
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImDrawList& out = *ImGui::GetWindowDrawList();
     if (ImGui::InvisibleButton("name", {name_width_ - frame.Px(6), full})) frame.Select(track.agent);
     Tooltip(track.agent.empty() ? std::string("What belongs to no agent") : track.agent + ": click to select");
     MayCut(at, {at.x + name_width_ - frame.Px(6), at.y + full});
@@ -259,30 +193,28 @@ class TimelinePanel final : public Panel {
             track.agent.empty() ? std::string("world") : CutBeforeNumber(track.agent, name_width_ - frame.Px(8)));
     out.PopClipRect();
     out.PushClipRect({left_, at.y}, {left_ + width_, at.y + full}, true);
-    const float bottom = out.GetClipRectMax().y;
-    const float tracks_left = std::max(1.0f, std::ceil((bottom - at.y) / (height + marks_height + frame.Px(4))));
-    const float corners = (kMostBarCorners - static_cast<float>(out._VtxCurrentIdx)) / tracks_left;
-    const Detail detail = Detail::For(corners, width_, frame.Px(1), frame.Px(3.4f));
-    NarrowBars narrow(left_, width_, detail.cell_px);
+    std::map<int, float> drawn_to;  // The end of the last bar of each line, px.
     const auto draw = [&](const TimelineSpan& span) {
       if ((span.is_state && span.level == 1) || (!is_whole && span.is_state)) return;
-      const float x = X(static_cast<double>(span.first_tick));
-      const float end = std::max(
-          x + frame.Px(2), X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1));
+      float& line_end = drawn_to.try_emplace(span.line, left_).first->second;
+      const float ends = X(static_cast<double>(span.open ? frame.contents.moment.last_tick : span.last_tick) + 1);
+      if (ends < line_end + 1) return;  // At most one bar per pixel.
+      const float x = std::max(line_end, X(static_cast<double>(span.first_tick))),
+                  end = std::max(x + frame.Px(2), ends);
+      line_end = end;
       const float y = at.y + height * static_cast<float>(line_of(span));
-      const ImVec4 color = MarkColor(span);
+      const ImVec4 color = ColorOf(span);
       const std::string& text = span.text.empty() ? span.id : span.text;
       if (ImGui::IsMouseHoveringRect({x, y}, {end, y + height})) hover_ = text + "  " + span.id;
-      const ImU32 fill = theme::Packed(color, span.is_state ? 0.25f : 0.42f);
-      if (end - x < 2 * detail.cell_px) return narrow.Add(line_of(span), x, end, fill);
       const bool is_wide = end - x >= frame.Px(14);
-      out.AddRectFilled({x, y + 1}, {end, y + height - 1}, fill, is_wide && detail.is_full ? 3.0f : 0.0f);
-      out.AddRectFilled({x, y + 1}, {x + 1, y + height - 1}, theme::Packed(color));
-      const float from = std::max(x, left_) + frame.Px(3);
+      out.AddRectFilled({x, y + 1}, {end, y + height - 1}, theme::Packed(color, span.is_state ? 0.25f : 0.42f),
+                        is_wide ? 3.0f : 0.0f);
+      if (end - x >= frame.Px(4)) out.AddRectFilled({x, y + 1}, {x + 1, y + height - 1}, theme::Packed(color));
+      const float from = x + frame.Px(3);
       // The next bar begins in the tick in which the previous one ended, so the texts of both would overlap.
       const bool is_moment = !span.open && span.first_tick == span.last_tick;
       const float text_end = span.open || is_moment ? end - 1 : X(static_cast<double>(span.last_tick)) - 1;
-      if (text_end - from > frame.Px(is_moment ? 60 : 13) && detail.is_full) {
+      if (text_end - from > frame.Px(is_moment ? 60 : 13)) {
         out.PushClipRect({from, y}, {text_end, y + height}, true);
         MayCut({from, y}, {text_end, y + height});
         // Clipped letters cost as much as visible ones.
@@ -292,12 +224,12 @@ class TimelinePanel final : public Panel {
       }
     };
     debugger::ForSpansWithin(track, first, last, draw);
-    narrow.Draw(out, at.y, height);
     const float below = at.y + height * static_cast<float>(lines);
     if (fired_height > 0) DrawFirings(frame, track, {at.x, below}, fired_height, first, last);
-    DrawMarks(frame, track, below + fired_height + marks_height / 2, first, last, detail);
+    DrawMarks(frame, track, below + fired_height + marks_height / 2, first, last);
     out.PopClipRect();
-    out.AddLine({at.x, at.y + full}, {left_ + width_, at.y + full}, theme::Packed(theme::kEdge, 0.6f));
+    out.AddLine({at.x, at.y + full - 1}, {left_ + width_, at.y + full - 1}, theme::Packed(theme::kEdge, 0.6f));
+    DrawCursor(frame, at.y, at.y + full);
   }
 
   /// The number of rules that fired in each tick, as columns; the highest visible column fills the strip.
@@ -324,56 +256,19 @@ class TimelinePanel final : public Panel {
     }
   }
 
-  void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last,
-                 const Detail& detail) {
-    ImDrawList& out = *ImGui::GetWindowDrawList();
+  void DrawMarks(PanelFrame& frame, const TimelineTrack& track, float y, std::uint64_t first, std::uint64_t last) {
     const float r = frame.Px(3.4f);
-    const auto is_before = [](const TimelineMark& mark, std::uint64_t tick) { return mark.tick < tick; };
-    const auto begin = std::lower_bound(track.marks.begin(), track.marks.end(), first, is_before);
-    const auto end = std::lower_bound(begin, track.marks.end(), last + 1, is_before);
-    // Many signs share cells; the most important sign of a cell is shown.
-    const float cells = width_ / detail.sign_cell_px;
-    const bool share = static_cast<float>(end - begin) > cells;
-    float cell_begin = -1;
-    std::optional<MarkKind> kind;
-    const auto draw_cell = [&] {
-      if (kind) DrawSign(out, *kind, {cell_begin + detail.sign_cell_px / 2, y}, r, frame.Px(2));
-      kind.reset();
-    };
-    for (auto mark = begin; mark != end; ++mark) {
+    // By weight and place: the most important ones are drawn last.
+    std::map<std::pair<int, int>, const TimelineMark*> shown;
+    for (auto mark = std::ranges::lower_bound(track.marks, first, {}, &TimelineMark::tick);
+         mark != track.marks.end() && mark->tick <= last; ++mark) {
       const float x = X(static_cast<double>(mark->tick));
-      if (share) {
-        const float at = left_ + detail.sign_cell_px * std::floor((x - left_) / detail.sign_cell_px);
-        if (at != cell_begin) draw_cell();
-        cell_begin = at;
-        if (!kind || Weight(mark->kind) > Weight(*kind)) kind = mark->kind;
-      } else {
-        DrawSign(out, mark->kind, {x, y}, r, frame.Px(2));
-      }
+      shown.try_emplace({LookOf(mark->kind).weight, static_cast<int>(x / r)}, &*mark);
       if (ImGui::IsMouseHoveringRect({x - r, y - r}, {x + r, y + r}))
         hover_ = std::string(debugger::NameOf(mark->kind)) + ": " + mark->text;
     }
-    draw_cell();
-  }
-
-  static int Weight(MarkKind kind) {
-    switch (kind) {
-      case MarkKind::kError:
-        return 6;
-      case MarkKind::kLearned:
-        return 5;
-      case MarkKind::kEdit:
-        return 4;
-      case MarkKind::kMessage:
-        return 3;
-      case MarkKind::kCommand:
-        return 2;
-      case MarkKind::kOutcome:
-        return 1;
-      case MarkKind::kEvent:
-        break;
-    }
-    return 0;
+    for (const auto& [place, mark] : shown)
+      DrawSign(*ImGui::GetWindowDrawList(), mark->kind, {X(static_cast<double>(mark->tick)), y}, r, frame.Px(2));
   }
 
   void DrawCursor(PanelFrame& frame, float top, float bottom) {
@@ -391,7 +286,7 @@ class TimelinePanel final : public Panel {
 
   void HandleMouse(PanelFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool over = ImGui::IsWindowHovered() && io.MousePos.x >= left_;
+    const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && io.MousePos.x >= left_;
     if (!over) {
       hover_.clear();
       return;
