@@ -6,21 +6,12 @@
 #include <sstream>
 #include <utility>
 
-#include "debugger/file_place.h"
+#include "viewer/panels/document_spans.h"
 #include "viewer/panels/widgets.h"
+#include "workbench/document/build.h"
 
 namespace soarbox::viewer {
 namespace {
-
-/// Opens a place in a file for editing: in the panel Edit, or in the user's own editor if that panel cannot reload the
-/// file.
-void GoToFile(PanelFrame& frame, const std::string& file, int line) {
-  if (frame.contents.moment.is_recording || !debugger::IsEditable(file)) {
-    frame.Ask(workbench::OpenFileRequest{file, line});
-  } else {
-    frame.AskIn(workbench::PanelId::kEdit, workbench::EditRequest{file, line});
-  }
-}
 
 constexpr std::size_t kMostShown = 60;
 
@@ -82,26 +73,16 @@ void Finder::Leave(PanelFrame& frame) {
 }
 
 void Finder::AddPlaces(PanelFrame& frame, std::vector<Item>& items) const {
+  using Kind = workbench::FoundPlace::Kind;
+  using workbench::PanelId;
   if (frame.contents.searched != text_) return;
   for (const workbench::FoundPlace& place : frame.contents.places) {
-    items.push_back({KindName(place.kind), place.title, place.detail, [&frame, place] {
-                       switch (place.kind) {
-                         case workbench::FoundPlace::Kind::kRule:
-                         case workbench::FoundPlace::Kind::kFile:
-                           GoToFile(frame, place.file, place.line);
-                           break;
-                         case workbench::FoundPlace::Kind::kMemory:
-                           frame.AskIn(workbench::PanelId::kMemory, workbench::ObjectRequest{place.id, true});
-                           break;
-                         case workbench::FoundPlace::Kind::kTrace:
-                         case workbench::FoundPlace::Kind::kMessage:
-                           frame.AskIn(place.kind == workbench::FoundPlace::Kind::kTrace
-                                           ? workbench::PanelId::kTrace
-                                           : workbench::PanelId::kMessages,
-                                       workbench::SeekRequest{place.tick});
-                           break;
-                       }
-                     }});
+    workbench::document::Action action{workbench::SeekRequest{place.tick}, PanelId::kMessages};
+    if (place.kind == Kind::kTrace) action.panel = PanelId::kTrace;
+    if (place.kind == Kind::kMemory) action = {workbench::ObjectRequest{place.id, true}, PanelId::kMemory};
+    if (place.kind == Kind::kRule || place.kind == Kind::kFile)
+      action = *workbench::document::FileLink(frame.contents, place.file, place.line, {}).action;
+    items.push_back({KindName(place.kind), place.title, place.detail, [&frame, action] { Press(frame, action); }});
   }
 }
 
@@ -116,13 +97,19 @@ void Finder::AddAnything(PanelFrame& frame, const std::vector<Action>& more, std
   for (const CommandInfo& info : Commands())
     add("command", std::string(info.title), std::string(info.keys),
         [&frame, command = info.command] { frame.Command(command); });
-  for (const Action& action : more) add("command", action.title, action.detail, action.act);
+  for (const Action& action : more) {
+    if (action.title.empty()) continue;
+    add("command", action.menu + ": " + action.title, action.keys.empty() ? action.about : action.keys, action.act);
+  }
   for (const explain::RuleFact& rule : frame.contents.rules) {
     add("rule", rule.name, rule.file.empty() ? rule.type : NameOf(rule.file) + ":" + std::to_string(rule.line),
         [&frame, name = rule.name] { frame.AskIn(workbench::PanelId::kRules, workbench::RuleRequest{name}); });
   }
   for (const std::string& file : frame.contents.all_files)
-    add("file", NameOf(file), file, [&frame, file] { GoToFile(frame, file, 1); });
+    add("file", NameOf(file), file,
+        [&frame, action = *workbench::document::FileLink(frame.contents, file, 1, {}).action] {
+          Press(frame, action);
+        });
   for (const workbench::ScenarioOffer& offer : frame.contents.scenarios)
     add("scenario", offer.name, offer.about,
         [&frame, name = offer.name] { frame.Ask(workbench::OpenRunRequest{name}); });

@@ -20,10 +20,11 @@ class Finder {
   void Open(For what);
   void Close() { wants_close_ = is_open_; }
   bool is_open() const { return is_open_; }
-  /// An additional entry from another part of the window.
+  /// An action of the window, in the order of its menu. Without a title it separates groups of a menu.
   struct Action {
-    std::string title, detail;
-    std::function<void()> act;
+    std::string menu, title = {}, keys = {}, about = {};
+    std::function<void()> act = {};
+    bool is_on = false;
   };
   /// Draws the list if it is open.
   void Draw(PanelFrame& frame, float width, float height, const std::vector<Action>& more);

@@ -165,44 +165,24 @@ std::span<const NamedLayout> ShippedLayouts() {
 
 namespace {
 
+/// The layouts that come with the window, as in files. Areas that a text does not contain are those of the default.
 std::optional<Layout> ShippedLayout(std::string_view name) {
-  using P = workbench::PanelId;
-  Layout layout = DefaultLayout();
-  if (name == "Explore") return layout;
-  if (name == "Debug") {
-    layout.at(Area::kLeft) = {true, 300, {P::kRules, P::kBreakpoints, P::kAgents, P::kProblems}, 0};
-    layout.at(Area::kRight) = {
-        true, 420, {P::kMind, P::kMemory, P::kWhy, P::kLinks, P::kWatch, P::kEdit, P::kFutures}, 0};
-    layout.at(Area::kBottom) = {true,
-                                280,
-                                {P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds, P::kLongTerm,
-                                 P::kLearning, P::kImagery, P::kScript},
-                                0};
-    return layout;
-  }
-  if (name == "Write rules") {
-    layout.at(Area::kLeft) = {true, 250, {P::kAgents, P::kRules}, 0};
-    layout.at(Area::kRight) = {
-        true, 560, {P::kEdit, P::kMind, P::kWhy, P::kMemory, P::kLinks, P::kWatch, P::kBreakpoints, P::kFutures}, 0};
-    layout.at(Area::kBottom) = {true,
-                                200,
-                                {P::kProblems, P::kConsole, P::kTrace, P::kTimeline, P::kPlots, P::kMessages, P::kMinds,
-                                 P::kLongTerm, P::kLearning, P::kImagery, P::kScript},
-                                0};
-    return layout;
-  }
-  if (name != "Compare") return std::nullopt;
-  layout.at(Area::kRight) = {
-      true,
-      340,
-      {P::kWatch, P::kMind, P::kWhy, P::kMemory, P::kRules, P::kLinks, P::kEdit, P::kBreakpoints, P::kFutures},
-      0};
-  layout.at(Area::kBottom) = {true,
-                              300,
-                              {P::kMinds, P::kMessages, P::kPlots, P::kTimeline, P::kTrace, P::kConsole, P::kLongTerm,
-                               P::kLearning, P::kImagery, P::kScript},
-                              0};
-  return layout;
+  constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
+      {"Explore", ""},
+      {"Debug",
+       "left shown 300 0 rules breakpoints agents problems\n"
+       "right shown 420 0 mind memory why links watch edit futures\n"
+       "bottom shown 280 0 console trace timeline plots messages minds longterm learning imagery script\n"},
+      {"Write rules",
+       "left shown 250 0 agents rules\n"
+       "right shown 560 0 edit mind why memory links watch breakpoints futures\n"
+       "bottom shown 200 0 problems console trace timeline plots messages minds longterm learning imagery script\n"},
+      {"Compare",
+       "right shown 340 0 watch mind why memory rules links edit breakpoints futures\n"
+       "bottom shown 300 0 minds messages plots timeline trace console longterm learning imagery script\n"}};
+  for (const auto& [known, text] : kTexts)
+    if (known == name) return ReadLayout(text, DefaultLayout());
+  return std::nullopt;
 }
 
 std::filesystem::path LayoutsFolder() {

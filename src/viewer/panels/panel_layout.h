@@ -78,9 +78,11 @@ class Workspace {
   void DrawMenus(PanelFrame& frame);
   void DrawFileMenu(PanelFrame& frame);
   void DrawLayoutMenu(PanelFrame& frame);
-  void ResetLayout();
-  /// The actions of the window for the finder.
+  /// Arranges the panels so; the size of texts and the colors stay.
+  void UseLayout(Layout wanted);
+  /// The actions of the window, for menus and the finder.
   std::vector<Finder::Action> Actions(PanelFrame& frame);
+  void DrawActions(PanelFrame& frame, std::string_view menu);
   void DrawToolbar(PanelFrame& frame, const Metrics& metrics, float frames_per_second);
   void DrawScrubber(PanelFrame& frame, const Metrics& metrics);
   void DrawArea(PanelFrame& frame, Area area, const Metrics& metrics);

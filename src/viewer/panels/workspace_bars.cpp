@@ -12,6 +12,8 @@
 namespace soarbox::viewer {
 namespace {
 
+constexpr const char* kLayouts = "Layouts";
+
 void CommandItem(PanelFrame& frame, ViewerCommand command, bool enabled = true) {
   const CommandInfo& info = InfoOf(command);
   const std::string title(info.title), keys(info.keys);
@@ -86,35 +88,19 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       Tooltip(info.about);
     }
     ImGui::Separator();
-    ImGui::MenuItem("Left side", nullptr, &layout.at(Area::kLeft).shown);
-    ImGui::MenuItem("Right side", nullptr, &layout.at(Area::kRight).shown);
-    ImGui::MenuItem("Bottom", nullptr, &layout.at(Area::kBottom).shown);
-    ImGui::MenuItem("Picture only", "F11", &only_picture);
-    ImGui::Separator();
-    if (ImGui::MenuItem("Larger text", "Ctrl +")) layout.SetText(layout.text_percent + 25);
-    if (ImGui::MenuItem("Smaller text", "Ctrl -")) layout.SetText(layout.text_percent - 25);
-    if (ImGui::MenuItem("Normal text", "Ctrl 0")) layout.SetText(100);
-    ImGui::Separator();
+    DrawActions(frame, "Panels");
     if (ImGui::BeginMenu("Layouts")) {
       DrawLayoutMenu(frame);
       ImGui::EndMenu();
     }
-    ImGui::MenuItem("Light colors", nullptr, &layout.light);
-    if (ImGui::MenuItem("Reset the layout")) ResetLayout();
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Find")) {
-    if (ImGui::MenuItem("Find anything ...", "Ctrl+Shift+P")) Find(Finder::For::kAnything);
-    Tooltip("Commands, panels, agents, rules, files, and any text in rules, memory and trace");
-    if (ImGui::MenuItem("Search in the panel", "Ctrl+F")) FocusField();
+    DrawActions(frame, "Find");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
-    if (ImGui::MenuItem("First steps", nullptr, layout.first_steps)) {
-      layout.first_steps = !layout.first_steps;
-      first_steps_.Begin();
-    }
-    Tooltip("Leads you through the window, one thing at a time");
+    DrawActions(frame, "Help");
     if (ImGui::BeginMenu("Lessons", !frame.contents.lessons.empty())) {
       int number = 0;
       for (const workbench::LessonOffer& lesson : frame.contents.lessons) {
@@ -125,46 +111,29 @@ void Workspace::DrawMenus(PanelFrame& frame) {
       ImGui::EndMenu();
     }
     Tooltip("Learn Soar step by step: each lesson has a task, hints, and checks that show whether it is done");
-    if (ImGui::MenuItem("Keys and mouse", "?")) show_help = true;
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
 }
 
 void Workspace::DrawFileMenu(PanelFrame& frame) {
-  if (ImGui::MenuItem("Open scenario ...", "Ctrl+O")) Find(Finder::For::kScenario);
-  if (ImGui::MenuItem("Open recording ...", "Ctrl+Shift+O")) Find(Finder::For::kRecording);
+  DrawActions(frame, "File");
   if (ImGui::BeginMenu("Open recent", !frame.contents.recent.empty())) {
     for (const std::string& recent : frame.contents.recent)
       if (ImGui::MenuItem(recent.c_str())) frame.Ask(workbench::OpenRunRequest{recent});
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Save picture")) frame.Ask(workbench::SavePictureRequest{});
-  Tooltip("Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file");
-  ImGui::Separator();
   CommandItem(frame, ViewerCommand::kQuit);
 }
 
 void Workspace::DrawLayoutMenu(PanelFrame& frame) {
-  const auto use = [&](const std::string& name) {
-    if (const auto found = FindLayout(name, layout)) layout = *found;
-    only_picture = false;
-  };
-  for (const NamedLayout& shipped : ShippedLayouts()) {
-    if (ImGui::MenuItem(std::string(shipped.name).c_str())) use(std::string(shipped.name));
-    Tooltip(shipped.about);
-  }
-  const std::vector<std::string> saved = SavedLayouts();
-  if (!saved.empty()) ImGui::Separator();
-  for (const std::string& name : saved) {
-    if (ImGui::MenuItem(name.c_str())) use(name);
-    if (ImGui::BeginPopupContextItem(name.c_str())) {
-      if (ImGui::MenuItem("Delete"))
+  DrawActions(frame, kLayouts);
+  if (const std::vector<std::string> saved = SavedLayouts(); !saved.empty() && ImGui::BeginMenu("Delete")) {
+    for (const std::string& name : saved)
+      if (ImGui::MenuItem(name.c_str()))
         if (const Result<void> gone = RemoveLayout(name); !gone) layout_fault_ = gone.error().message;
-      ImGui::EndPopup();
-    }
-    Tooltip("Right click to delete it");
+    ImGui::EndMenu();
   }
   ImGui::Separator();
   ImGui::Dummy({frame.Px(190), 0});  // Wide enough for the field's hint.
@@ -180,38 +149,63 @@ void Workspace::DrawLayoutMenu(PanelFrame& frame) {
   if (!layout_fault_.empty()) ColoredText(theme::kBad, layout_fault_);
 }
 
-void Workspace::ResetLayout() {
-  const int text = layout.text_percent;
-  const bool light = layout.light;
-  layout = DefaultLayout();
-  layout.light = light;
-  layout.SetText(text);
+void Workspace::UseLayout(Layout wanted) {
+  wanted.light = layout.light;
+  wanted.SetText(layout.text_percent);
+  layout = std::move(wanted);
   only_picture = false;
 }
 
 std::vector<Finder::Action> Workspace::Actions(PanelFrame& frame) {
+  const auto side = [this](Area area) { return [this, area] { layout.at(area).shown = !layout.at(area).shown; }; };
+  const auto text = [this](int more) { return [this, more] { layout.SetText(layout.text_percent + more); }; };
   std::vector<Finder::Action> actions{
-      {"Open scenario ...", "Ctrl+O", [this] { Find(Finder::For::kScenario); }},
-      {"Open recording ...", "Ctrl+Shift+O", [this] { Find(Finder::For::kRecording); }},
-      {"Light colors", layout.light ? "on" : "off", [this] { layout.light = !layout.light; }},
-      {"Larger text", "Ctrl +", [this] { layout.SetText(layout.text_percent + 25); }},
-      {"Smaller text", "Ctrl -", [this] { layout.SetText(layout.text_percent - 25); }},
-      {"Picture only", "F11", [this] { only_picture = !only_picture; }},
-      {"Reset the layout", "", [this] { ResetLayout(); }},
-      {"Save picture", "the window as a PNG file", [&frame] { frame.Ask(workbench::SavePictureRequest{}); }},
-      {"Keys and mouse", "?", [this] { show_help = true; }},
-      {"First steps", "", [this] {
-         layout.first_steps = true;
+      {"File", "Open scenario ...", "Ctrl+O", "", [this] { Find(Finder::For::kScenario); }},
+      {"File", "Open recording ...", "Ctrl+Shift+O", "", [this] { Find(Finder::For::kRecording); }},
+      {"File", "Save picture", "",
+       "Writes the window as soarbox-TICK.png into the folder where the program was started; replaces no file",
+       [&frame] { frame.Ask(workbench::SavePictureRequest{}); }},
+      {"Panels", "Left side", "", "", side(Area::kLeft), layout.at(Area::kLeft).shown},
+      {"Panels", "Right side", "", "", side(Area::kRight), layout.at(Area::kRight).shown},
+      {"Panels", "Bottom", "", "", side(Area::kBottom), layout.at(Area::kBottom).shown},
+      {"Panels", "Picture only", "F11", "", [this] { only_picture = !only_picture; }, only_picture},
+      {"Panels"},
+      {"Panels", "Larger text", "Ctrl +", "", text(25)},
+      {"Panels", "Smaller text", "Ctrl -", "", text(-25)},
+      {"Panels", "Normal text", "Ctrl 0", "", text(100 - layout.text_percent)},
+      {"Panels"},
+      {"Panels", "Light colors", "", "", [this] { layout.light = !layout.light; }, layout.light},
+      {"Panels", "Reset the layout", "", "", [this] { UseLayout(DefaultLayout()); }},
+      {"Find", "Find anything ...", "Ctrl+Shift+P",
+       "Commands, panels, agents, rules, files, and any text in rules, memory and trace",
+       [this] { Find(Finder::For::kAnything); }},
+      {"Find", "Search in the panel", "Ctrl+F", "", [this] { FocusField(); }},
+      {"Help", "Keys and mouse", "?", "", [this] { show_help = true; }},
+      {"Help", "First steps", "", "Leads you through the window, one thing at a time",
+       [this] {
+         layout.first_steps = !layout.first_steps;
          first_steps_.Begin();
-       }}};
+       },
+       layout.first_steps}};
   const auto add = [&](const std::string& name, std::string about) {
-    actions.push_back({"Layout: " + name, std::move(about), [this, name] {
-                         if (const auto found = FindLayout(name, layout)) layout = *found;
+    actions.push_back({kLayouts, name, "", std::move(about), [this, name] {
+                         if (const auto found = FindLayout(name, layout)) UseLayout(*found);
                        }});
   };
   for (const NamedLayout& shipped : ShippedLayouts()) add(std::string(shipped.name), std::string(shipped.about));
   for (const std::string& name : SavedLayouts()) add(name, "saved");
   return actions;
+}
+
+void Workspace::DrawActions(PanelFrame& frame, std::string_view menu) {
+  for (const Finder::Action& action : Actions(frame)) {
+    if (action.menu != menu) continue;
+    if (action.title.empty())
+      ImGui::Separator();
+    else if (ImGui::MenuItem(action.title.c_str(), action.keys.c_str(), action.is_on))
+      action.act();
+    Tooltip(action.about);
+  }
 }
 
 void Workspace::DrawToolbar(PanelFrame& frame, const Metrics& m, float frames_per_second) {
