@@ -40,40 +40,6 @@ Range RangeOf(std::span<const GraphCurve> curves) {
   return range;
 }
 
-/// Reduces the points per pixel: keeps the first, the extremes and the last of those that share a pixel.
-template <typename XOf, typename YOf>
-std::vector<ImVec2> LineOf(const GraphCurve& curve, double first, double last, bool is_stepped, const XOf& x_of,
-                           const YOf& y_of) {
-  constexpr float kColumn_px = 1;
-  std::vector<ImVec2> line;
-  const auto add = [&](ImVec2 point) {
-    if (is_stepped && !line.empty() && line.back().y != point.y) line.push_back({point.x, line.back().y});
-    line.push_back(point);
-  };
-  auto point = std::lower_bound(curve.points.begin(), curve.points.end(), first,
-                                [](const auto& one, double tick) { return one.first < tick; });
-  while (point != curve.points.end() && point->first <= last) {
-    const float x = x_of(point->first);
-    double low = 0, high = 0, begin = 0, end = 0;
-    int count = 0;
-    for (; point != curve.points.end() && point->first <= last && (count == 0 || x_of(point->first) - x < kColumn_px);
-         ++point) {
-      const double value = point->second;
-      if (!std::isfinite(value)) continue;
-      if (count++ == 0) low = high = begin = value;
-      low = std::min(low, value);
-      high = std::max(high, value);
-      end = value;
-    }
-    if (count == 0) continue;
-    add({x, y_of(begin)});
-    if (low < begin) add({x, y_of(low)});
-    if (high > begin) add({x, y_of(high)});
-    if (count > 1 && y_of(end) != line.back().y) add({x, y_of(end)});
-  }
-  return line;
-}
-
 }  // namespace
 
 void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> curves, float height, double first,
@@ -94,7 +60,12 @@ void DrawGraph(PanelFrame& frame, const char* id, std::span<const GraphCurve> cu
   };
   out.PushClipRect(at, end, true);
   for (const GraphCurve& curve : curves) {
-    const std::vector<ImVec2> line = LineOf(curve, first - span, last, is_stepped, x_of, y_of);
+    std::vector<ImVec2> line;
+    for (const auto& [tick, value] : curve.points) {
+      if (!std::isfinite(value)) continue;
+      if (is_stepped && !line.empty()) line.push_back({x_of(tick), line.back().y});
+      line.push_back({x_of(tick), y_of(value)});
+    }
     if (line.size() == 1) out.AddCircleFilled(line[0], frame.Px(2), theme::Packed(curve.color));
     out.AddPolyline(line.data(), static_cast<int>(line.size()), theme::Packed(curve.color), 0, frame.Px(1.6f));
   }

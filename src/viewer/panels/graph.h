@@ -9,7 +9,7 @@
 
 namespace soarbox::viewer {
 
-/// A curve of a graph: ticks in order, with values.
+/// A curve of a graph: ticks in order, with values. At most some hundred points.
 struct GraphCurve {
   std::string name;
   ImVec4 color;
