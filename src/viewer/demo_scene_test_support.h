@@ -6,10 +6,11 @@
 namespace soarbox::viewer {
 
 /// A scene that resembles the world of the thesis: agents that walk in circles, a stack of blocks, walls, debug circles
-/// and paths, and the help text of its sandbox script. Used by the demo tool and the picture test.
+/// and paths, and the help text of its sandbox script. Used by the picture test.
 class DemoScene {
  public:
-  DemoScene(int agents, int view, int width_px, int height_px);
+  /// With at most 6 agents.
+  DemoScene(int agents, int width_px, int height_px);
 
   /// Returns the scene at a time; the same for the same arguments.
   world::SceneSnapshot At(double time_s) const;
@@ -21,7 +22,7 @@ class DemoScene {
   void AddText(world::SceneSnapshot& scene) const;
   void PlaceCamera(world::SceneSnapshot& scene) const;
 
-  int agents_, view_, width_, height_;
+  int agents_, width_, height_;
 };
 
 }  // namespace soarbox::viewer

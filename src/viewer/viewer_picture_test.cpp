@@ -101,7 +101,7 @@ class PictureTest : public testing::Test {
 TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
   const auto viewer = OpenHidden(kWidth, kHeight, Detail::kFull);
   ASSERT_NE(viewer, nullptr);
-  const Picture picture = Draw(*viewer, DemoScene(6, 0, kWidth, kHeight).At(3));
+  const Picture picture = Draw(*viewer, DemoScene(6, kWidth, kHeight).At(3));
   ASSERT_EQ(picture.width(), kWidth);
   ASSERT_EQ(picture.height(), kHeight);
 
@@ -131,7 +131,7 @@ TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
 }
 
 TEST_F(PictureTest, ASceneThatIsDrawnSmallerLooksTheSameAndTextsStaySharp) {
-  world::SceneSnapshot scene = DemoScene(6, 0, kWidth, kHeight).At(3);
+  world::SceneSnapshot scene = DemoScene(6, kWidth, kHeight).At(3);
   std::vector<Picture> pictures;
   for (const double scale : {1.0, 0.75}) {
     ViewerOptions options;
@@ -173,7 +173,7 @@ TEST_F(PictureTest, ASceneThatIsDrawnSmallerLooksTheSameAndTextsStaySharp) {
 TEST_F(PictureTest, PicturesAreSavedInFullUnlessASizeWasAskedFor) {
   const auto viewer = OpenHidden();
   ASSERT_NE(viewer, nullptr);
-  const world::SceneSnapshot scene = DemoScene(6, 0, kSmallWidth, kSmallHeight).At(3);
+  const world::SceneSnapshot scene = DemoScene(6, kSmallWidth, kSmallHeight).At(3);
   const Picture before = Draw(*viewer, scene);
   viewer->Do(ViewerCommand::kScaleHalf);
   EXPECT_EQ(viewer->render_scale(), 0.5);
@@ -193,7 +193,7 @@ TEST_F(PictureTest, PicturesAreSavedInFullUnlessASizeWasAskedFor) {
 TEST_F(PictureTest, ThingsCastShadowsAndWhatIsMissingIsMagentaAndReportedOnce) {
   const auto viewer = OpenHidden();
   ASSERT_NE(viewer, nullptr);
-  world::SceneSnapshot scene = DemoScene(0, 0, kSmallWidth, kSmallHeight).At(0);
+  world::SceneSnapshot scene = DemoScene(0, kSmallWidth, kSmallHeight).At(0);
   scene.ui.clear();
   scene.camera.position = {0, 6, 9};
   scene.camera.orientation = {std::cos(0.3f), -std::sin(0.3f), 0, 0};
@@ -243,7 +243,7 @@ TEST_F(PictureTest, AVisibleWindowAnswersClicksKeysAndItsNewSize) {
   auto opened = Viewer::Open(options);
   ASSERT_TRUE(opened.ok()) << Format(opened.error());
   Viewer& viewer = **opened;
-  const world::SceneSnapshot scene = DemoScene(6, 0, 800, 600).At(0);
+  const world::SceneSnapshot scene = DemoScene(6, 800, 600).At(0);
   viewer.Show(scene);
   ASSERT_TRUE(viewer.RenderFrame());
   viewer.TakeEvents();
@@ -287,7 +287,7 @@ TEST_F(PictureTest, AVisibleWindowAnswersClicksKeysAndItsNewSize) {
 TEST_F(PictureTest, TheCameraObeysScriptsOnlyWhenTheyMoveIt) {
   const auto viewer = OpenHidden();
   ASSERT_NE(viewer, nullptr);
-  world::SceneSnapshot scene = DemoScene(1, 0, kSmallWidth, kSmallHeight).At(0);
+  world::SceneSnapshot scene = DemoScene(1, kSmallWidth, kSmallHeight).At(0);
   viewer->Show(scene);
   EXPECT_EQ(viewer->Camera().position, scene.camera.position);
   scene.camera.position = {1, 2, 3};
@@ -330,7 +330,7 @@ TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
   constexpr int kWide = 960, kHigh = 540;
   const auto viewer = OpenHidden(kWide, kHigh);
   ASSERT_NE(viewer, nullptr);
-  DemoScene demo(6, 0, kWide, kHigh);
+  DemoScene demo(6, kWide, kHigh);
   world::SceneSnapshot scene = demo.At(0);
   for (int tick = 1; tick <= 40; ++tick) {
     scene = demo.At(tick / 10.0);
@@ -373,7 +373,7 @@ TEST_F(PictureTest, EachOverlayAddsToThePictureAndGoesAgain) {
 /// Agents in rows on the ground of the demo, each with one drawable, which `dress` completes.
 template <typename Dress>
 world::SceneSnapshot CrowdOf(std::uint32_t count, Dress&& dress) {
-  world::SceneSnapshot scene = DemoScene(0, 0, kSmallWidth, kSmallHeight).At(0);
+  world::SceneSnapshot scene = DemoScene(0, kSmallWidth, kSmallHeight).At(0);
   scene.ui.clear();
   scene.camera.position = {0, 30, 50};
   scene.camera.orientation = {std::cos(0.3f), -std::sin(0.3f), 0, 0};
@@ -495,7 +495,7 @@ TEST_F(PictureTest, BodiesStandWhereTheirBonesAreInTheColoursOfTheirTeam) {
 TEST_F(PictureTest, GhostsStandWhereTheyAreSaidToAndAreSeenThrough) {
   const auto viewer = OpenHidden();
   ASSERT_NE(viewer, nullptr);
-  world::SceneSnapshot scene = DemoScene(0, 0, kSmallWidth, kSmallHeight).At(0);
+  world::SceneSnapshot scene = DemoScene(0, kSmallWidth, kSmallHeight).At(0);
   scene.ui.clear();
   const Picture without = Draw(*viewer, scene);
   const Projection view(viewer->Camera(), kSmallWidth, kSmallHeight);
@@ -514,7 +514,7 @@ TEST_F(PictureTest, GhostsStandWhereTheyAreSaidToAndAreSeenThrough) {
 TEST_F(PictureTest, ADragSelectsABoxAndCamerasObeyTheirKeys) {
   const auto viewer = OpenHidden();
   ASSERT_NE(viewer, nullptr);
-  const world::SceneSnapshot scene = DemoScene(6, 0, kSmallWidth, kSmallHeight).At(0);
+  const world::SceneSnapshot scene = DemoScene(6, kSmallWidth, kSmallHeight).At(0);
   viewer->Show(scene);
   ASSERT_TRUE(viewer->RenderFrame());
   const auto button = [](std::uint32_t type, int x, int y) {
