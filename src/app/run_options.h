@@ -39,7 +39,7 @@ struct RunOptions : WindowWishes {
   bool no_record = false;                  ///< Do not record, not even in a window.
   std::string record_level = "decisions";  ///< The name of a record::Level.
   std::optional<double> record_limit_mb;   ///< None: no limit, or kUsualLimitMb in the usual file.
-  std::string remark;                      ///< For the window's status bar: the file of the recording.
+  std::string remark;                      ///< For the window: the file of the recording.
   std::string warning;                     ///< For pages: limitations of this run.
   std::filesystem::path lesson;            ///< The folder of the lesson of this world; empty: determined by its name.
   bool watch = false;    ///< Edits of rules and scripts are reloaded during the run; a window always does this.

@@ -118,43 +118,4 @@ std::optional<LabelPlace> LabelLayout::Place(const LabelWish& wish) {
   return take(*best, wish.short_width > 0, -1);
 }
 
-std::vector<LabelCrowd> GatherCrowds(std::span<const ScreenPoint> points, float reach_px) {
-  std::vector<LabelCrowd> crowds;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const ScreenPoint at = points[i];
-    LabelCrowd* near = nullptr;
-    float least = reach_px * reach_px;
-    for (LabelCrowd& crowd : crowds) {
-      const float x = crowd.at.x - at.x, y = crowd.at.y - at.y;
-      if (x * x + y * y >= least) continue;
-      least = x * x + y * y;
-      near = &crowd;
-    }
-    if (near == nullptr) near = &crowds.emplace_back();
-    near->members.push_back(i);
-    const auto share = 1 / static_cast<float>(near->members.size());
-    near->at = {near->at.x + (at.x - near->at.x) * share, near->at.y + (at.y - near->at.y) * share};
-  }
-  return crowds;
-}
-
-ScreenBox BoxIn(Corner corner, const ScreenBox& area, float width, float height) {
-  const bool right = corner == Corner::kBottomRight || corner == Corner::kTopRight;
-  const bool top = corner == Corner::kTopRight || corner == Corner::kTopLeft;
-  const float left_px = right ? area.right - width : area.left, top_px = top ? area.top : area.bottom - height;
-  return {left_px, top_px, left_px + width, top_px + height};
-}
-
-Corner FreeCorner(Corner now, const ScreenBox& area, float width, float height, std::span<const ScreenBox> not_over) {
-  const auto is_free = [&](Corner corner) {
-    const ScreenBox card = BoxIn(corner, area, width, height);
-    return std::none_of(not_over.begin(), not_over.end(), [&](const ScreenBox& box) { return Meet(card, box); });
-  };
-  if (is_free(now)) return now;
-  for (const Corner corner : {Corner::kBottomLeft, Corner::kBottomRight, Corner::kTopRight, Corner::kTopLeft}) {
-    if (is_free(corner)) return corner;
-  }
-  return now;
-}
-
 }  // namespace soarbox::viewer

@@ -22,15 +22,6 @@ struct ScreenBox {
 bool Meet(const ScreenBox& a, const ScreenBox& b, float gap_px = 0);
 bool Holds(const ScreenBox& outer, const ScreenBox& inner);
 
-enum class Corner : std::uint8_t { kBottomLeft, kBottomRight, kTopRight, kTopLeft };
-
-/// Returns the box of a card of this size in a corner of an area.
-ScreenBox BoxIn(Corner corner, const ScreenBox& area, float width, float height);
-
-/// Chooses a corner for a card that must not cover `not_over`: `now` if it is free, else the first free corner. If no
-/// corner is free, returns `now`.
-Corner FreeCorner(Corner now, const ScreenBox& area, float width, float height, std::span<const ScreenBox> not_over);
-
 /// The places that a label prefers.
 enum class LabelHabit : std::uint8_t {
   kAbove,   ///< Above the point, else further up and to the sides: names.
@@ -81,13 +72,5 @@ class LabelLayout {
   float gap_px_;
   std::vector<ScreenBox> taken_, spared_;
 };
-
-/// Agents whose labels have no space, grouped by position.
-struct LabelCrowd {
-  ScreenPoint at;                    ///< Their centre.
-  std::vector<std::size_t> members;  ///< Indices into the points given.
-};
-/// Groups points whose distances are below about `reach_px`.
-std::vector<LabelCrowd> GatherCrowds(std::span<const ScreenPoint> points, float reach_px);
 
 }  // namespace soarbox::viewer

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "diagnostics/plain_text.h"
 #include "sim/foreign_kind.h"
@@ -81,9 +80,8 @@ struct Item {
   std::string title, text;
   bool stands_out = false;  ///< Selected or hovered.
   float alpha = 1;
-  float body_px = 0;                                          ///< Of names: height of the agent in the picture.
-  std::vector<ScreenPoint> speakers;                          ///< Of speech: the heads to which its arrows point.
-  std::map<std::string, std::pair<world::Color, int>> teams;  ///< Of crowds: colour and number by team.
+  float body_px = 0;                  ///< Of names: height of the agent in the picture.
+  std::vector<ScreenPoint> speakers;  ///< Of speech: the heads to which its arrows point.
   LabelPlace place;
 };
 
@@ -114,9 +112,7 @@ class Collector {
       if (!at) continue;
       const bool stands_out = StandsOut(agent.id);
       const float distance = world::Distance(agent.position, camera_.position);
-      // From high above, as on a map, the distance means little.
-      const float gone_m = std::max(kGone_m, 2.2f * camera_.position.y), fade_m = gone_m * kFadeFrom_m / kGone_m;
-      if (!(distance < gone_m) && !stands_out) {
+      if (!(distance < GoneAt_m()) && !stands_out) {
         if (agent.alive) far.emplace_back(&agent, *at);
         continue;
       }
@@ -128,7 +124,7 @@ class Collector {
       item.title = (agent.kind == sim::kForeignKind ? "\xe2\x97\x87 " : "") + LabelName(agent);
       if (agent.has_score) item.title += "  " + ScoreText(agent.score);
       item.text = StateOf(agent, OverlayOf(scene_.overlays, agent.id));
-      item.alpha = stands_out ? 1 : std::clamp((gone_m - distance) / (gone_m - fade_m), 0.25f, 1.0f);
+      item.alpha = stands_out ? 1 : AlphaAt(distance);
       if (!agent.alive) item.alpha *= 0.6f;
       item.wish.at = *at;
       item.wish.must_show = stands_out;
@@ -202,17 +198,9 @@ class Collector {
       const auto head = In(ghost.position + world::Vec3{0, ghost.height_m / 2 + 0.15f, 0});
       const auto feet = projection_.Project(ghost.position - world::Vec3{0, ghost.height_m / 2, 0});
       if (!head || !feet) continue;
-      Item& item = items.emplace_back();
-      item.kind = Kind::kGhost;
+      Item& item = AddAround(Kind::kGhost, *head, feet->y, Shortened(ghost.name, 60), 8, 3);
       item.ghost = &ghost;
       item.rank = rank += 0.01f;
-      item.text = Shortened(ghost.name, 60);
-      item.wish.at = *head;
-      item.wish.habit = LabelHabit::kAround;
-      item.wish.below_y = feet->y;
-      const ImVec2 size = SizeOf(metrics_.text, item.text.c_str());
-      item.wish.width = std::ceil(size.x + 8);
-      item.wish.height = std::ceil(size.y + 3);
     }
   }
 
@@ -224,20 +212,12 @@ class Collector {
       if (spot.name.empty() || !world::IsFinite(spot.position)) continue;
       const auto at = In(spot.position + world::Vec3{0, 0.25f, 0});
       const float distance = world::Distance(spot.position, camera_.position);
-      const float gone_m = std::max(kGone_m, 2.2f * camera_.position.y);
-      if (!at || !(distance < gone_m)) continue;
-      Item& item = items.emplace_back();
-      item.kind = Kind::kPlace;
+      if (!at || !(distance < GoneAt_m())) continue;
+      Item& item = AddAround(Kind::kPlace, *at, at->y + 0.5f * metrics_.em, Shortened(spot.name, 40),
+                             2.4f * metrics_.pad + PlaceSign(metrics_), 2);
       item.spot = &spot;
       item.rank = kAfterAll + distance + (spot.kind == Of::kThing ? kThingsLater : 0);
-      item.text = Shortened(spot.name, 40);
-      item.alpha = std::clamp((gone_m - distance) / (gone_m * (1 - kFadeFrom_m / kGone_m)), 0.25f, 1.0f);
-      item.wish.at = *at;
-      item.wish.habit = LabelHabit::kAround;
-      item.wish.below_y = at->y + 0.5f * metrics_.em;
-      const ImVec2 size = SizeOf(metrics_.text, item.text.c_str());
-      item.wish.width = std::ceil(size.x + 2.4f * metrics_.pad + PlaceSign(metrics_));
-      item.wish.height = std::ceil(size.y + 2);
+      item.alpha = AlphaAt(distance);
     }
   }
 
@@ -266,6 +246,25 @@ class Collector {
     const auto at = projection_.Project(point);
     if (!at || at->x < 0 || at->x > screen_.x || at->y < 0 || at->y > screen_.y) return std::nullopt;
     return at;
+  }
+  /// The distance at which labels end. From high above, as on a map, the distance means little.
+  float GoneAt_m() const { return std::max(kGone_m, 2.2f * camera_.position.y); }
+  float AlphaAt(float distance_m) const {
+    constexpr float kFadingShare = 1 - kFadeFrom_m / kGone_m;
+    return std::clamp((GoneAt_m() - distance_m) / (GoneAt_m() * kFadingShare), 0.25f, 1.0f);
+  }
+  /// Adds a label that is this much larger than its text.
+  Item& AddAround(Kind kind, ScreenPoint at, float below_y, std::string text, float wider, float higher) {
+    Item& item = items.emplace_back();
+    item.kind = kind;
+    item.text = std::move(text);
+    const ImVec2 size = SizeOf(metrics_.text, item.text.c_str());
+    item.wish = {.at = at,
+                 .habit = LabelHabit::kAround,
+                 .below_y = below_y,
+                 .width = std::ceil(size.x + wider),
+                 .height = std::ceil(size.y + higher)};
+    return item;
   }
   bool StandsOut(std::uint32_t id) const {
     return id == scene_.hovered ||
@@ -304,8 +303,6 @@ class Painter {
         return Name(item);
       case Kind::kDot:
         return Dot(item);
-      case Kind::kCrowd:
-        return Crowd(item);
       case Kind::kSpeech:
         return Speech(item);
       case Kind::kGhost:
@@ -365,21 +362,6 @@ class Painter {
     out_.AddCircleFilled(middle, box.width() / 2 - 1.5f, Packed(SwatchColor(*item.agent), item.alpha), 12);
   }
 
-  void Crowd(const Item& item) {
-    const ScreenBox& box = item.place.box;
-    out_.AddRectFilled(Low(box), High(box), kPaper, box.height() / 2);
-    float x = box.left + 2 * metrics_.pad;
-    for (const auto& [team, entry] : item.teams) {
-      const float r = metrics_.em * 0.24f;
-      out_.AddCircleFilled({x + r, (box.top + box.bottom) / 2}, r, Packed(entry.first), 12);
-      x += 2 * r + metrics_.pad * 0.7f;
-      const std::string number = std::to_string(entry.second);
-      out_.AddText(metrics_.text, metrics_.text->FontSize, {x, box.top + 1}, IM_COL32(236, 241, 246, 255),
-                   number.c_str());
-      x += SizeOf(metrics_.text, number.c_str()).x + 1.5f * metrics_.pad;
-    }
-  }
-
   void Speech(const Item& item) {
     const ScreenBox& box = item.place.box;
     const float pad = metrics_.em * 0.45f;
@@ -434,37 +416,6 @@ class Painter {
   const Metrics& metrics_;
 };
 
-/// Dots for agents without a name, numbers where dots would crowd.
-std::vector<Item> LessThanNames(const std::vector<std::pair<const world::AgentSnapshot*, ScreenPoint>>& agents,
-                                const Metrics& metrics) {
-  std::vector<ScreenPoint> points;
-  points.reserve(agents.size());
-  for (const auto& [agent, at] : agents) points.push_back(at);
-  std::vector<Item> items;
-  for (const LabelCrowd& crowd : GatherCrowds(points, 4.5f * metrics.em)) {
-    Item& item = items.emplace_back();
-    item.wish.at = crowd.at;
-    if (crowd.members.size() == 1) {
-      item.kind = Kind::kDot;
-      item.agent = agents[crowd.members.front()].first;
-      item.wish.width = item.wish.height = std::round(metrics.em * (agents.size() > kMany ? 0.45f : 0.7f));
-      continue;
-    }
-    item.kind = Kind::kCrowd;
-    float width = 2.5f * metrics.pad;
-    for (const std::size_t member : crowd.members) {
-      auto& team = item.teams[agents[member].first->team];
-      team.first = SwatchColor(*agents[member].first);
-      ++team.second;
-    }
-    for (const auto& [name, team] : item.teams)
-      width += metrics.em * 0.48f + 2.2f * metrics.pad + SizeOf(metrics.text, std::to_string(team.second).c_str()).x;
-    item.wish.width = std::ceil(width);
-    item.wish.height = std::ceil(metrics.text->FontSize + 2);
-  }
-  return items;
-}
-
 }  // namespace
 
 std::string ScoreText(float score) {
@@ -514,7 +465,7 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
   std::stable_sort(found.items.begin(), found.items.end(),
                    [](const Item& a, const Item& b) { return a.rank < b.rank; });
 
-  LabelLayout layout({kEdge_px, scene.top_px + kEdge_px, screen.x - kEdge_px, screen.y - kEdge_px}, kGap_px);
+  LabelLayout layout({kEdge_px, kEdge_px, screen.x - kEdge_px, screen.y - kEdge_px}, kGap_px);
   for (const ScreenBox& box : scene.blocked) layout.Block(box);
   for (const ScreenBox& box : found.bodies) layout.Spare(box);
   std::vector<Item> shown;
@@ -550,7 +501,14 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
       place(item);
     }
   }
-  for (Item& item : LessThanNames(found.far, metrics)) place(item);
+  for (const auto& [agent, at] : found.far) {
+    Item item;
+    item.kind = Kind::kDot;
+    item.agent = agent;
+    item.wish.at = at;
+    item.wish.width = item.wish.height = std::round(metrics.em * (are_many ? 0.45f : 0.7f));
+    place(item);
+  }
   for (Item& item : found.items)
     if (item.kind == Kind::kPlace && spots < kMostPlaces && place(item)) ++spots;
 

@@ -25,7 +25,6 @@ struct LabelScene {
   std::uint32_t hidden = 0;  ///< The agent through whose eyes the camera looks.
   std::span<const Ghost> ghosts = {};
   bool names = true, speech = true;         ///< Which labels are switched on.
-  float top_px = 0;                         ///< Lower edge of the bar over the picture.
   std::span<const ScreenBox> blocked = {};  ///< Parts of the picture that other things cover.
 };
 
@@ -34,7 +33,6 @@ struct ShownLabel {
   enum class Kind : std::uint8_t {
     kName,    ///< Team, name, state and health.
     kDot,     ///< An agent without space for its name.
-    kCrowd,   ///< Number of agents of each team where there is no space for names.
     kSpeech,  ///< Speech of one or several agents.
     kGhost,   ///< The name of a ghost.
     kPlace,   ///< The name of a waypoint, a region, a thing or an item.
@@ -47,7 +45,7 @@ struct ShownLabel {
 
 /// Names above agents, and speech bubbles. Labels do not cover each other and are not cut by the picture's edge. The
 /// selected and the nearest agents have priority. If there is no space for a label, it is shortened, then replaced by a
-/// dot, then counted in a crowd. A label keeps its place from frame to frame if it can.
+/// dot. A label keeps its place from frame to frame if it can.
 class AgentLabels {
  public:
   /// Draws them below the panels of ImGui's current frame, in a picture of ImGui's display size.

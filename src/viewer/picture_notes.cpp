@@ -7,11 +7,11 @@
 
 #include "viewer/draw_colors.h"
 #include "viewer/labels.h"
+#include "viewer/panels/widgets.h"
 
 namespace soarbox::viewer {
 
-void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays,
-                 ScreenPoint cursor) {
+void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const world::OverlaySnapshot& overlays) {
   const world::AgentOverlay* overlay = OverlayOf(overlays, agent.id);
   char text[64];
   std::vector<std::pair<const char*, std::string>> rows{{"kind", agent.kind}, {"team", agent.team}};
@@ -25,29 +25,16 @@ void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const
   if (agent.failed) rows.emplace_back("state", "stopped by an error");
   std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
 
-  ImFont *bold = host.bold_font(), *plain = host.panel_font();
-  const float line = plain->FontSize * 1.2f, pad = plain->FontSize * 0.6f;
-  float labels = 0, values = 0;
+  ImGui::BeginTooltip();
+  ImGui::PushFont(host.bold_font());
+  ImGui::TextUnformatted(LabelName(agent).c_str());
+  ImGui::PopFont();
   for (const auto& [label, value] : rows) {
-    labels = std::max(labels, SizeOf(plain, label).x);
-    values = std::max(values, SizeOf(plain, value.c_str()).x);
+    ImGui::TextDisabled("%s", label);
+    ImGui::SameLine(6 * ImGui::GetFontSize());
+    ImGui::TextUnformatted(value.c_str());
   }
-  const std::string name = LabelName(agent);
-  const float width = std::max(SizeOf(bold, name.c_str()).x, labels + pad + values) + 2 * pad;
-  const float height = line * static_cast<float>(rows.size() + 1) + 2 * pad;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 low{std::clamp(cursor.x + 16, 4.0f, std::max(4.0f, screen.x - width - 4)),
-                   std::clamp(cursor.y + 18, 4.0f, std::max(4.0f, screen.y - height - 4))};
-  ImDrawList& out = *ImGui::GetForegroundDrawList();
-  out.AddRectFilled(low, {low.x + width, low.y + height}, IM_COL32(12, 17, 24, 236), 5);
-  out.AddRect(low, {low.x + width, low.y + height}, IM_COL32(255, 255, 255, 40), 5);
-  float y = low.y + pad;
-  out.AddText(bold, bold->FontSize, {low.x + pad, y}, IM_COL32(255, 255, 255, 255), name.c_str());
-  for (const auto& [label, value] : rows) {
-    y += line;
-    out.AddText(plain, plain->FontSize, {low.x + pad, y}, IM_COL32(152, 166, 180, 255), label);
-    out.AddText(plain, plain->FontSize, {low.x + 2 * pad + labels, y}, IM_COL32(236, 241, 246, 255), value.c_str());
-  }
+  ImGui::EndTooltip();
 }
 
 void DrawSelectionBox(ScreenPoint from, ScreenPoint to) {
@@ -56,6 +43,18 @@ void DrawSelectionBox(ScreenPoint from, ScreenPoint to) {
       high{std::max(from.x, to.x), std::max(from.y, to.y)};
   out.AddRectFilled(low, high, IM_COL32(255, 219, 90, 36));
   out.AddRect(low, high, IM_COL32(255, 219, 90, 220), 0, 0, 1.4f);
+}
+
+ScreenBox DrawClock(const PanelHost& host, const world::SceneSnapshot& scene) {
+  const std::string text = TimeText(scene.time_s);
+  ImFont* font = host.panel_font();
+  const ImVec2 size = SizeOf(font, text.c_str());
+  const float pad = font->FontSize * 0.4f;
+  const ScreenBox box{0, 0, size.x + 2 * pad, size.y + pad};
+  ImDrawList& out = *ImGui::GetBackgroundDrawList();
+  out.AddRectFilled({0, 0}, {box.right, box.bottom}, IM_COL32(12, 17, 24, 205));
+  out.AddText(font, font->FontSize, {pad, pad / 2}, IM_COL32(236, 241, 246, 255), text.c_str());
+  return box;
 }
 
 void DrawNotice(const PanelHost& host, const std::string& text, float opacity) {

@@ -33,8 +33,6 @@ ScriptUiPlaces::Stand ScriptUiPlaces::Of(const UiSnapshot& ui) const {
     stand.corner = {stand.corner.x + stand.top->x, stand.corner.y + stand.top->y};
   }
   if (stand.top->in_world) return stand;
-  // Panels of the upper half move down together with their children, so that they keep their arrangement.
-  if (stand.top->y < room_.height / 2) stand.corner.y += room_.top;
   stand.corner.x += ShiftInto(stand.top->x, stand.top->width, room_.width, room_.window_width);
   stand.corner.y += ShiftInto(stand.top->y, stand.top->height, room_.height, room_.window_height);
   return stand;

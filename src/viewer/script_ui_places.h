@@ -16,7 +16,6 @@ namespace soarbox::viewer {
 struct ScreenRoom {
   float width = 0, height = 0;                ///< Of the picture.
   float window_width = 0, window_height = 0;  ///< Of the window.
-  float top = 0;                              ///< Height of the upper part of the picture that the status bar covers.
 };
 
 /// Positions of the panels of scripts in the picture. A panel that was placed for the entire window and would be

@@ -318,7 +318,6 @@ Result<std::unique_ptr<Viewer>> Viewer::Open(const ViewerOptions& options) {
   impl->on[static_cast<std::size_t>(ViewerCommand::kLabels)] = options.show_labels;
   impl->on[static_cast<std::size_t>(ViewerCommand::kShots)] = true;
   impl->on[static_cast<std::size_t>(ViewerCommand::kMessages)] = true;
-  impl->on[static_cast<std::size_t>(ViewerCommand::kHelp)] = options.show_help;
   impl->engine = std::move(*engine);
   try {
     if (Result<void> built = impl->Build(); !built) return built.error();

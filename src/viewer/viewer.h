@@ -42,10 +42,8 @@ struct ViewerOptions {
   double render_scale = 0;
   bool vsync = true;
   bool show_labels = true;  ///< Names above agents at the start (L toggles).
-  bool show_help = false;   ///< The list of keys at the start (H toggles).
   bool frame_agents =
       false;  ///< Starts with a view of all agents, unless the scripts' camera already shows all of them large enough.
-  bool show_status_bar = true;
   std::optional<Layout> layout = {};     ///< Menus and panels around the picture; none: the picture alone.
   std::filesystem::path ui_script = {};  ///< Plays a user (panels/ui_script.h); empty: none.
   std::size_t ui_script_from = 0;        ///< Number of steps that another window has already executed.
@@ -54,11 +52,11 @@ struct ViewerOptions {
   std::function<void(const Diagnostic&)> on_diagnostic = {};
 };
 
-/// The state of the run for the status bar. The application owns the clock.
+/// The state of the run for the toolbar. The application owns the clock.
 struct RunStatus {
   bool paused = false;
-  double speed = 1;     ///< Simulated seconds per second that the user requested; infinite: as fast as possible.
-  std::string message;  ///< A short remark such as "recording to run.rec"; may be empty.
+  double speed = 1;          ///< Simulated seconds per second that the user requested; infinite: as fast as possible.
+  std::string message = {};  ///< Of the tooltip of the clock; may be empty.
 };
 
 /// A translucent figure with a name: the place of an agent in another future, or its believed place.

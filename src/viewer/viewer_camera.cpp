@@ -82,7 +82,7 @@ bool Viewer::Impl::SeesAgentsWell() {
   camera.Arrive();
   const Projection view = View();
   const auto is_in_picture = [&](const std::optional<ScreenPoint>& at) {
-    return at && at->x > 0 && at->x < width && at->y > kStatusBar_px && at->y < height;
+    return at && at->x > 0 && at->x < width && at->y > 0 && at->y < height;
   };
   if (!std::ranges::all_of(scenery, [&](const FramedBody& body) { return is_in_picture(view.Project(body.position)); }))
     return false;

@@ -131,6 +131,8 @@ void Viewer::Impl::Do(ViewerCommand command) {
       selection.clear();
       break;
     case ViewerCommand::kHelp:
+      if (workspace) workspace->show_help() = !workspace->show_help();
+      break;
     case ViewerCommand::kMute:
       on.flip(static_cast<std::size_t>(command));
       break;
@@ -182,6 +184,8 @@ bool Viewer::Impl::IsOn(ViewerCommand command) const {
       return status.paused;
     case ViewerCommand::kUnlimited:
       return std::isinf(status.speed);
+    case ViewerCommand::kHelp:
+      return workspace && workspace->show_help();
     default:
       return on[static_cast<std::size_t>(command)];
   }

@@ -13,7 +13,6 @@
 #include "viewer/backdrop.h"
 #include "viewer/fill_batch.h"
 #include "viewer/ghost_view.h"
-#include "viewer/hud.h"
 #include "viewer/input_reader.h"
 #include "viewer/labels.h"
 #include "viewer/light_rig.h"
@@ -64,8 +63,6 @@ struct Viewer::Impl {
   std::vector<ViewerCommand> commands;
   OverlayPainter painter;
   AgentLabels labels;
-  ScreenBox card;  ///< The selected agent's card in the last frame.
-  Corner card_corner = Corner::kBottomLeft;
   std::vector<world::TriangleSnapshot> triangles;  ///< Of the scene.
   std::vector<Ghost> shown_ghosts;                 ///< Those of SetGhosts, and those of overlays.
   world::OverlaySnapshot overlays;
@@ -110,8 +107,6 @@ struct Viewer::Impl {
   void PlaceCamera();
   void DrawPanels(float seconds);
   void DrawWorkspace();
-  /// Moves the selected agent's card to a corner where it covers no agent.
-  void PlaceCard(const Projection& view, const std::vector<ScreenBox>& blocked);
   void ChooseScale(ViewerCommand command);
   void UseScale(double scale);
   Result<void> SavePicture(const std::filesystem::path& path);
@@ -129,8 +124,7 @@ struct Viewer::Impl {
   void TakeButtonClicks(FrameInput& in);
   ScreenRoom Room() const {
     return {static_cast<float>(engine->width()), static_cast<float>(engine->height()),
-            static_cast<float>(engine->window_width()), static_cast<float>(engine->window_height()),
-            !workspace && options.show_status_bar ? kStatusBar_px : 0};
+            static_cast<float>(engine->window_width()), static_cast<float>(engine->window_height())};
   }
   void Frame(const std::vector<std::uint32_t>& agents, bool best_side);
   void SetCamera(CameraMode mode);

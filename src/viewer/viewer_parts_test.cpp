@@ -538,13 +538,5 @@ TEST(ScriptButtons, OneInTheWorldIsFoundWhereItIsDrawn) {
   EXPECT_EQ(ButtonAt(scene, room, projection, {420, 310}), nullptr);
 }
 
-TEST(ScriptButtons, PanelsOfTheUpperHalfMoveOutOfTheStatusBar) {
-  world::SceneSnapshot scene;
-  scene.ui = {ButtonPanel(1, 0, 0), ButtonPanel(2, 0, 500)};
-  const ScriptUiPlaces places(scene, {800, 600, 800, 600, 26});
-  EXPECT_EQ(places.Of(scene.ui[0]).corner.y, 26);
-  EXPECT_EQ(places.Of(scene.ui[1]).corner.y, 500);
-}
-
 }  // namespace
 }  // namespace soarbox::viewer

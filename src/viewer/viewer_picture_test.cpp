@@ -122,6 +122,9 @@ TEST_F(PictureTest, ShowsSkyGroundAgentsAndText) {
             200)
       << "leader";
 
+  // The time, in the upper left corner.
+  EXPECT_GT(picture.Count(2, 2, 60, 20, [](Pixel p) { return p.light() > 600; }), 40);
+  EXPECT_GT(picture.Count(0, 0, 50, 20, [](Pixel p) { return p.light() < 200; }), 500);
   // The help text: bright letters in a dark box at the bottom right.
   const int letters = picture.Count(960, 505, 1260, 685, [](Pixel p) { return p.light() > 600; });
   const int dark = picture.Count(960, 505, 1260, 685, [](Pixel p) { return p.light() < 330; });

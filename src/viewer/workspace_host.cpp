@@ -66,7 +66,7 @@ bool WorkspaceHost::TakeShortcut(const SDL_Event& event) {
         return true;
       }
       if (!workspace_.IsModal()) return event.key.repeat != 0 || !IsSecondEscape();
-      closes_help_ = true;
+      workspace_.show_help = false;
       ImGui::ClosePopupsOverWindow(nullptr, false);
       return true;
     case SDL_SCANCODE_P:

@@ -63,8 +63,7 @@ class WorkspaceHost {
   Layout& layout() { return workspace_.layout; }
   const Layout& layout() const { return workspace_.layout; }
   bool& show_help() { return workspace_.show_help; }
-  /// Whether the user has asked to close the list of keys; reset by the call.
-  bool TakeClosesHelp() { return std::exchange(closes_help_, false); }
+  bool show_help() const { return workspace_.show_help; }
   /// Whether the window may close now; else the user is asked first.
   bool MayClose() { return workspace_.MayClose(contents); }
   UiScriptProgress script() const;
@@ -82,7 +81,6 @@ class WorkspaceHost {
   Workspace workspace_;
   PanelInput input_;
   PictureRect picture_;
-  bool closes_help_ = false;
   std::chrono::steady_clock::time_point escaped_at_;
   std::optional<UiScript> script_;
   FrameMeter meter_;

@@ -38,7 +38,7 @@ void SubmitEvent(const viewer::InputEvent& event, sim::Simulation& simulation) {
   }
 }
 
-/// The times of a frame and of a tick, for the status bar.
+/// The times of a frame and of a tick, for the tooltip of the clock.
 std::string CostText(const SmoothTime& frame, const SmoothTime& tick) {
   if (tick.us() == 0) return {};
   char text[64];

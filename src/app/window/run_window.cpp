@@ -83,7 +83,7 @@ int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& ru
     }
     session.Tick();
   }
-  viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1), .message = options.remark});
+  viewer.SetStatus({.paused = false, .speed = options.speed.value_or(1)});
   viewer.Show(simulation.Snapshot());
   viewer.ShowOverlays(simulation.Overlays(viewer.overlay_wants()));
   // Draws several frames: panels request their contents in one frame and show them in a later one.
