@@ -45,7 +45,7 @@ ALLOWED = {
     "script/lua_machine.h LuaMachine": 31,
     "sim/soar_mind.h SoarMind": 28,
     "sml/client/local_agent_link.h LocalAgentLink": 27,
-    "viewer/viewer_impl.h Impl": 29,
+    "viewer/viewer_impl.h Impl": 28,
     "kernel/learn/firing_reader.h FiringReader": 26,
     "kernel/longterm/knowledge.h Knowledge": 25,
     "kernel/rules/functions/function_context.h FunctionContext": 24,
