@@ -49,5 +49,5 @@ cpSync(join(ROOT, "LICENSE"), join(folder, "LICENSE"));
 writeFileSync(join(folder, "licences.txt"), [`Soarbox (BSD-2-Clause)\n\n${readFileSync(join(ROOT, "LICENSE"), "utf8").trim()}\n`, noticesOfEngine(sources, emscripten)].join(RULE));
 
 const npm = process.platform === "win32" ? "npm.cmd" : "npm";
-execFileSync(npm, ["pack", "--silent", "--pack-destination", resolve(target)], { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
+execFileSync(npm, ["pack", "--loglevel=error", "--pack-destination", resolve(target)], { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
 console.log(join(target, `soarbox-${version}.tgz`));

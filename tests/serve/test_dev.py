@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """`./dev serve` starts a server from the existing build, and Ctrl+C ends it. `./dev soarbox` builds the page only for commands
 that need it."""
+import json
 import os
 import pathlib
 import re
@@ -82,6 +83,30 @@ class DevSoarbox(unittest.TestCase):
         later = time.time() + 10
         os.utime(self.folder / "web" / "src" / "report.ts", (later, later))
         self.assertIn("npm run", self.dev("replay", "a.soarrec", "--browser").stderr)
+
+    @unittest.skipUnless(shutil.which("npm"), "npm is not installed")
+    def test_npm_reports_why_it_cannot_install_packages_and_nothing_else(self):
+        shutil.rmtree(self.folder / "bin")
+        package = {"name": "page", "version": "1.0.0", "scripts": {"build": "mkdir -p dist/page && touch dist/page/report.html"}}
+        lock = {"name": "page", "version": "1.0.0", "lockfileVersion": 3, "packages": {"": {"name": "page", "version": "1.0.0"}}}
+        file = self.folder / "web" / "package.json"
+        more = {"npm_config_registry": "http://127.0.0.1:9", "npm_config_fetch_retries": "0", "npm_config_cache": str(self.folder / "cache")}
+        for depends in (True, False):
+            if depends:
+                package["dependencies"] = lock["packages"][""]["dependencies"] = {"uplot": "1.6.32"}
+                lock["packages"]["node_modules/uplot"] = {"version": "1.6.32"}
+            else:
+                del package["dependencies"], lock["packages"][""]["dependencies"], lock["packages"]["node_modules/uplot"]
+            file.write_text(json.dumps(package), encoding="utf-8")
+            file.with_name("package-lock.json").write_text(json.dumps(lock), encoding="utf-8")
+            done = self.dev("report", "a.soarrec", **more)
+            if depends:
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("ECONNREFUSED", done.stderr)
+                self.assertIn("the page cannot be built", done.stderr)
+            else:
+                self.assertEqual((done.returncode, done.stdout), (0, "soarbox report a.soarrec\n"), done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1, "only: building the page\n" + done.stderr)
 
 
 if __name__ == "__main__":
