@@ -32,7 +32,7 @@ Nodes MessagesDocument(const Contents& contents) {
         .groups = kAll | (is_of_selected ? kOfSelected : 0u);
   }
   return {OrEmpty(std::move(table), "No agent has sent a message yet.",
-                  "An agent speaks when its rules give the command broadcast or send (docs/commands.md).")};
+                  "An agent speaks when its rules give the command broadcast or say (docs/commands.md).")};
 }
 
 }  // namespace soarbox::workbench::document
