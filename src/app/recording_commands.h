@@ -10,7 +10,7 @@
 
 namespace soarbox::app {
 
-/// Options of the commands for recordings. docs/command.md says which command uses which.
+/// Options of the commands for recordings. docs/options.md says which command uses which.
 struct RecordingOptions : WindowWishes {
   std::filesystem::path file;
   std::filesystem::path other;         ///< compare: the second recording.

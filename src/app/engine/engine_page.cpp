@@ -84,7 +84,7 @@ void EnginePage::Receive(int most_ms, Asked& asked) {
   for (const std::string& text : channel_.Receive(most_ms)) {
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) {
-      Refuse(NewProblem("this is not a request", "a request is a JSON object (docs/serve.md)"));
+      Refuse(NewProblem("this is not a request", "a request is a JSON object (docs/serve_protocol.md)"));
       continue;
     }
     const Result<void> taken = Take(json, asked);

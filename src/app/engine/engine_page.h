@@ -23,8 +23,8 @@
 
 namespace soarbox::app {
 
-/// The browsers that show an engine's run: their requests, and the messages to them (docs/serve.md). Only the server
-/// distinguishes them.
+/// The browsers that show an engine's run: their requests, and the messages to them (docs/serve_protocol.md). Only the
+/// server distinguishes them.
 class EnginePage {
  public:
   using Json = debugger::Json;

@@ -133,8 +133,8 @@ EMSCRIPTEN_KEEPALIVE int soarbox_grade(const char* lesson, const char* from) {
   return code;
 }
 
-/// Answers a request about the place as the server does (docs/serve.md): `path` without "/api/p/ID" before it. The
-/// answer is JSON with `status`, `type` and `file`: the name of a file with the body, for example a zip archive.
+/// Answers a request about the place as the server does (docs/serve_protocol.md): `path` without "/api/p/ID" before it.
+/// The answer is JSON with `status`, `type` and `file`: the name of a file with the body, for example a zip archive.
 EMSCRIPTEN_KEEPALIVE char* soarbox_answer(const char* method, const char* path, const char* body, int length) {
   serve::PlaceRequest request;
   request.method = method;
