@@ -71,14 +71,14 @@ struct MachineSetup {
 /// iteration order and seeded random numbers. The parts of the standard library that reach outside are missing: io,
 /// most of os, debug, ffi, bytecode.
 ///
-/// The just-in-time compiler is off. Compiled loops do not count instructions, so an endless loop could not be stopped,
-/// and what is compiled does not depend only on the script. The interpreter alone is deterministic.
+/// The just-in-time compiler is off. Compiled loops do not count instructions, so an endless loop could not be stopped.
+/// Which code is compiled depends on more than the script. The interpreter alone is deterministic.
 ///
-/// Garbage collection is deterministic as well, because the machine decides when it runs: completely, at the first
-/// instruction after the memory has doubled since the last collection (near the limit: earlier; see
-/// SetCollectionPoint). Lua's own collector works in small steps in the order of a hash that differs from process to
-/// process. Then the memory of a script at a given moment, and the moment at which it reaches a limit, would differ
-/// too.
+/// Garbage collection is deterministic as well, because the machine decides when it runs. It runs completely, at the
+/// first instruction after the memory has doubled since the last collection; near the limit, earlier (see
+/// SetCollectionPoint). Lua's own collector works in small steps, in the order of a hash that differs from process to
+/// process. With it, the memory of a script at a given moment would differ too, and it would reach a limit at another
+/// moment.
 ///
 /// All Lua code runs in protected calls, which return errors as values. Use it on one thread at a time.
 class LuaMachine {

@@ -7,8 +7,9 @@ struct lua_State;
 
 namespace soarbox::script {
 
-// Files of the world that scripts show or play: images (.png), models (.glb, .gltf) and sounds (.wav). They are found
-// as scripts are, and are read once in a run. A file that cannot be used is a Lua error that names it and says why.
+// Files of the world that scripts show or play: images (.png), models (.glb, .gltf) and sounds (.wav). They are
+// searched for in the folders of scripts (ScriptPath) and read once in a run. A file that cannot be used is a Lua error
+// with its name and the reason.
 
 /// Maximum number of such files in a world.
 inline constexpr std::size_t kMostAssets = 256;

@@ -107,7 +107,7 @@ class ScriptHost final : private AgentMaker {
   void UpdateSandbox();
   /// Calls Agent_Cleanup for each agent in creation order, then Sandbox_Cleanup.
   void Cleanup();
-  /// Reports failures since the last call to the listener. Call it after new agents have been announced.
+  /// Reports to the listener the failures since the previous call. Call it after new agents have been announced.
   void TellTroubles() { reporter_.TellTroubles(); }
   /// Reports errors that occurred more often than was reported. Call it at the end of a run.
   void TellCounts() { reporter_.TellCounts(); }

@@ -11,7 +11,7 @@
 
 namespace soarbox::script {
 
-/// A script file as it was read: bytes, without a certain encoding.
+/// A script file as it was read: bytes in an unknown encoding.
 struct ScriptSource {
   std::string name;  ///< The name with which it was loaded; its case may differ from that of the file's name.
   std::string path;  ///< The path of the file, for messages.

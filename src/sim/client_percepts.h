@@ -16,7 +16,7 @@ namespace soarbox::sim {
 
 /// Converts the changes that a recorded client made to an agent's input link to percepts: it gives each element a path.
 ///
-/// Its input consists of the parts of the lines `add`, `set` and `remove` of a client's log. Owned by the agent's mind.
+/// Call Note with the parts of each line `add`, `set` or `remove` of the client's log. Owned by the agent's mind.
 class ClientPercepts {
  public:
   /// Records the changes of a line to the input link. `input_link`: name of the identifier of the input link. `log` may

@@ -25,8 +25,8 @@ namespace soarbox::sim {
 ///     ^text   ^x ^y ^text ^color
 ///
 /// Metres and degrees: x to the right, y to the front, a heading of 0 along x, counter-clockwise. A value of the wrong
-/// type is treated as missing. Its input consists of the parts of the lines `add`, `set` and `remove` of a client's
-/// log. Owned by the agent's mind.
+/// type is treated as missing. Call Note with the parts of each line `add`, `set` or `remove` of the client's log.
+/// Owned by the agent's mind.
 class ClientScene {
  public:
   /// Applies a line of the log. `input_link`: the name of the identifier of the input link.

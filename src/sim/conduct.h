@@ -39,8 +39,8 @@ struct WalkOrder {
   bool slow_down = true;
   bool stands = true;                          ///< Complete only after the body has stopped.
   world::EntityId through = world::kNoEntity;  ///< A thing or agent that is not an obstacle.
-  world::EntityId shun = world::kNoEntity;     ///< An agent to avoid, at a distance of
-  float shun_m = 0;                            ///< this many metres.
+  world::EntityId shun = world::kNoEntity;     ///< An agent to avoid.
+  float shun_m = 0;                            ///< Minimum distance to that agent.
 };
 StepResult WalkTo(Actor& actor, Running& command, const WalkOrder& order);
 /// The direction closest to `wanted` (horizontal, of length 1 or 0) in which the next `ahead_m` metres are free. If

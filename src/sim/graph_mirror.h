@@ -15,10 +15,11 @@ namespace soarbox::sim {
 
 /// Keeps an agent's input link equal to a graph of objects. It writes only the differences.
 ///
-/// An object is identified with an object of the previous graph if both have the same key. Objects without a key are
-/// identified if they are at the same place of identified objects. They then keep their identifier. The place is the
-/// shortest path from the input link. Equal constants stay unchanged, unless their object is marked as new. Elements
-/// that others have added to the input link are not changed. Owned by the agent's mind, as the link is.
+/// An object keeps its identifier if it was in the previous graph. The parent of an object is the first object, in
+/// breadth-first order, with a link to it. An object was in the previous graph if its parent was, and had a link to a
+/// child with the same attribute and the same key. If the child has no key, the position of the link among those with
+/// the same attribute is compared instead. Equal constants stay unchanged, unless their object is marked as new.
+/// Elements that others have added to the input link are not changed. Owned by the agent's mind.
 class GraphMirror {
  public:
   explicit GraphMirror(PerceptLink& link);

@@ -152,7 +152,7 @@ class Agent {
   Vec3 ForceToEvade(EntityId menace, float max_prediction_s) const;
   /// Along forward; limited to MaxForce.
   Vec3 ForceToTargetSpeed(float speed_mps) const;
-  /// Draws two numbers from the agent's stream. Scripts pass milliseconds as `delta`; so large numbers saturate
+  /// Draws two numbers from the agent's stream. Scripts pass milliseconds as `delta`, which saturates the result
   /// (lua_api.md 17, quirk 4).
   Vec3 ForceToWander(float delta);
   Vec3 ForceToFollowPath(float look_ahead_s = kDefaultLookAhead_s) const;

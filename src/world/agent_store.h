@@ -68,8 +68,8 @@ class AgentStore {
     grid_.Visit(motions_, center, range_m, visit);
   }
   /// Indices of a superset of the agents within range_m, in ascending order; with a team, only those in the team. Valid
-  /// until the next call of this function. Repeats the last answer if it is asked the same and no agent has moved: the
-  /// forces of a flock often have one range.
+  /// until the next call of this function. If the arguments are those of the previous call and no agent has moved
+  /// since, returns the previous result: the forces of a flock often have the same range.
   std::span<const std::uint32_t> NearInOrder(Vec3 center, float range_m, std::optional<std::string_view> team = {});
   /// Afterwards several threads may call CopyNear, until an agent moves or is created.
   void PrepareCopyNear() { grid_.Update(motions_); }

@@ -29,7 +29,7 @@ class Camera {
   void SetFixed(bool fixed) { is_fixed_ = fixed; }
   bool is_fixed() const { return is_fixed_; }
 
-  /// Reports the pose to which the user has moved the camera. Does not count as a setter of scripts.
+  /// Call it when the user has moved the camera to this pose. Does not count as a setter of scripts.
   void FollowViewer(Vec3 position, Quat orientation);
 
   const CameraSnapshot& state() const { return state_; }

@@ -84,7 +84,7 @@ class InfluenceMap {
   std::array<int, 3> size_{};
   std::vector<std::int32_t> cells_;           ///< For each cell of the grid: its number among the used cells, or -1.
   std::vector<Vec3> corners_;                 ///< By used cell: its lower corner.
-  std::vector<std::int32_t> first_neighbor_;  ///< By used cell: index of its first neighbour. Has one more element.
+  std::vector<std::int32_t> first_neighbor_;  ///< By used cell: index of its first neighbour; then the end.
   std::vector<Neighbor> neighbors_;
   std::array<Layer, kLayers> layers_;
   std::vector<float> next_;    ///< Values of the next pass.

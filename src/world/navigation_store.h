@@ -13,7 +13,7 @@ namespace soarbox::world {
 // For the navigation_*.cpp files only.
 
 /// A cache of the meshes that this process and its forks have built. Nothing is shared until ShareNavigation is called
-/// (shared_navigation.h). Each process builds meshes that do not fit itself.
+/// (shared_navigation.h). A mesh that does not fit into the cache is not shared: each process builds it.
 ///
 /// The same source gives the same mesh, so the cache does not change results. Thread-safe and safe across these
 /// processes. A process that is killed while it writes leaves no incomplete mesh.

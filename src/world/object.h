@@ -15,7 +15,7 @@ class PhysicsWorld;
 class Scene;
 enum class BodyId : std::uint32_t;
 
-/// Shapes that objects come in. Sizes: see World::Create*.
+/// The kinds of objects. Sizes: see World::Create*.
 enum class ObjectKind : std::uint8_t { kBox, kCapsule, kPlane, kMesh, kPhysicsCapsule, kPhysicsSphere, kSensor };
 
 /// One object of the sandbox: a body and a scene node with its drawable (no drawable for the physics-only kinds).

@@ -37,7 +37,7 @@ class NearBodies {
   bool MeetsNoOther(const btVector3& from, const btVector3& to, int viewer, int target) const;
 
  private:
-  /// Seen from above, a plane is on every line, but few lines cross it.
+  /// Planes are not in the index of directions: seen from above, a plane is in every direction.
   struct Plane {
     BoxedBody body;
     WorldPlane plane;

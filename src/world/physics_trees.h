@@ -11,8 +11,8 @@
 // at a time.
 namespace soarbox::world {
 
-/// Calls visit(box, body) for each body in the tree whose bounding box, and those of all its ancestors, `meets`
-/// accepts. If visit returns false, stops and returns false.
+/// Calls visit(box, body) for each body in the tree if `meets` accepts its bounding box and the boxes of all its
+/// ancestors. If visit returns false, stops and returns false.
 template <class Meets, class Visit>
 bool VisitTree(const btDbvtNode* root, const Meets& meets, const Visit& visit) {
   std::array<const btDbvtNode*, 64> waiting;

@@ -12,9 +12,9 @@
 // Which horizontal paths are free among bodies; for the physics_*.cpp files only.
 namespace soarbox::world {
 
-/// The bodies that may block a walker in any direction. Most of them stand upright and fill a circle; whether they
-/// block the path is certain from above and is computed for four bodies at a time. The others are tested like rays
-/// (EntryOf), so that the answer is the same as with rays.
+/// The bodies that may block a walker in any direction. Most of them are upright and fill a circle. For these, a view
+/// from above shows whether they block a path; this is computed for four bodies at a time. The others are tested with
+/// EntryOf, as for a ray. The answer is the same as if all were tested in this way.
 class LevelWays {
  public:
   /// `reach_m`: maximum distance from the walker's position of all points of its paths, including their sides.

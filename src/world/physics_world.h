@@ -114,8 +114,9 @@ class PhysicsWorld {
   /// Makes the queries above and below cheaper until a body moves, is added or is removed. Worthwhile if there are
   /// several queries per body.
   void PrepareRays();
-  /// Whether a segment from `from` to `to` or to `other`, which are one above the other, is free before the target's
-  /// surface, except for viewer and target. Both may be kNone. Much faster than RayCast if many bodies are near.
+  /// Whether no body is on at least one of two segments: from `from` to `to`, or from `from` to `other`. These end
+  /// points must be one above the other. Each segment ends at the surface of `target`. Ignores `viewer` and `target`;
+  /// both may be kNone. Much faster than RayCast if many bodies are near.
   /// `around`: the bodies of a view that contains the points, or null.
   bool IsClearToEither(Vec3 from, Vec3 to, Vec3 other, BodyId viewer, BodyId target, const BodiesAround* around) const;
   /// Bounding spheres of the bodies that can move and are not upright, by ascending owner. Valid until the next call

@@ -23,7 +23,7 @@ struct Scene::Picture {
   std::vector<const Node*> light_nodes, particle_nodes, ring_nodes;
   std::vector<LightSnapshot> lights;
   std::vector<ParticleSnapshot> particles;
-  bool has_unplaced = false;  ///< Drawables that hang on bones may not be placed.
+  bool has_unplaced = false;  ///< Some drawables that hang on bones may not be placed yet.
   bool few_changed = false;
   std::uint64_t few_version = 0;  ///< Version of lights, particles, ambient light and sky.
   std::uint64_t refreshings = 0;

@@ -217,8 +217,8 @@ struct SceneSnapshot {
   } kept;
 };
 
-/// Computes position and orientation of each drawable that hangs on a bone. Drawables that hang on something that does
-/// not exist or itself hangs on a bone keep theirs.
+/// Computes position and orientation of each drawable that hangs on a bone. A drawable is not changed if the drawable
+/// with the bone does not exist or hangs on a bone itself.
 void PlaceHung(SharedList<DrawableSnapshot>& drawables);
 
 }  // namespace soarbox::world

@@ -65,7 +65,7 @@ class Animator {
   /// Incremented when the pose or its display may have changed; never 0.
   std::uint64_t changes() const { return changes_; }
 
-  /// Not const, because it keeps a part of the hash. Call it on the world's thread.
+  /// Not const, because it caches a part of the hash. Call it on the world's thread.
   void AddTo(StateHash& hash);
 
  private:
@@ -87,7 +87,7 @@ class Animator {
   bool shows_skeleton_ = false;
   std::uint64_t changes_ = 1;
   std::size_t enabled_ = 0;  ///< Number of states that are enabled.
-  // Scripts set the states, and seldom. So their hash is kept.
+  // Scripts seldom set the states, so their hash is cached.
   bool is_hashed_ = false;
   std::uint64_t hash_of_states_ = 0;
 };

@@ -32,8 +32,8 @@ const Rig& SoldierRig();
 /// The soldier's rifle: the barrel along +x, up +y.
 const Rig& RifleRig();
 
-// The rigs of models from files. As the models (model/model.h), they are stored for all worlds of the process and never
-// removed. Any thread may call.
+// The rigs of models from files. Like the models (model/model.h), they are stored for all worlds of the process and
+// never removed. Any thread may call.
 
 /// Stores the rig of the model with the key `rig.model`, unless it is stored already.
 void KeepRig(Rig rig);

@@ -9,7 +9,7 @@
 
 namespace soarbox::world {
 
-/// Stances at which animations begin and end.
+/// The poses with which animations begin and end.
 SoldierPose StandAiming();
 SoldierPose StandReady();
 SoldierPose CrouchAiming();
