@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/api_reference.h"
 
-#include <algorithm>
 #include <cctype>
 
 #include "diagnostics/lower_case.h"
@@ -38,9 +37,9 @@ In the examples, `sandbox` is the sandbox, `agent` and `other` are agents that d
 `light` and `effect` are a node, a lamp and a particle effect. `ui` and `panel` are a panel on the screen and one in the
 world. `mesh` is a soldier and `animation` one of its animations. What a line prints follows `-->`.
 
-Types: a `Thing` is an agent, an object, a scene node or the sandbox; a `Scene` is any of these except an agent; `Placed` is an
-object or a scene node; a `Node` is a scene node; `Agents` are a table of agents or the name of a team; a `value` is anything. You
-can leave out arguments with a default at the end.
+Types: a `Thing` is an agent, an object, a scene node or the sandbox; a `Scene` is any of these except an agent; a `Mesh` is a
+`Scene` that shows a mesh with a skeleton; `Placed` is an object or a scene node; a `Node` is a scene node; `Agents` are a table of
+agents or the name of a team; a `value` is anything. You can leave out arguments with a default at the end.
 
 A number outside its range, or a vector with a component outside it, counts as the nearest value in the range. You get a warning,
 once for each place in a script. Numbers that are not finite (0 / 0) change nothing and give a warning.
@@ -116,12 +115,6 @@ std::string Section(const ApiFunction& function) {
   return text;
 }
 
-std::vector<ApiFunction> Sorted(const ApiGroup& group) {
-  std::vector<ApiFunction> functions(group.functions.begin(), group.functions.end());
-  std::ranges::sort(functions, {}, &ApiFunction::name);
-  return functions;
-}
-
 }  // namespace
 
 std::vector<ReferencePage> ApiReference() {
@@ -131,7 +124,7 @@ std::vector<ReferencePage> ApiReference() {
     const std::string file = FileOf(group.name), name(group.name), about(group.text);
     std::string text = "# " + name + "\n\n" + about + "\n";
     contents += "\n## [" + name + "](" + file + ")\n\n" + about + "\n\n";
-    for (const ApiFunction& function : Sorted(group)) {
+    for (const ApiFunction& function : group.functions) {
       text += Section(function);
       contents += "* [`" + Call(function) + "`](" + file + "#" + Anchor(function.name) + ")\n";
     }

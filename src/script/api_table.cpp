@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/api_table.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
 #include <string>
 
@@ -17,12 +19,13 @@ constexpr std::pair<std::string_view, ApiType> kTypes[] = {
     {"Thing", ApiType::kThing},         {"UI", ApiType::kUi},           {"Vector", ApiType::kVector},
     {"number", ApiType::kNumber},       {"string", ApiType::kString},   {"table", ApiType::kTable},
     {"function", ApiType::kFunction},   {"boolean", ApiType::kBoolean}, {"value", ApiType::kValue},
-    {"Animation", ApiType::kAnimation}, {"Agents", ApiType::kAgents},
+    {"Animation", ApiType::kAnimation}, {"Agents", ApiType::kAgents},   {"Mesh", ApiType::kMesh},
 };
 
-std::vector<ApiFunction> Joined(std::span<const ApiFunction> first, std::span<const ApiFunction> second) {
-  std::vector<ApiFunction> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
+std::vector<ApiFunction> Joined(std::initializer_list<std::span<const ApiFunction>> parts) {
+  std::vector<ApiFunction> all;
+  for (const auto part : parts) all.insert(all.end(), part.begin(), part.end());
+  std::ranges::sort(all, {}, &ApiFunction::name);
   return all;
 }
 
@@ -75,32 +78,31 @@ ApiArgument ParseArgument(std::string_view text) {
 }  // namespace
 
 std::span<const ApiGroup> ApiGroups() {
-  static const std::vector<ApiFunction> kAgent = Joined(AgentApi(), AgentSteeringApi());
-  static const std::vector<ApiFunction> kSandbox = Joined(SandboxApi(), SandboxPlacesApi());
   static const ApiGroup kGroups[] = {
       {"Agent",
        "Agents: their properties, and the forces that steer them. Each function is also a method: "
        "`agent:GetPosition()` is `Agent.GetPosition(agent)`.",
-       kAgent},
+       Joined({AgentPropertiesApi(), AgentShowApi(), AgentSteeringApi(), AgentStrideApi()})},
       {"Animation",
        "Animated meshes: their animations and bones. Animation.Play plays an animation; a script can also advance "
        "animations itself.",
-       AnimationApi()},
+       Joined({AnimationApi(), AnimationBonesApi()})},
       {"Core",
        "The scene (everything visible), the bodies of objects, and lines that are drawn for one step. Colours are "
        "vectors of red, green and blue, 0 to 1.",
-       CoreApi()},
+       Joined({CoreCreateApi(), CoreDrawApi(), CorePhysicsApi(), CoreSceneApi()})},
       {"Sandbox", "The world: objects, agents, events, camera, time, panels, navigation meshes and the influence map.",
-       kSandbox},
+       Joined(
+           {SandboxCreateApi(), SandboxEventsApi(), SandboxInfluenceApi(), SandboxNavigationApi(), SandboxViewApi()})},
       {"UI",
        "Panels of text, images, bars and buttons on the screen or in the world. Only the sandbox's own scripts have "
        "this table.",
-       UiApi()},
+       Joined({UiApi()})},
       {"Vector",
        "Points, directions, colours and rotations. You can add, subtract, multiply and divide vectors by components, "
        "with a vector or a number on the right, and read and set `v.x`, `v.y` and `v.z`. A variable refers to a "
        "vector: if a function changes the vector, its caller sees the change.",
-       VectorApi()},
+       Joined({VectorApi()})},
   };
   return kGroups;
 }

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <lua.hpp>
-#include <map>
-#include <mutex>
 #include <string>
 
 #include "script/bind_arguments.h"
@@ -36,6 +34,9 @@ const char* WantedInstead(const ApiArgument& argument, const Handle* handle) {
     case ApiType::kPlaced:
       return IsKind(handle, {kNode, kObject}) ? nullptr : "a scene node";
     case ApiType::kScene:
+      return IsKind(handle, {kNode, kObject, kSandbox}) ? nullptr : "a scene node, an object or the sandbox";
+    case ApiType::kMesh:
+      // For agents, BodyArgument says what to use instead.
       return IsKind(handle, {kNode, kObject, kSandbox, kAgent}) ? nullptr : "a scene node, an object or the sandbox";
     case ApiType::kThing:
       return IsKind(handle, {kNode, kObject, kSandbox, kAgent}) ? nullptr : "a thing with a scene node";
@@ -70,25 +71,6 @@ const char* ExpectedInstead(lua_State* state, int index, ApiType type) {
   }
 }
 
-/// A fast test for the usual arguments: true means right, false means unknown.
-bool IsPlainlyRight(lua_State* state, int index, ApiType type) {
-  switch (type) {
-    case ApiType::kAgent: {
-      const Handle* handle = ToHandle(state, index);
-      return handle && handle->kind == ValueKind::kAgent;
-    }
-    case ApiType::kVector:
-      return ToVector(state, index) != nullptr;
-    case ApiType::kNumber:
-      return lua_type(state, index) == LUA_TNUMBER;
-    case ApiType::kBoolean:
-    case ApiType::kValue:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool IsWithin(double value, const ApiArgument& argument) {
   return value >= argument.low && value <= argument.high;
 }
@@ -117,8 +99,9 @@ void WarnOfRange(lua_State* state, int index, const ApiArgument& argument, doubl
   WarnAtCallerOnce(state, std::move(text), argument.name);
 }
 
-/// Checks a present number or vector. False if the call must do nothing.
-bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const CheckedCall& call) {
+/// Checks the range if the argument is a number or a vector. False if the call must do nothing.
+bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const Binding& binding) {
+  if (argument.type != ApiType::kNumber && argument.type != ApiType::kVector) return true;
   const world::Vec3* vector = argument.type == ApiType::kVector ? ToVector(state, index) : nullptr;
   world::Vec3 replaced = vector ? *vector : world::Vec3{static_cast<float>(lua_tonumber(state, index)), 0, 0};
   float* const components[] = {&replaced.x, &replaced.y, &replaced.z};
@@ -126,7 +109,7 @@ bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const 
   for (int i = 0; i < (vector ? 3 : 1); ++i) {
     const double value = *components[i];
     if (IsWithin(value, argument)) continue;
-    if (!std::isfinite(value) && !call.gives_result) {
+    if (!std::isfinite(value) && binding.function->results.empty()) {
       WarnIgnored(state, lua_pushfstring(state, "argument %d, the %s, is not finite", index,
                                          std::string(argument.name).c_str()));
       return false;
@@ -147,11 +130,30 @@ bool CheckRange(lua_State* state, int index, const ApiArgument& argument, const 
   return true;
 }
 
-bool IsInRange(lua_State* state, int index, const ApiArgument& argument) {
-  if (argument.type == ApiType::kNumber) return IsWithin(static_cast<float>(lua_tonumber(state, index)), argument);
-  if (argument.type != ApiType::kVector) return true;
-  const world::Vec3& vector = *ToVector(state, index);
+bool IsWithin(const world::Vec3& vector, const ApiArgument& argument) {
   return IsWithin(vector.x, argument) && IsWithin(vector.y, argument) && IsWithin(vector.z, argument);
+}
+
+/// Whether the argument has the right type and is in range; false if that is not certain. Most arguments need no more.
+bool IsUsual(lua_State* state, int index, const ApiArgument& argument) {
+  switch (argument.type) {
+    case ApiType::kAgent:
+      return IsKind(ToHandle(state, index), {ValueKind::kAgent});
+    case ApiType::kVector: {
+      const world::Vec3* vector = ToVector(state, index);
+      return vector && IsWithin(*vector, argument);
+    }
+    case ApiType::kNumber: {
+      const double number = lua_tonumber(state, index);
+      // Other values than numbers give 0.
+      return (number != 0 || lua_type(state, index) == LUA_TNUMBER) && IsWithin(static_cast<float>(number), argument);
+    }
+    case ApiType::kBoolean:
+    case ApiType::kValue:
+      return true;
+    default:
+      return false;
+  }
 }
 
 /// Raises an error for the first handle before argument `end` that refers to a removed thing. A wrong argument after it
@@ -161,7 +163,7 @@ void CheckAlive(lua_State* state, int end) {
     const Handle* handle = ToHandle(state, index);
     if (!handle) continue;
     if (handle->kind == ValueKind::kObject) ObjectArgument(state, index);
-    if (handle->kind == ValueKind::kNode) NodeArgument(state, index, true);
+    if (handle->kind == ValueKind::kNode) NodeArgument(state, index);
     if (handle->kind == ValueKind::kUi) UiArgument(state, index);
   }
 }
@@ -179,29 +181,11 @@ int ReadUnknownName(lua_State* state) {
 
 }  // namespace
 
-const CheckedCall& CheckedCallOf(const ApiFunction& function) {
-  // Shared by worlds on several threads.
-  static std::mutex mutex;
-  static std::map<const ApiFunction*, CheckedCall> parsed;
-  const std::lock_guard lock(mutex);
-  auto [place, is_new] = parsed.try_emplace(&function);
-  if (is_new)
-    place->second = {ParseArguments(function.arguments), function.name.starts_with("Vector."),
-                     !function.results.empty()};
-  return place->second;
-}
-
-bool CheckArguments(lua_State* state, const CheckedCall& call) {
-  const int count = std::min(lua_gettop(state), static_cast<int>(call.arguments.size()));
-  const auto is_fit = [&](int index, const ApiArgument& argument) {
-    return call.takes_any_number || IsInRange(state, index, argument) || CheckRange(state, index, argument, call);
-  };
+bool CheckArguments(lua_State* state, const Binding& binding) {
+  const int count = std::min(lua_gettop(state), static_cast<int>(binding.arguments.size()));
   for (int index = 1; index <= count; ++index) {
-    const ApiArgument& argument = call.arguments[static_cast<std::size_t>(index) - 1];
-    if (IsPlainlyRight(state, index, argument.type)) {
-      if (!is_fit(index, argument)) return false;
-      continue;
-    }
+    const ApiArgument& argument = binding.arguments[static_cast<std::size_t>(index) - 1];
+    if (IsUsual(state, index, argument)) continue;
     if (argument.optional && lua_isnil(state, index)) continue;
     if (const char* wanted = WantedInstead(argument, ToHandle(state, index))) {
       CheckAlive(state, index);
@@ -213,7 +197,7 @@ bool CheckArguments(lua_State* state, const CheckedCall& call) {
       CheckAlive(state, index);
       ArgumentError(state, index, lua_pushfstring(state, "%s expected, got %s", expected, NameOfValue(state, index)));
     }
-    if (!is_fit(index, argument)) return false;
+    if (!binding.takes_any_number && !CheckRange(state, index, argument, binding)) return false;
   }
   return true;
 }

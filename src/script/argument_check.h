@@ -2,27 +2,17 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
-#include "script/api_table.h"
+#include "script/binding.h"
 
 struct lua_State;
 
 namespace soarbox::script {
 
-/// The requirements of a function's calls; created once for each function.
-struct CheckedCall {
-  std::vector<ApiArgument> arguments;  ///< From ParseArguments.
-  bool takes_any_number =
-      false;  ///< The function only calculates, so it accepts and returns numbers that are not finite.
-  bool gives_result = false;
-};
-const CheckedCall& CheckedCallOf(const ApiFunction& function);
-
 /// Checks all arguments on the stack. The first wrong one is a Lua error, or a warning and the result false if its type
 /// only makes the call do nothing. Replaces numbers and vectors out of range by the nearest valid value, with a
 /// warning. In a call without results, a value that is not finite makes the call do nothing.
-bool CheckArguments(lua_State* state, const CheckedCall& call);
+bool CheckArguments(lua_State* state, const Binding& binding);
 
 /// Like luaL_argerror, but also names functions of the API whose names Lua does not know (for example when pcall calls
 /// them).

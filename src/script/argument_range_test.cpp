@@ -56,6 +56,8 @@ std::string RightValue(const ApiFunction& function, const ApiArgument& argument)
       return "object";
     case ApiType::kUi:
       return "ui";
+    case ApiType::kMesh:
+      return "mesh";
     case ApiType::kAnimation:
       return "animation";
     case ApiType::kVector:
@@ -212,6 +214,21 @@ TEST_F(ArgumentRangeTest, VectorsTellOfWhatTheyCannotReckonWith) {
   EXPECT_EQ(Told("v = Vector.new() v[1] = 3"), "a vector has x, y and z: the field 'number' is not set|");
   EXPECT_EQ(Told("v = Vector.new() v.x = 'a'"), "error: the field 'x' of a vector is a number, not string");
   EXPECT_EQ(Told("v = Vector.new() v.y = '2'"), "");
+}
+
+TEST_F(ArgumentRangeTest, ANewVectorTakesWhatCountsAsANumber) {
+  EXPECT_EQ(Run("print(Vector.new(1, 0, -2) == Vector.new('1', '0', '-2'))"), "true");
+  EXPECT_EQ(Run("print(Vector.new(0) == Vector.new(), Vector.new('3') == Vector.new(3, 3, 3))"), "true\ttrue");
+  EXPECT_EQ(Run("print(Vector.new(1, 2, nil), Vector.new(1, 2, 'x'), Vector.new(nil), Vector.new({}, 2, 3))"),
+            "nil\tnil\tnil\tnil");
+  EXPECT_EQ(Run("local v = Vector.new(0 / 0, 1 / 0, 1) print(v.x ~= v.x, v.y == 1 / 0)"), "true\ttrue");
+}
+
+TEST_F(ArgumentRangeTest, NilStandsForAnOptionalArgument) {
+  EXPECT_EQ(Told("agent:ForceToAvoidAgents(nil)"), "");
+  EXPECT_EQ(Told("Sandbox.PlaySound(sandbox, 'bell.wav', nil, nil)"), "");
+  EXPECT_EQ(Told("Sandbox.CreateSkyBox(sandbox, 'ThickCloudsWaterSkyBox', nil)"), "");
+  EXPECT_EQ(Told("Core.CreateBox(node, 1, 1, 1, nil, nil)"), "");
 }
 
 TEST_F(ArgumentRangeTest, AnAgentDoesNotFollowItself) {

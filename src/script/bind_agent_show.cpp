@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
+#include "script/api_call.h"
 #include "script/lua_order.h"
 #include "world/shown_state.h"
 
@@ -18,6 +16,7 @@ namespace {
 
 using world::ShownRow;
 using world::ShownState;
+using enum WrongCount;
 
 constexpr int kDeepestShown = 8;
 
@@ -135,15 +134,27 @@ int Self(lua_State* state) {
   return 1;
 }
 
-constexpr Binding kAgentShowBindings[] = {
-    {"Self", Self, 0, 0, WrongCount::kError},
-    {"Show", Show, 2, 3, WrongCount::kError},
+constexpr ApiFunction kAgentShowFunctions[] = {
+    {"Agent.Self", Self, kError, "", "Agent",
+     "The agent that the calling script belongs to; nil in the sandbox's own scripts. Use it in modules that do not "
+     "get the agent as an argument.",
+     R"(print(Agent.Self())  --> nil)", true},
+    {"Agent.Show", Show, kError, "agent: Agent, name: string, value: value = nil", "",
+     "Shows a part of the agent's state to people, in the panel Mind and in recordings. The value is a number, a text, "
+     "a vector or a table of such values, of any depth; nil removes it. In a table, `active = true` marks an entry "
+     "that is chosen or in progress, and `name` and `value` are the text of the table's own line. List items are shown "
+     "in their order, other fields sorted by name. Labels show the first value, or the one called \"doing\", as the "
+     "agent's activity.",
+     R"(agent:Show("state", "patrol")
+agent:Show("scores", { attack = 0.2, flee = { value = 0.9, active = true } })
+agent:Show("tree", { { name = "fight", active = true, { name = "reload", active = true }, { name = "shoot" } } }))",
+     true},
 };
 
 }  // namespace
 
-void BindAgentShow(lua_State* state) {
-  RegisterTable(state, "Agent", kAgentShowBindings);
+std::span<const ApiFunction> AgentShowApi() {
+  return kAgentShowFunctions;
 }
 
 }  // namespace soarbox::script

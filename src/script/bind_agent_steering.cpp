@@ -4,10 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "script/api_call.h"
 #include "script/argument_check.h"
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
 #include "script/lua_order.h"
 #include "world/agent_store.h"
 #include "world/steer_group.h"
@@ -20,6 +18,7 @@ namespace {
 using world::Agent;
 using world::EntityId;
 using world::Vec3;
+using enum WrongCount;
 
 /// Returns the agent at the top of the stack; the error for other values names the list.
 EntityId ListedAgent(lua_State* state, int list_index) {
@@ -108,97 +107,112 @@ Agent::Group AgentsArgument(lua_State* state, int index, const Agent& agent, flo
   return std::ranges::equal(buffer, everybody) ? everybody : std::span<const EntityId>(buffer);
 }
 
-/// (agent, distance [, team]): the agents within the distance, in creation order, without the agent itself.
-int GetNeighbours(lua_State* state) {
-  const Agent& agent = AgentArgument(state, 1);
-  const float distance = CheckFloat(state, 2);
-  std::optional<std::string_view> team;
-  if (!lua_isnoneornil(state, 3)) team = TextArgument(state, 3);
+/// The agents within the distance, in creation order, without the agent itself.
+std::vector<Handle> GetNeighbours(lua_State* state, const Agent& agent, float distance,
+                                  std::optional<std::string_view> team) {
   world::AgentStore& store = world::AgentStore::Of(agent);
-  lua_newtable(state);
-  int count = 0;
+  std::vector<Handle> neighbours;
   for (const std::uint32_t index : store.NearInOrder(agent.Position(), std::max(distance, 0.0f), team)) {
     const Agent& other = store.agent(index);
-    if (other.id() == agent.id()) continue;
-    if (Length(other.Position() - agent.Position()) > distance) continue;
-    PushAgent(state, other.id());
-    lua_rawseti(state, -2, ++count);
+    if (other.id() != agent.id() && Length(other.Position() - agent.Position()) <= distance)
+      neighbours.push_back({ValueKind::kAgent, Number(other.id())});
   }
-  LuaMachine::Of(state).Charge(static_cast<std::uint64_t>(count));
-  return 1;
+  LuaMachine::Of(state).Charge(neighbours.size());
+  return neighbours;
 }
-
-using GroupForce = Vec3 (Agent::*)(float, float, const Agent::Group&) const;
 
 /// (agent, max distance, max angle in degrees [, agents or team])
-template <GroupForce Force>
-int PushGroupForce(lua_State* state) {
+template <Vec3 (Agent::*kForce)(float, float, const Agent::Group&) const>
+Vec3 GroupForce(lua_State* state, const Agent& agent, float distance, float angle) {
   static thread_local std::vector<EntityId> buffer;
-  const Agent& agent = AgentArgument(state, 1);
-  const float distance = CheckFloat(state, 2), angle = CheckFloat(state, 3);
-  PushVector(state, (agent.*Force)(distance, angle, AgentsArgument(state, 4, agent, distance, buffer)));
-  return 1;
+  return (agent.*kForce)(distance, angle, AgentsArgument(state, 4, agent, distance, buffer));
 }
 
-/// (agent [, seconds])
-template <Vec3 (Agent::*Force)(float) const>
-int PushLookAheadForce(lua_State* state) {
-  const Agent& agent = AgentArgument(state, 1);
-  const float seconds = lua_gettop(state) > 1 ? CheckFloat(state, 2) : Agent::kDefaultLookAhead_s;
-  PushVector(state, (agent.*Force)(seconds));
-  return 1;
-}
-
-template <Vec3 (Agent::*Force)(Vec3) const>
-int PushPositionForce(lua_State* state) {
-  const Vec3 position = CheckVector(state, 2);
-  PushVector(state, (AgentArgument(state, 1).*Force)(position));
-  return 1;
+template <Vec3 (Agent::*kForce)(float) const>
+Vec3 LookAheadForce(const Agent& agent, std::optional<float> seconds) {
+  return (agent.*kForce)(seconds.value_or(Agent::kDefaultLookAhead_s));
 }
 
 /// (agent, other agent [, longest prediction in seconds]): not among the original sandbox's forces.
-template <Vec3 (Agent::*Force)(EntityId, float) const>
-int PushChaseForce(lua_State* state) {
-  const Agent& agent = AgentArgument(state, 1);
-  const EntityId other = AgentArgument(state, 2).id();
-  if (other == agent.id()) WarnAtCaller(state, "the agent chases or flees itself: there is no force");
-  PushVector(state, (agent.*Force)(other, lua_gettop(state) > 2 ? CheckFloat(state, 3) : 1.0f));
-  return 1;
+template <Vec3 (Agent::*kForce)(EntityId, float) const>
+Vec3 ChaseForce(lua_State* state, const Agent& agent, const Agent& other, std::optional<float> prediction_s) {
+  if (other.id() == agent.id()) WarnAtCaller(state, "the agent chases or flees itself: there is no force");
+  return (agent.*kForce)(other.id(), prediction_s.value_or(1));
 }
 
-int ForceToTargetSpeed(lua_State* state) {
-  const float speed = CheckFloat(state, 2);
-  PushVector(state, AgentArgument(state, 1).ForceToTargetSpeed(speed));
-  return 1;
-}
-
-int ForceToWander(lua_State* state) {
-  const float delta = CheckFloat(state, 2);
-  PushVector(state, AgentArgument(state, 1).ForceToWander(delta));
-  return 1;
-}
-
-constexpr Binding kAgentSteeringBindings[] = {
-    {"ForceToAlign", PushGroupForce<&Agent::ForceToAlign>, 3, 4, WrongCount::kIgnored},
-    {"ForceToAvoidAgents", PushLookAheadForce<&Agent::ForceToAvoidAgents>, 1, 2, WrongCount::kIgnored},
-    {"ForceToAvoidObjects", PushLookAheadForce<&Agent::ForceToAvoidObjects>, 1, 2, WrongCount::kIgnored},
-    {"ForceToCombine", PushGroupForce<&Agent::ForceToCombine>, 3, 4, WrongCount::kIgnored},
-    {"ForceToEvade", PushChaseForce<&Agent::ForceToEvade>, 2, 3, WrongCount::kError},
-    {"ForceToFleePosition", PushPositionForce<&Agent::ForceToFleePosition>, 2, 2, WrongCount::kError},
-    {"ForceToFollowPath", PushLookAheadForce<&Agent::ForceToFollowPath>, 1, 3, WrongCount::kError},
-    {"ForceToPosition", PushPositionForce<&Agent::ForceToPosition>, 2, 2, WrongCount::kError},
-    {"ForceToPursue", PushChaseForce<&Agent::ForceToPursue>, 2, 3, WrongCount::kError},
-    {"ForceToSeparate", PushGroupForce<&Agent::ForceToSeparate>, 3, 4, WrongCount::kError},
-    {"ForceToStayOnPath", PushLookAheadForce<&Agent::ForceToStayOnPath>, 1, 3, WrongCount::kError},
-    {"ForceToTargetSpeed", ForceToTargetSpeed, 2, 2, WrongCount::kError},
-    {"ForceToWander", ForceToWander, 2, 2, WrongCount::kError},
-    {"GetNeighbours", GetNeighbours, 2, 3, WrongCount::kError},
+constexpr ApiFunction kAgentSteeringFunctions[] = {
+    {"Agent.ForceToAlign", kCall<GroupForce<&Agent::ForceToAlign>>, kIgnored,
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody", "Vector",
+     "A force towards the average direction that the neighbours face. Neighbours are the agents within the distance "
+     "and "
+     "within the angle on either side of the front (180 is all around). The force has length 1; without neighbours it "
+     "is zero. `agents` selects who can be a neighbour: everybody if you leave it out, a team if it is the team's "
+     "name, "
+     "or the agents of a table. Without a table, only agents nearby are read, so a large flock is much faster.",
+     R"(local force = agent:ForceToAlign(10, 180, agent:GetTeam()))"},
+    {"Agent.ForceToAvoidAgents", kCall<LookAheadForce<&Agent::ForceToAvoidAgents>>, kIgnored,
+     "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
+     "A force sideways to avoid a collision with another living agent within this time. It considers the first agent "
+     "that would be hit.",
+     R"(local force = agent:ForceToAvoidAgents(1.5) * 3)"},
+    {"Agent.ForceToAvoidObjects", kCall<LookAheadForce<&Agent::ForceToAvoidObjects>>, kIgnored,
+     "agent: Agent, time: number 0.1..1000 [s] = 0.1", "Vector",
+     "A force sideways to avoid movable objects that the agent would reach within this time. For fixed objects, use "
+     "the navigation mesh.",
+     R"(local force = agent:ForceToAvoidObjects(1.5) * 3)"},
+    {"Agent.ForceToCombine", kCall<GroupForce<&Agent::ForceToCombine>>, kIgnored,
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody", "Vector",
+     "A force towards the centre of the neighbours. Neighbours are defined as for ForceToAlign.",
+     R"(local force = agent:ForceToCombine(100, 180, {other})
+print(Vector.Length(force) > 0.99)  --> true)"},
+    {"Agent.ForceToEvade", kCall<ChaseForce<&Agent::ForceToEvade>>, kError,
+     "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
+     "A force away from the predicted position of the other agent. The prediction looks ahead by at most this time.",
+     R"(local force = agent:ForceToEvade(other))", true},
+    {"Agent.ForceToFleePosition", kCall<&Agent::ForceToFleePosition>, kError, "agent: Agent, position: Vector [m]",
+     "Vector", "A force straight away from a place.",
+     R"(print(agent:ForceToFleePosition(Vector.new(3, 0.8, 0)).x)  --> -3)"},
+    {"Agent.ForceToFollowPath", kCall<LookAheadForce<&Agent::ForceToFollowPath>>, kError,
+     "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",
+     "A force back to the path if the agent would leave it within this time, or forwards along the path if it would go "
+     "backwards.",
+     R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
+local force = agent:ForceToFollowPath(0.5) + agent:ForceToTargetSpeed(3))"},
+    {"Agent.ForceToPosition", kCall<&Agent::ForceToPosition>, kError, "agent: Agent, position: Vector [m]", "Vector",
+     "A force straight towards a place.", R"(print(agent:ForceToPosition(Vector.new(3, 0.8, 0)).x)  --> 3)"},
+    {"Agent.ForceToPursue", kCall<ChaseForce<&Agent::ForceToPursue>>, kError,
+     "agent: Agent, other: Agent, time: number [s] = 1", "Vector",
+     "A force towards the predicted position of the other agent. The prediction looks ahead by at most this time.",
+     R"(local force = agent:ForceToPursue(other))", true},
+    {"Agent.ForceToSeparate", kCall<GroupForce<&Agent::ForceToSeparate>>, kError,
+     "agent: Agent, distance: number 0..inf [m], angle: number [deg], agents: Agents = everybody", "Vector",
+     "A force away from the neighbours; the nearer they are, the stronger it is. Neighbours are defined as for "
+     "ForceToAlign.",
+     R"(print(agent:ForceToSeparate(10, 180) == agent:ForceToSeparate(10, 180, "team1"))  --> true)"},
+    {"Agent.ForceToStayOnPath", kCall<LookAheadForce<&Agent::ForceToStayOnPath>>, kError,
+     "agent: Agent, time: number 0.1..1000 [s] = 0.1, unused: value = nil", "Vector",
+     "A force back to the path if the agent would leave it within this time.",
+     R"(agent:SetPath({Vector.new(), Vector.new(0, 0, 10)})
+local force = agent:ForceToStayOnPath(0.5))"},
+    {"Agent.ForceToTargetSpeed", kCall<&Agent::ForceToTargetSpeed>, kError, "agent: Agent, speed: number [m/s]",
+     "Vector", "A force forwards or backwards that brings the agent to this speed, limited to its maximum force.",
+     R"(print(agent:ForceToTargetSpeed(3).z)  --> 3)"},
+    {"Agent.ForceToWander", kCall<&Agent::ForceToWander>, kError, "agent: Agent, delta: number [ms]", "Vector",
+     "A direction to the side and up or down that changes at random. The larger delta is, the larger the changes are. "
+     "With 33, the duration of a step, the direction jumps from side to side.",
+     R"(local force = agent:ForceToWander(33))"},
+    {"Agent.GetNeighbours", kCall<GetNeighbours>, kError,
+     "agent: Agent, distance: number 0..1e6 [m], team: string = any", "table",
+     "The agents within a distance, without the agent itself, in the order of their creation. With a team, only the "
+     "agents of that team. The cost depends only on the number of agents nearby, so it is low even in a flock of "
+     "1,000.",
+     R"(print(#agent:GetNeighbours(10))  --> 1)", true},
 };
 
 }  // namespace
 
-void BindAgentSteering(lua_State* state) {
-  RegisterTable(state, "Agent", kAgentSteeringBindings);
+std::span<const ApiFunction> AgentSteeringApi() {
+  return kAgentSteeringFunctions;
 }
 
 }  // namespace soarbox::script

@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <lua.hpp>
 #include <string>
+#include <vector>
 
 #include "diagnostics/diagnostic.h"
 #include "diagnostics/plain_text.h"
+#include "script/api_call.h"
 #include "script/argument_check.h"
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
 #include "world/animation/animator.h"
 
 // Animation: the animations of a body with a skeleton, and their playback (lua_api.md 5.5).
@@ -17,35 +16,18 @@ namespace soarbox::script {
 namespace {
 
 using world::Animator;
-using world::NodeId;
+using enum WrongCount;
+using Animation = world::Scene::FoundAnimation;
 
-/// Returns an existing animation; raises an error for a removed one.
-world::Scene::FoundAnimation AnimationArgument(lua_State* state) {
-  const world::AnimationId id{CheckHandle(state, 1, ValueKind::kAnimation)};
-  const auto found = ContextOf(state).world.scene().FindAnimation(id);
-  if (!found.animator) ArgumentError(state, 1, "the mesh of this animation was removed");
-  return found;
+const world::AnimationState& StateOf(const Animation& animation) {
+  return animation.animator->state(animation.clip);
 }
 
-const world::AnimationState& StateArgument(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  return found.animator->state(found.clip);
+const world::Clip& ClipOf(const Animation& animation) {
+  return animation.animator->rig().clips[animation.clip];
 }
 
-const world::Clip& ClipArgument(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  return found.animator->rig().clips[found.clip];
-}
-
-/// Reads a finite number; false after a warning.
-bool FiniteArgument(lua_State* state, float& number) {
-  number = CheckFloat(state, 2);
-  const bool finite = world::IsFinite(number);
-  WarnUnless(state, finite);
-  return finite;
-}
-
-/// Pushes what is wrong with the name in argument 2: a similar name, and all names if they are few.
+/// Describes an unknown name: a similar name, and all names if they are few.
 void PushUnknownName(lua_State* state, std::string_view name, const world::Rig& rig) {
   constexpr std::size_t kFew = 20, kMostShown = 60;
   const std::vector<std::string_view> known = rig.ClipNames();
@@ -60,178 +42,159 @@ void PushUnknownName(lua_State* state, std::string_view name, const world::Rig& 
   lua_pushlstring(state, text.data(), text.size());
 }
 
-/// The animation of the mesh in argument 1 that argument 2 names. Its animator is null, after a warning, if argument 1
-/// is no mesh.
-world::Scene::FoundAnimation NamedArgument(lua_State* state, NodeId& body) {
-  const std::string_view name = TextArgument(state, 2);
-  body = BodyArgument(state, 1);
-  if (body == NodeId::kNone) return {};
-  world::Animator* const animator = ContextOf(state).world.scene().AnimatorOf(body);
-  const int clip = animator->rig().FindClip(name);
-  if (clip >= 0) return {animator, static_cast<std::size_t>(clip)};
-  PushUnknownName(state, name, animator->rig());
+/// The clip of the mesh with this name, which is argument 2; raises an error for unknown names.
+std::size_t ClipArgument(lua_State* state, const Body& mesh, std::string_view name) {
+  const int clip = mesh.animator.rig().FindClip(name);
+  if (clip >= 0) return static_cast<std::size_t>(clip);
+  PushUnknownName(state, name, mesh.animator.rig());
   ArgumentError(state, 2, lua_tostring(state, -1));
-  return {};
+  return 0;
 }
 
-int PushAnimation(lua_State* state, NodeId body, std::size_t clip) {
-  PushHandle(state, {ValueKind::kAnimation, Number(ContextOf(state).world.scene().AnimationOf(body, clip))});
-  return 1;
+Handle HandleOf(world::Scene& scene, const Body& mesh, std::size_t clip) {
+  return {ValueKind::kAnimation, Number(scene.AnimationOf(mesh.node, clip))};
 }
 
-int GetAnimation(lua_State* state) {
-  NodeId body{};
-  const auto found = NamedArgument(state, body);
-  return found.animator ? PushAnimation(state, body, found.clip) : 0;
+Handle GetAnimation(lua_State* state, world::Scene& scene, const Body& mesh, std::string_view name) {
+  return HandleOf(scene, mesh, ClipArgument(state, mesh, name));
 }
 
-/// Counted from 1.
-int GetAnimationNames(lua_State* state) {
-  const NodeId body = BodyArgument(state, 1);
-  lua_newtable(state);
-  if (body == NodeId::kNone) return 1;
-  int index = 0;
-  for (const std::string_view name : ContextOf(state).world.scene().AnimatorOf(body)->rig().ClipNames()) {
-    lua_pushlstring(state, name.data(), name.size());
-    lua_rawseti(state, -2, ++index);
-  }
-  return 1;
+std::vector<std::string_view> GetAnimationNames(const Body& mesh) {
+  return mesh.animator.rig().ClipNames();
 }
 
-/// Reads an optional number.
-float NumberOr(lua_State* state, int index, float otherwise) {
-  return lua_isnoneornil(state, index) ? otherwise : CheckFloat(state, index);
-}
 constexpr float kBlend_s = 0.2f;
 
-int Play(lua_State* state) {
-  const bool loops = lua_isnoneornil(state, 3) || TruthArgument(state, 3);
-  const float speed = NumberOr(state, 4, 1), blend_s = NumberOr(state, 5, kBlend_s);
-  NodeId body{};
-  const auto found = NamedArgument(state, body);
-  if (!found.animator || !world::IsFinite(speed) || !world::IsFinite(blend_s)) return 0;
-  found.animator->Play(found.clip, loops, speed, blend_s);
-  return PushAnimation(state, body, found.clip);
+Handle Play(lua_State* state, world::Scene& scene, const Body& mesh, std::string_view name, std::optional<bool> loops,
+            std::optional<float> speed, std::optional<float> blend_s) {
+  const std::size_t clip = ClipArgument(state, mesh, name);
+  mesh.animator.Play(clip, loops.value_or(true), speed.value_or(1), blend_s.value_or(kBlend_s));
+  return HandleOf(scene, mesh, clip);
 }
 
-int Stop(lua_State* state) {
-  const float blend_s = NumberOr(state, 2, kBlend_s);
-  const NodeId body = BodyArgument(state, 1);
-  if (body != NodeId::kNone && world::IsFinite(blend_s))
-    ContextOf(state).world.scene().AnimatorOf(body)->Play({}, true, 1, blend_s);
-  return 0;
+void Stop(const Body& mesh, std::optional<float> blend_s) {
+  mesh.animator.Play({}, true, 1, blend_s.value_or(kBlend_s));
 }
 
-int GetLength(lua_State* state) {
-  lua_pushnumber(state, ClipArgument(state).length_s());
-  return 1;
+float GetLength(const Animation& animation) {
+  return ClipOf(animation).length_s();
 }
 
-int GetName(lua_State* state) {
-  const std::string& name = ClipArgument(state).name();
-  lua_pushlstring(state, name.data(), name.size());
-  return 1;
+std::string_view GetName(const Animation& animation) {
+  return ClipOf(animation).name();
 }
 
-int GetTime(lua_State* state) {
-  lua_pushnumber(state, StateArgument(state).time_s);
-  return 1;
+float GetTime(const Animation& animation) {
+  return StateOf(animation).time_s;
 }
 
-/// Passes a number to set(animator, clip, number), unless it is not finite.
-template <class Set>
-int SetFinite(lua_State* state, Set set) {
-  const auto found = AnimationArgument(state);
-  float value = 0;
-  if (FiniteArgument(state, value)) set(*found.animator, found.clip, value);
-  return 0;
+float GetNormalizedTime(const Animation& animation) {
+  return StateOf(animation).time_s / ClipOf(animation).length_s();
 }
 
-int SetTime(lua_State* state) {
-  return SetFinite(state, [](auto& animator, auto clip, float time_s) { animator.SetTime(clip, time_s); });
+float GetWeight(const Animation& animation) {
+  return StateOf(animation).weight;
 }
 
-int GetNormalizedTime(lua_State* state) {
-  lua_pushnumber(state, StateArgument(state).time_s / ClipArgument(state).length_s());
-  return 1;
+bool IsEnabled(const Animation& animation) {
+  return StateOf(animation).enabled;
 }
 
-int SetNormalizedTime(lua_State* state) {
-  return SetFinite(state, [state](auto& animator, auto clip, float share) {
-    animator.SetTime(clip, std::clamp(share, 0.0f, 1.0f) * ClipArgument(state).length_s());
-  });
+bool IsLooping(const Animation& animation) {
+  return StateOf(animation).looping;
 }
 
-int GetWeight(lua_State* state) {
-  lua_pushnumber(state, StateArgument(state).weight);
-  return 1;
+/// `kSet`: the function of Animator.
+template <auto kSet, class Value>
+void Set(const Animation& animation, Value value) {
+  (animation.animator->*kSet)(animation.clip, value);
 }
 
-int SetWeight(lua_State* state) {
-  return SetFinite(state, [](auto& animator, auto clip, float weight) { animator.SetWeight(clip, weight); });
+void SetNormalizedTime(const Animation& animation, float share) {
+  animation.animator->SetTime(animation.clip, share * ClipOf(animation).length_s());
 }
 
-int IsEnabled(lua_State* state) {
-  lua_pushboolean(state, StateArgument(state).enabled);
-  return 1;
+void Reset(const Animation& animation) {
+  animation.animator->SetTime(animation.clip, 0);
 }
 
-int SetEnabled(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  found.animator->SetEnabled(found.clip, TruthArgument(state, 2));
-  return 0;
+void StepAnimation(const Animation& animation, float millis) {
+  animation.animator->SetTime(animation.clip, StateOf(animation).time_s + millis / 1000);
 }
 
-int IsLooping(lua_State* state) {
-  lua_pushboolean(state, StateArgument(state).looping);
-  return 1;
-}
-
-int SetLooping(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  found.animator->SetLooping(found.clip, TruthArgument(state, 2));
-  return 0;
-}
-
-int Reset(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  found.animator->SetTime(found.clip, 0);
-  return 0;
-}
-
-int StepAnimation(lua_State* state) {
-  const auto found = AnimationArgument(state);
-  float millis = 0;
-  if (FiniteArgument(state, millis))
-    found.animator->SetTime(found.clip, found.animator->state(found.clip).time_s + millis / 1000);
-  return 0;
-}
-
-constexpr Binding kAnimationBindings[] = {
-    {"GetAnimation", GetAnimation, 2, 2, WrongCount::kError},
-    {"GetAnimationNames", GetAnimationNames, 1, 1, WrongCount::kError},
-    {"GetLength", GetLength, 1, 1, WrongCount::kIgnored},
-    {"GetName", GetName, 1, 1, WrongCount::kIgnored},
-    {"GetNormalizedTime", GetNormalizedTime, 1, 1, WrongCount::kIgnored},
-    {"GetTime", GetTime, 1, 1, WrongCount::kIgnored},
-    {"GetWeight", GetWeight, 1, 1, WrongCount::kIgnored},
-    {"IsEnabled", IsEnabled, 1, 1, WrongCount::kIgnored},
-    {"IsLooping", IsLooping, 1, 1, WrongCount::kIgnored},
-    {"Play", Play, 2, 5, WrongCount::kError},
-    {"Reset", Reset, 1, 1, WrongCount::kIgnored},
-    {"SetEnabled", SetEnabled, 2, 2, WrongCount::kIgnored},
-    {"SetLooping", SetLooping, 2, 2, WrongCount::kIgnored},
-    {"SetNormalizedTime", SetNormalizedTime, 2, 2, WrongCount::kIgnored},
-    {"SetTime", SetTime, 2, 2, WrongCount::kIgnored},
-    {"SetWeight", SetWeight, 2, 2, WrongCount::kIgnored},
-    {"StepAnimation", StepAnimation, 2, 2, WrongCount::kIgnored},
-    {"Stop", Stop, 1, 2, WrongCount::kIgnored},
+constexpr ApiFunction kAnimationFunctions[] = {
+    {"Animation.GetAnimation", kCall<GetAnimation>, kError, "mesh: Mesh, name: string", "Animation",
+     "One of the mesh's animations. Initially it is disabled and looping, has weight 1, and is at its start.",
+     R"(local idle = Animation.GetAnimation(mesh, "stand_idle_aim")
+Animation.SetEnabled(idle, true))"},
+    {"Animation.GetAnimationNames", kCall<GetAnimationNames>, kError, "mesh: Mesh", "table of string",
+     "The names of the mesh's animations, counted from 1.",
+     R"(for _, name in ipairs(Animation.GetAnimationNames(mesh)) do assert(Animation.GetAnimation(mesh, name)) end)",
+     true},
+    {"Animation.GetLength", kCall<GetLength>, kIgnored, "animation: Animation", "number [s]",
+     "The length of the animation.", R"(print(Animation.GetLength(animation) > 0)  --> true)"},
+    {"Animation.GetName", kCall<GetName>, kIgnored, "animation: Animation", "string", "The animation's name.",
+     R"(print(Animation.GetName(animation))  --> stand_run_forward_aim)"},
+    {"Animation.GetNormalizedTime", kCall<GetNormalizedTime>, kIgnored, "animation: Animation", "number",
+     "The current position in the animation: 0 at the start, 1 at the end.",
+     R"(print(Animation.GetNormalizedTime(animation))  --> 0)"},
+    {"Animation.GetTime", kCall<GetTime>, kIgnored, "animation: Animation", "number [s]",
+     "The current time in the animation.", R"(print(Animation.GetTime(animation))  --> 0)"},
+    {"Animation.GetWeight", kCall<GetWeight>, kIgnored, "animation: Animation", "number",
+     "The animation's weight among the enabled animations.", R"(print(Animation.GetWeight(animation))  --> 1)"},
+    {"Animation.IsEnabled", kCall<IsEnabled>, kIgnored, "animation: Animation", "boolean",
+     "Whether the animation is switched on.", R"(print(Animation.IsEnabled(animation))  --> false)"},
+    {"Animation.IsLooping", kCall<IsLooping>, kIgnored, "animation: Animation", "boolean",
+     "Whether the animation starts again at its end.", R"(print(Animation.IsLooping(animation))  --> true)"},
+    {"Animation.Play", kCall<Play>, kError,
+     "mesh: Mesh, name: string, looping: boolean = true, speed: number -100..100 = 1, blend: number 0..10 [s] = 0.2",
+     "Animation",
+     "Plays one of the mesh's animations. The world then advances it, and the script need not step it. Other "
+     "animations that this function has started fade out. The animation starts at its beginning, or at its end if the "
+     "speed is negative; if it plays already, it continues with the new arguments. If it does not loop, the mesh keeps "
+     "its last pose until Animation.Stop or the next Animation.Play. An unknown name is an error.",
+     R"(local run = Animation.Play(mesh, "stand_run_forward_aim", true, 1.5)
+print(Animation.GetName(run), Animation.IsEnabled(run))  --> stand_run_forward_aim	true)",
+     true},
+    {"Animation.Reset", kCall<Reset>, kIgnored, "animation: Animation", "", "Returns to the start.",
+     R"(Animation.Reset(animation))"},
+    {"Animation.SetEnabled", kCall<Set<&Animator::SetEnabled, bool>>, kIgnored,
+     "animation: Animation, enabled: boolean", "", "Switches the animation on or off.",
+     R"(Animation.SetEnabled(animation, true)
+print(Animation.IsEnabled(animation))  --> true)"},
+    {"Animation.SetLooping", kCall<Set<&Animator::SetLooping, bool>>, kIgnored,
+     "animation: Animation, looping: boolean", "", "Sets whether the animation starts again at its end or stays there.",
+     R"(Animation.SetLooping(animation, false))"},
+    {"Animation.SetNormalizedTime", kCall<SetNormalizedTime>, kIgnored, "animation: Animation, time: number 0..1", "",
+     "Sets the position in the animation, from 0 (the start) to 1 (the end).",
+     R"(Animation.SetNormalizedTime(animation, 0.5)
+print(Animation.GetNormalizedTime(animation))  --> 0.5)"},
+    {"Animation.SetTime", kCall<Set<&Animator::SetTime, float>>, kIgnored, "animation: Animation, time: number [s]", "",
+     "Sets the time in the animation. It wraps around if the animation loops; otherwise it stays between start and "
+     "end.",
+     R"(Animation.SetTime(animation, 0.2))"},
+    {"Animation.SetWeight", kCall<Set<&Animator::SetWeight, float>>, kIgnored, "animation: Animation, weight: number",
+     "",
+     "Sets the animation's weight among the enabled animations. If the sum of all weights is above 1, they are scaled "
+     "down.",
+     R"(Animation.SetWeight(animation, 0.25)
+print(Animation.GetWeight(animation))  --> 0.25)"},
+    {"Animation.StepAnimation", kCall<StepAnimation>, kIgnored, "animation: Animation, delta: number [ms]", "",
+     "Advances the animation by this time. Animations that Animation.Play has started advance without it.",
+     R"(Animation.SetEnabled(animation, true)
+Animation.StepAnimation(animation, 33))"},
+    {"Animation.Stop", kCall<Stop>, kIgnored, "mesh: Mesh, blend: number 0..10 [s] = 0.2", "",
+     "Fades out the animations that Animation.Play has started. The mesh then has the pose of its file, or walks "
+     "(Animation.SetLocomotion).",
+     R"(Animation.Play(mesh, "stand_run_forward_aim")
+Animation.Stop(mesh, 0))",
+     true},
 };
 
 }  // namespace
 
-void BindAnimation(lua_State* state) {
-  RegisterTable(state, "Animation", kAnimationBindings);
+std::span<const ApiFunction> AnimationApi() {
+  return kAnimationFunctions;
 }
 
 }  // namespace soarbox::script

@@ -3,7 +3,8 @@
 
 #include <lua.hpp>
 
-#include "script/bind_vector.h"
+#include "script/api_table.h"
+#include "script/binding.h"
 #include "script/lua_machine.h"
 #include "script/lua_values.h"
 
@@ -28,27 +29,8 @@ void KeepAgentMethods(lua_State* state) {
 
 void BindApi(lua_State* state, ApiSide side) {
   InstallValues(state);
-  BindVector(state);
-  BindCoreCreate(state);
-  BindCoreScene(state);
-  BindCorePhysics(state);
-  BindCoreDraw(state);
-  BindSandboxCreate(state);
-  BindSandboxView(state);
-  BindSandboxEvents(state);
-  BindSandboxNavigation(state);
-  BindSandboxInfluence(state);
-  BindAgentProperties(state);
-  BindAgentSteering(state);
-  BindAgentShow(state);
-  BindAgentStride(state);
-  BindAnimation(state);
-  BindAnimationBones(state);
-  BindSandboxSound(state);
-  if (side == ApiSide::kSandbox) {
-    BindUi(state);
-    BindUiParts(state);
-  }
+  for (const ApiGroup& group : ApiGroups())
+    if (group.name != "UI" || side == ApiSide::kSandbox) RegisterTable(state, group);
   KeepAgentMethods(state);
 
   const char* kind = side == ApiSide::kSandbox ? "Sandbox" : "Agent";

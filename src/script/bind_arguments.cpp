@@ -18,23 +18,11 @@ constexpr std::uint64_t kCrowdedPrice = 100'000;
 constexpr std::size_t kLongestText = 65'536;
 constexpr std::size_t kMostPoints = 10'000;
 
-void WarnKind(lua_State* state, int index, const char* wanted) {
-  WarnIgnored(state, lua_pushfstring(state, "argument %d is not %s but %s", index, wanted, NameOfValue(state, index)));
-  lua_pop(state, 1);
-}
-
 void RaiseGone(lua_State* state, int index, const char* what) {
   ArgumentError(state, index, lua_pushfstring(state, "this %s was removed", what));
 }
 
 }  // namespace
-
-bool SandboxArgument(lua_State* state, int index) {
-  const Handle* handle = ToHandle(state, index);
-  if (handle && handle->kind == ValueKind::kSandbox) return true;
-  WarnKind(state, index, "the sandbox");
-  return false;
-}
 
 world::Agent& AgentArgument(lua_State* state, int index) {
   const world::EntityId id{CheckHandle(state, index, ValueKind::kAgent)};
@@ -43,30 +31,21 @@ world::Agent& AgentArgument(lua_State* state, int index) {
   return *agent;
 }
 
-world::Object* ObjectArgument(lua_State* state, int index) {
-  const Handle* handle = ToHandle(state, index);
-  if (!handle || handle->kind != ValueKind::kObject) {
-    WarnKind(state, index, "a sandbox object");
-    return nullptr;
-  }
-  world::Object* object = ContextOf(state).world.FindObject(world::EntityId{handle->number});
+world::Object& ObjectArgument(lua_State* state, int index) {
+  const world::EntityId id{CheckHandle(state, index, ValueKind::kObject)};
+  world::Object* object = ContextOf(state).world.FindObject(id);
   if (!object) RaiseGone(state, index, "sandbox object");
-  return object;
+  return *object;
 }
 
-world::NodeId NodeArgument(lua_State* state, int index, bool agents_too) {
+world::NodeId NodeArgument(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
-  world::World& world = ContextOf(state).world;
-  if (handle && handle->kind == ValueKind::kNode) {
+  if (!handle) CheckHandle(state, index, ValueKind::kNode);
+  const world::World& world = ContextOf(state).world;
+  if (handle->kind == ValueKind::kNode) {
     const world::NodeId node{handle->number};
     if (!world.scene().Contains(node)) RaiseGone(state, index, "scene node");
     return node;
-  }
-  const bool has_node = handle && (handle->kind == ValueKind::kSandbox || handle->kind == ValueKind::kObject ||
-                                   (agents_too && handle->kind == ValueKind::kAgent));
-  if (!has_node) {
-    WarnKind(state, index, agents_too ? "a thing with a scene node" : "a scene node, an object or the sandbox");
-    return world::NodeId::kNone;
   }
   const world::NodeId node = world.NodeOf(world::EntityId{handle->number});
   if (node == world::NodeId::kNone)
@@ -80,14 +59,21 @@ world::UiId UiArgument(lua_State* state, int index) {
   return id;
 }
 
-world::NodeId BodyArgument(lua_State* state, int index) {
+Body BodyArgument(lua_State* state, int index) {
   const Handle* handle = ToHandle(state, index);
   if (handle && handle->kind == ValueKind::kAgent)
     ArgumentError(state, index, "a mesh expected, got an agent; pass the mesh that is attached to it");
-  const world::NodeId node = NodeArgument(state, index, false);
-  if (node != world::NodeId::kNone && !ContextOf(state).world.scene().AnimatorOf(node))
-    ArgumentError(state, index, "this has no mesh with a skeleton, so it has no animations");
-  return node;
+  const world::NodeId node = NodeArgument(state, index);
+  world::Animator* animator = ContextOf(state).world.scene().AnimatorOf(node);
+  if (!animator) ArgumentError(state, index, "this has no mesh with a skeleton, so it has no animations");
+  return {node, *animator};
+}
+
+world::Scene::FoundAnimation AnimationArgument(lua_State* state, int index) {
+  const world::AnimationId id{CheckHandle(state, index, ValueKind::kAnimation)};
+  const auto found = ContextOf(state).world.scene().FindAnimation(id);
+  if (!found.animator) ArgumentError(state, index, "the mesh of this animation was removed");
+  return found;
 }
 
 std::string_view TextArgument(lua_State* state, int index) {
@@ -97,10 +83,6 @@ std::string_view TextArgument(lua_State* state, int index) {
   const char* text = lua_tolstring(state, index, &length);
   if (length > kLongestText) ArgumentError(state, index, "a text that the world keeps has 65536 bytes at most");
   return {text, length};
-}
-
-bool TruthArgument(lua_State* state, int index) {
-  return lua_toboolean(state, index) != 0;
 }
 
 std::vector<world::Vec3> VectorsArgument(lua_State* state, int index) {

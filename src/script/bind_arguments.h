@@ -9,22 +9,24 @@
 
 namespace soarbox::script {
 
-/// Arguments of the sandbox's API. Unless stated otherwise, a wrong type and a handle of a removed thing raise a Lua
-/// error. "Refused" means: returns null, none or false, after a warning that the call is ignored.
+// Arguments of the sandbox's API. CheckArguments has checked their types before, so wrong types are errors here. A
+// handle of a removed thing raises a Lua error.
 
-/// True if the argument is the sandbox; else refused.
-bool SandboxArgument(lua_State* state, int index);
 world::Agent& AgentArgument(lua_State* state, int index);
-/// An object; other values are refused.
-world::Object* ObjectArgument(lua_State* state, int index);
-/// The scene node of the sandbox, of an object, of a node or (if allowed) of an agent; other values are refused.
-world::NodeId NodeArgument(lua_State* state, int index, bool agents_too);
+world::Object& ObjectArgument(lua_State* state, int index);
+/// The scene node of a node, an object, an agent or the sandbox.
+world::NodeId NodeArgument(lua_State* state, int index);
 world::UiId UiArgument(lua_State* state, int index);
-/// The scene node of a body with a skeleton. Raises for a node without a skeleton; a value without a node is refused.
-world::NodeId BodyArgument(lua_State* state, int index);
+/// A mesh with a skeleton, and its animator.
+struct Body {
+  world::NodeId node;
+  world::Animator& animator;
+};
+/// Raises for an agent and for a node without a skeleton.
+Body BodyArgument(lua_State* state, int index);
+/// Raises if the mesh of the animation was removed.
+world::Scene::FoundAnimation AnimationArgument(lua_State* state, int index);
 std::string_view TextArgument(lua_State* state, int index);
-/// Lua's truth: everything but nil and false.
-bool TruthArgument(lua_State* state, int index);
 /// The vectors in a table, in its order. Other values, and vectors that are not finite, are skipped with a warning.
 std::vector<world::Vec3> VectorsArgument(lua_State* state, int index);
 

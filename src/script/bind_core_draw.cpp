@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
 
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
+#include "script/api_call.h"
 #include "script/lua_machine.h"
-#include "script/script_context.h"
 
 // Core.Draw...: shapes that last for one step.
 
@@ -13,6 +10,7 @@ namespace soarbox::script {
 namespace {
 
 using world::Vec3;
+using enum WrongCount;
 
 world::DebugDraw& DebugOf(lua_State* state) {
   LuaMachine& machine = LuaMachine::Of(state);
@@ -23,49 +21,39 @@ world::DebugDraw& DebugOf(lua_State* state) {
   return debug;
 }
 
-int DrawCircle(lua_State* state) {
-  const Vec3 center = CheckVector(state, 1);
-  const float radius = CheckFloat(state, 2);
-  DebugOf(state).Circle(center, radius, CheckVector(state, 3));
-  return 0;
+void DrawCircle(lua_State* state, Vec3 center, float radius, Vec3 color) {
+  DebugOf(state).Circle(center, radius, color);
 }
 
-int DrawLine(lua_State* state) {
-  const Vec3 from = CheckVector(state, 1), to = CheckVector(state, 2);
-  DebugOf(state).Line(from, to, CheckVector(state, 3));
-  return 0;
+void DrawLine(lua_State* state, Vec3 from, Vec3 to, Vec3 color) {
+  DebugOf(state).Line(from, to, color);
 }
 
-/// The fourth argument is used only if it is the last one.
-bool Filled(lua_State* state) {
-  return lua_gettop(state) == 4 && TruthArgument(state, 4);
+/// `filled` is used only if it is the last argument.
+template <auto kDraw>
+void DrawFilled(lua_State* state, Vec3 center, float size, Vec3 color, bool filled) {
+  (DebugOf(state).*kDraw)(center, size, color, filled && lua_gettop(state) == 4);
 }
 
-int DrawSphere(lua_State* state) {
-  const Vec3 center = CheckVector(state, 1);
-  const float radius = CheckFloat(state, 2);
-  DebugOf(state).Sphere(center, radius, CheckVector(state, 3), Filled(state));
-  return 0;
-}
-
-int DrawSquare(lua_State* state) {
-  const Vec3 center = CheckVector(state, 1);
-  const float side = CheckFloat(state, 2);
-  DebugOf(state).Square(center, side, CheckVector(state, 3), Filled(state));
-  return 0;
-}
-
-constexpr Binding kCoreDrawBindings[] = {
-    {"DrawCircle", DrawCircle, 3, 3, WrongCount::kIgnored},
-    {"DrawLine", DrawLine, 3, 3, WrongCount::kIgnored},
-    {"DrawSphere", DrawSphere, 3, kAnyCount, WrongCount::kIgnored},
-    {"DrawSquare", DrawSquare, 3, kAnyCount, WrongCount::kIgnored},
+constexpr ApiFunction kCoreDrawFunctions[] = {
+    {"Core.DrawCircle", kCall<DrawCircle>, kIgnored, "center: Vector [m], radius: number 0..1e30 [m], color: Vector",
+     "", "Draws a horizontal circle for one step.", R"(Core.DrawCircle(agent:GetTarget(), 1, Vector.new(1, 0, 0)))"},
+    {"Core.DrawLine", kCall<DrawLine>, kIgnored, "from: Vector [m], to: Vector [m], color: Vector", "",
+     "Draws a line for one step.", R"(Core.DrawLine(agent:GetPosition(), agent:GetTarget(), Vector.new(0, 1, 0)))"},
+    {"Core.DrawSphere", kCall<DrawFilled<&world::DebugDraw::Sphere>>, kIgnored,
+     "center: Vector [m], radius: number 0..1e30 [m], color: Vector, filled: boolean = false", "",
+     "Draws a wire sphere for one step; if filled, it is translucent inside.",
+     R"(Core.DrawSphere(agent:GetPosition(), 1, Vector.new(0, 0, 1), true))", false, kAnyCount},
+    {"Core.DrawSquare", kCall<DrawFilled<&world::DebugDraw::Square>>, kIgnored,
+     "center: Vector [m], side: number 0..1e6 [m], color: Vector, filled: boolean = false", "",
+     "Draws a horizontal square for one step.", R"(Core.DrawSquare(Vector.new(), 100, Vector.new(1, 0, 0)))", false,
+     kAnyCount},
 };
 
 }  // namespace
 
-void BindCoreDraw(lua_State* state) {
-  RegisterTable(state, "Core", kCoreDrawBindings);
+std::span<const ApiFunction> CoreDrawApi() {
+  return kCoreDrawFunctions;
 }
 
 }  // namespace soarbox::script

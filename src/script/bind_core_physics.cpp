@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
 
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
+#include "script/api_call.h"
 #include "script/config_argument.h"
 
 // Core: forces and masses of objects.
@@ -11,79 +9,59 @@
 namespace soarbox::script {
 namespace {
 
+using world::Object;
 using world::Vec3;
-
-int ApplyForce(lua_State* state) {
-  const Vec3 force = CheckVector(state, 2);
-  if (world::Object* object = ObjectArgument(state, 1)) WarnUnless(state, object->ApplyForce(force));
-  return 0;
-}
-
-int ApplyImpulse(lua_State* state) {
-  const Vec3 force = CheckVector(state, 2);
-  if (world::Object* object = ObjectArgument(state, 1)) WarnUnless(state, object->ApplyImpulse(force));
-  return 0;
-}
-
-int ApplyAngularImpulse(lua_State* state) {
-  const Vec3 impulse = CheckVector(state, 2);
-  if (world::Object* object = ObjectArgument(state, 1)) WarnUnless(state, object->ApplyAngularImpulse(impulse));
-  return 0;
-}
-
-int GetMass(lua_State* state) {
-  const world::Object* object = ObjectArgument(state, 1);
-  if (!object) return 0;
-  lua_pushnumber(state, object->Mass());
-  return 1;
-}
-
-int SetMass(lua_State* state) {
-  const float mass = CheckFloat(state, 2);
-  if (world::Object* object = ObjectArgument(state, 1)) WarnUnless(state, object->SetMass(mass));
-  return 0;
-}
-
-int SetGravity(lua_State* state) {
-  const Vec3 gravity = CheckVector(state, 2);
-  if (world::Object* object = ObjectArgument(state, 1)) WarnUnless(state, object->SetGravity(gravity));
-  return 0;
-}
+using enum WrongCount;
 
 /// (object, point, axis [, other [, settings]])
-int AddHinge(lua_State* state) {
+void AddHinge(lua_State* state, Object& object, Vec3 point, Vec3 axis) {
   world::HingeDef hinge;
-  hinge.point = CheckVector(state, 2);
-  hinge.axis = CheckVector(state, 3);
-  world::Object* object = ObjectArgument(state, 1);
-  const world::Object* other = lua_isnoneornil(state, 4) ? nullptr : ObjectArgument(state, 4);
-  if (!object || (!other && !lua_isnoneornil(state, 4))) return 0;
+  hinge.point = point;
+  hinge.axis = axis;
+  const Object* other = lua_isnoneornil(state, 4) ? nullptr : &ObjectArgument(state, 4);
   ReadConfig(state, 5, {{"low", &hinge.low_deg}, {"high", &hinge.high_deg}, {"friction", &hinge.friction_nm}});
   CheckRoom(state, ContextOf(state).world.hinge_count(), ContextOf(state).budget.limits().objects, "hinges");
-  WarnUnless(state, object->AddHinge(hinge, other));
-  return 0;
+  WarnUnless(state, object.AddHinge(hinge, other));
 }
 
-int RemoveHinges(lua_State* state) {
-  if (world::Object* object = ObjectArgument(state, 1)) object->RemoveHinges();
-  return 0;
-}
-
-constexpr Binding kCorePhysicsBindings[] = {
-    {"AddHinge", AddHinge, 3, 5, WrongCount::kError},
-    {"ApplyAngularImpulse", ApplyAngularImpulse, 2, 2, WrongCount::kIgnored},
-    {"ApplyForce", ApplyForce, 2, 2, WrongCount::kIgnored},
-    {"ApplyImpulse", ApplyImpulse, 2, 2, WrongCount::kIgnored},
-    {"GetMass", GetMass, 1, 1, WrongCount::kIgnored},
-    {"RemoveHinges", RemoveHinges, 1, 1, WrongCount::kError},
-    {"SetGravity", SetGravity, 2, 2, WrongCount::kIgnored},
-    {"SetMass", SetMass, 2, 2, WrongCount::kIgnored},
+constexpr ApiFunction kCorePhysicsFunctions[] = {
+    {"Core.AddHinge", kCall<AddHinge>, kError,
+     "object: Object, point: Vector -1e6..1e6 [m], axis: Vector, other: Object = none, settings: table = none", "",
+     "Attaches an object to an axis through the point, so that it can only turn about this axis, like a door. The axis "
+     "is fixed in the world, or moves with the other object. Settings: low and high, the limits of the angle in "
+     "degrees from the present orientation, and friction, the maximum braking torque in N m. The hinge is removed "
+     "together with either object.",
+     R"(Core.AddHinge(object, Vector.new(4, 1, 5), Vector.new(0, 1, 0), nil, {low = -90, high = 90, friction = 2}))",
+     true},
+    {"Core.ApplyAngularImpulse", kCall<&Object::ApplyAngularImpulse>, kIgnored,
+     "object: Object, impulse: Vector -1e12..1e12 [N m s]", "", "Changes the object's angular velocity at once.",
+     R"(Core.ApplyAngularImpulse(object, Vector.new(0, 10, 0)))"},
+    {"Core.ApplyForce", kCall<&Object::ApplyForce>, kIgnored, "object: Object, force: Vector -1e12..1e12 [N]", "",
+     "Pushes at the centre of mass during the next step. The forces of one step add up.",
+     R"(Core.ApplyForce(object, Vector.new(0, 0, 100)))"},
+    {"Core.ApplyImpulse", kCall<&Object::ApplyImpulse>, kIgnored, "object: Object, force: Vector -1e12..1e12 [N]", "",
+     "Applies a force for one step, like ApplyForce: the speed changes by force / mass / 30.",
+     R"(-- 15000 N on a block of 15 kg give it 33 m/s.
+Core.SetMass(object, 15)
+Core.ApplyImpulse(object, Vector.new(0, 0, 15000)))"},
+    {"Core.GetMass", kCall<&Object::Mass>, kIgnored, "object: Object", "number [kg]",
+     "The mass of an object; 0 if it is fixed.", R"(print(Core.GetMass(object))  --> 1)"},
+    {"Core.RemoveHinges", kCall<&Object::RemoveHinges>, kError, "object: Object", "",
+     "Removes the hinges that were added for this object, so that it moves freely again.",
+     R"(Core.RemoveHinges(object))", true},
+    {"Core.SetGravity", kCall<&Object::SetGravity>, kIgnored,
+     "object: Object, acceleration: Vector -100000..100000 [m/s^2]", "", "Gives an object its own gravity.",
+     R"(Core.SetGravity(object, Vector.new(0, -1.6, 0)))"},
+    {"Core.SetMass", kCall<&Object::SetMass>, kIgnored, "object: Object, mass: number 0..1e9 [kg]", "",
+     "Changes an object's mass. 0 fixes it: only SetPosition moves it, and agents can walk on it.",
+     R"(Core.SetMass(object, 0)
+print(Core.GetMass(object))  --> 0)"},
 };
 
 }  // namespace
 
-void BindCorePhysics(lua_State* state) {
-  RegisterTable(state, "Core", kCorePhysicsBindings);
+std::span<const ApiFunction> CorePhysicsApi() {
+  return kCorePhysicsFunctions;
 }
 
 }  // namespace soarbox::script

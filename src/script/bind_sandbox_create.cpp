@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "script/api_call.h"
 #include "script/argument_check.h"
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
 #include "script/script_asset.h"
 #include "script/script_error.h"
 
@@ -15,6 +15,8 @@ namespace soarbox::script {
 namespace {
 
 using world::EntityId;
+using world::World;
+using enum WrongCount;
 
 /// Reads the options table into the request; raises an error for values of a wrong type. Nested vectors and tables
 /// become options with dotted names: "position.x", "senses.sight"; lists "senses.only.1". `argument` is the table in
@@ -87,7 +89,6 @@ int PushMadeAgent(lua_State* state, const AgentCreationRequest& request) {
 
 /// (sandbox, script [, rules [, options]])
 int MakeAgent(lua_State* state, const char* kind) {
-  if (!SandboxArgument(state, 1)) return 0;
   AgentCreationRequest request;
   request.kind = kind;
   LocateCaller(state, request.made_in, request.made_in_line);
@@ -124,61 +125,35 @@ int CreateSoarAgent(lua_State* state) {
   return MakeAgent(state, "soar");
 }
 
-template <class Create>
-int MakeObject(lua_State* state, Create create) {
-  if (!SandboxArgument(state, 1)) return 0;
+/// `kCreate`: the function of World.
+template <auto kCreate, class... Values>
+std::optional<Handle> MakeObject(lua_State* state, World& world, Values... values) {
   ChargeForCreation(state, Made::kObject);
-  const EntityId id = create(ContextOf(state).world);
-  if (id == world::kNoEntity) {
-    WarnUnless(state, false);
-    return 0;
-  }
-  PushObject(state, id);
-  return 1;
+  const EntityId id = (world.*kCreate)(values...);
+  WarnUnless(state, id != world::kNoEntity);
+  if (id == world::kNoEntity) return std::nullopt;
+  return Handle{ValueKind::kObject, Number(id)};
 }
 
-int CreateBox(lua_State* state) {
-  const float width = CheckFloat(state, 2), height = CheckFloat(state, 3), length = CheckFloat(state, 4);
-  const bool tiled = lua_gettop(state) >= 6;
-  const float u_tile = tiled ? CheckFloat(state, 5) : 1, v_tile = tiled ? CheckFloat(state, 6) : 1;
-  return MakeObject(state, [&](world::World& world) { return world.CreateBox(width, height, length, u_tile, v_tile); });
+/// The numbers of tiles are used only together.
+std::optional<Handle> CreateBox(lua_State* state, World& world, float width, float height, float length,
+                                std::optional<float> u_tiles, std::optional<float> v_tiles) {
+  return MakeObject<&World::CreateBox>(state, world, width, height, length, v_tiles ? u_tiles.value_or(1) : 1,
+                                       v_tiles.value_or(1));
 }
 
-int CreateCapsule(lua_State* state) {
-  const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
+template <auto kCreate>
+std::optional<Handle> MakeCapsule(lua_State* state, World& world, float height, float radius) {
   WarnOfShortCapsule(state, height, radius);
-  return MakeObject(state, [&](world::World& world) { return world.CreateCapsule(height, radius); });
+  return MakeObject<kCreate>(state, world, height, radius);
 }
 
-int CreateObject(lua_State* state) {
-  const std::string_view mesh = MeshArgument(state, 2);
-  return MakeObject(state, [&](world::World& world) { return world.CreateObject(mesh); });
-}
-
-int CreatePhysicsCapsule(lua_State* state) {
-  const float height = CheckFloat(state, 2), radius = CheckFloat(state, 3);
-  WarnOfShortCapsule(state, height, radius);
-  return MakeObject(state, [&](world::World& world) { return world.CreatePhysicsCapsule(height, radius); });
-}
-
-int CreatePhysicsSphere(lua_State* state) {
-  const float radius = CheckFloat(state, 2);
-  return MakeObject(state, [&](world::World& world) { return world.CreatePhysicsSphere(radius); });
-}
-
-int CreatePlane(lua_State* state) {
-  const float length = CheckFloat(state, 2), width = CheckFloat(state, 3);
-  return MakeObject(state, [&](world::World& world) { return world.CreatePlane(length, width); });
-}
-
-int CreateSensor(lua_State* state) {
-  const float width = CheckFloat(state, 2), height = CheckFloat(state, 3), length = CheckFloat(state, 4);
-  return MakeObject(state, [&](world::World& world) { return world.CreateSensor(width, height, length); });
+std::optional<Handle> CreateObject(lua_State* state, World& world) {
+  return MakeObject<&World::CreateObject>(state, world, MeshArgument(state, 2));
 }
 
 /// Repeated calls have no effect, also in later steps. Collision callbacks often call it more than once.
 int RemoveObject(lua_State* state) {
-  if (!SandboxArgument(state, 1)) return 0;
   const Handle* handle = ToHandle(state, 2);
   if (handle && handle->kind == ValueKind::kObject) {
     ContextOf(state).world.RemoveObject(EntityId{handle->number});
@@ -192,72 +167,132 @@ int RemoveObject(lua_State* state) {
 
 /// Repeated calls have no effect.
 int RemoveAgent(lua_State* state) {
-  if (!SandboxArgument(state, 1)) return 0;
   ContextOf(state).world.RemoveAgent(EntityId{CheckHandle(state, 2, ValueKind::kAgent)});
   return 0;
 }
 
 int GetAgents(lua_State* state) {
-  if (!SandboxArgument(state, 1)) return 0;
   PushAgents(state, ContextOf(state).world.AgentIds());
   return 1;
 }
 
-int GetObjects(lua_State* state) {
-  if (!SandboxArgument(state, 1)) return 0;
-  const auto ids = ContextOf(state).world.ObjectIds();
-  lua_createtable(state, static_cast<int>(ids.size()), 0);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    PushObject(state, ids[i]);
-    lua_rawseti(state, -2, static_cast<int>(i + 1));
-  }
-  return 1;
+std::vector<Handle> GetObjects(const World& world) {
+  std::vector<Handle> objects;
+  for (const EntityId id : world.ObjectIds()) objects.push_back({ValueKind::kObject, Number(id)});
+  return objects;
 }
 
+/// Returns {result=, hitPoint=, object=}.
 int RayCastToObject(lua_State* state) {
-  if (!SandboxArgument(state, 1)) return 0;
-  const world::Vec3 from = CheckVector(state, 2);
-  const world::World& world = ContextOf(state).world;
-  const auto hit = world.RayCast(from, CheckVector(state, 3));
+  const World& world = ContextOf(state).world;
+  const auto hit = world.RayCast(CheckVector(state, 2), CheckVector(state, 3));
   lua_createtable(state, 0, 3);
   lua_pushboolean(state, hit.has_value());
   lua_setfield(state, -2, "result");
   if (!hit) return 1;
   PushVector(state, hit->point);
   lua_setfield(state, -2, "hitPoint");
-  if (world.FindAgent(hit->entity)) {
-    PushAgent(state, hit->entity);
-  } else {
-    PushObject(state, hit->entity);
-  }
+  PushHandle(state, {world.FindAgent(hit->entity) ? ValueKind::kAgent : ValueKind::kObject, Number(hit->entity)});
   lua_setfield(state, -2, "object");
   return 1;
 }
 
-constexpr Binding kSandboxCreateBindings[] = {
-    {"CreateAgent", CreateAgent, 2, 2, WrongCount::kIgnored},
-    {"CreateBox", CreateBox, 4, kAnyCount, WrongCount::kIgnored},
-    {"CreateCapsule", CreateCapsule, 3, 3, WrongCount::kIgnored},
-    {"CreateObject", CreateObject, 2, 2, WrongCount::kIgnored},
-    {"CreatePhysicsCapsule", CreatePhysicsCapsule, 3, 3, WrongCount::kIgnored},
-    {"CreatePhysicsSphere", CreatePhysicsSphere, 2, 2, WrongCount::kIgnored},
-    {"CreatePlane", CreatePlane, 3, 3, WrongCount::kIgnored},
-    {"CreateSensor", CreateSensor, 4, 4, WrongCount::kError},
-    {"CreateSoarAgent", CreateSoarAgent, 2, 4, WrongCount::kError},
-    {"CreateSoarFollowerAgent", CreateSoarFollowerAgent, 2, 4, WrongCount::kIgnored},
-    {"CreateSoarSeekingAgent", CreateSoarSeekingAgent, 2, 4, WrongCount::kIgnored},
-    {"CreateSoarWaypointAgent", CreateSoarWaypointAgent, 2, 4, WrongCount::kIgnored},
-    {"GetAgents", GetAgents, 1, 1, WrongCount::kIgnored},
-    {"GetObjects", GetObjects, 1, 1, WrongCount::kIgnored},
-    {"RayCastToObject", RayCastToObject, 3, 3, WrongCount::kError},
-    {"RemoveAgent", RemoveAgent, 2, 2, WrongCount::kError},
-    {"RemoveObject", RemoveObject, 2, 2, WrongCount::kIgnored},
+constexpr ApiFunction kSandboxCreateFunctions[] = {
+    {"Sandbox.CreateAgent", CreateAgent, kIgnored, "sandbox: Sandbox, script: string", "Agent",
+     "Creates an agent at the origin that this script controls, and calls the script's Agent_Initialize.",
+     R"(local walker = Sandbox.CreateAgent(sandbox, "Quiet.lua")
+walker:SetPosition(Vector.new(2, 0.8, 0)))"},
+    {"Sandbox.CreateBox", kCall<CreateBox>, kIgnored,
+     "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
+     "0.001..100000 [m], u_tiles: number = 1, v_tiles: number = 1",
+     "Object",
+     "A box with a body of 1 kg at the origin. u_tiles and v_tiles are the numbers of times that the texture is "
+     "repeated on each side.",
+     R"(local floor = Sandbox.CreateBox(sandbox, 20, 1, 20, 10, 10)
+Core.SetMass(floor, 0)
+Core.SetPosition(floor, Vector.new(0, -0.5, 0)))",
+     false, kAnyCount},
+    {"Sandbox.CreateCapsule", kCall<MakeCapsule<&World::CreateCapsule>>, kIgnored,
+     "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]", "Object",
+     "An upright capsule with a body of 1 kg at the origin; the height includes the caps.",
+     R"(local pillar = Sandbox.CreateCapsule(sandbox, 3, 0.5))"},
+    {"Sandbox.CreateObject", kCall<CreateObject>, kIgnored, "sandbox: Sandbox, mesh: string", "Object",
+     "A mesh of the media library, or a model from a .glb or .gltf file of the scenario's folder (docs/lua/models.md), "
+     "with a box-shaped body of 1 kg at the origin.",
+     R"(local block = Sandbox.CreateObject(sandbox, "models/nobiax_modular/modular_block.mesh"))"},
+    {"Sandbox.CreatePhysicsCapsule", kCall<MakeCapsule<&World::CreatePhysicsCapsule>>, kIgnored,
+     "sandbox: Sandbox, height: number 0.001..100000 [m], radius: number 0.001..100000 [m]", "Object",
+     "An invisible capsule with a body of 1 kg.",
+     R"(local bullet = Sandbox.CreatePhysicsCapsule(sandbox, 0.3, 0.01)
+Core.SetMass(bullet, 0.1))"},
+    {"Sandbox.CreatePhysicsSphere", kCall<MakeObject<&World::CreatePhysicsSphere, float>>, kIgnored,
+     "sandbox: Sandbox, radius: number 0.001..100000 [m]", "Object", "An invisible ball with a body of 1 kg.",
+     R"(local ball = Sandbox.CreatePhysicsSphere(sandbox, 0.2))"},
+    {"Sandbox.CreatePlane", kCall<MakeObject<&World::CreatePlane, float, float>>, kIgnored,
+     "sandbox: Sandbox, length: number 0..1e6 [m], width: number 0..1e6 [m]", "Object",
+     "A visible plane at y = 0 on an endless fixed floor. Navigation meshes ignore it.",
+     R"(local ground = Sandbox.CreatePlane(sandbox, 200, 200)
+Core.SetMaterial(ground, "Ground2"))"},
+    {"Sandbox.CreateSensor", kCall<MakeObject<&World::CreateSensor, float, float, float>>, kError,
+     "sandbox: Sandbox, width: number 0.001..100000 [m], height: number 0.001..100000 [m], length: number "
+     "0.001..100000 [m]",
+     "Object",
+     "Creates an invisible box that nothing collides with. When an agent or a movable object enters or leaves it, it "
+     "sends the event \"SensorEntered\" or \"SensorLeft\" to all listeners (Sandbox.AddEventCallback). The event has "
+     "the field sensor, and the field agent or object with the one that entered or left. Agents without physics are "
+     "not detected.",
+     R"(local goal = Sandbox.CreateSensor(sandbox, 4, 3, 4)
+Sandbox.AddEventCallback(sandbox, goal, function(sandbox, goal, type, event)
+  if type == "SensorEntered" and event.sensor == goal then print("goal!") end
+end))",
+     true},
+    {"Sandbox.CreateSoarAgent", CreateSoarAgent, kError,
+     "sandbox: Sandbox, script: value, rules: string = none, options: table = none", "Agent",
+     "Creates an agent whose body is a script and whose mind is a file of Soar rules. Agent_Update(agent, "
+     "milliseconds, command, parameters) runs once for each command of its mind, or over several ticks if it returns "
+     "\"running\"; Agent_Tick(agent, milliseconds) runs in each tick. If you pass a table of options "
+     "instead of the script ({rules = \"scout.soar\", body = \"soldier\", team = \"blue\", position = Vector.new(0, 0, "
+     "3)}), the agent needs no script: its body knows the commands of docs/commands.md.",
+     R"(local thinker = Sandbox.CreateSoarAgent(sandbox, "Quiet.lua", "walk.soar"))", true},
+    {"Sandbox.CreateSoarFollowerAgent", CreateSoarFollowerAgent, kIgnored,
+     "sandbox: Sandbox, script: string, rules: string = followeragent.soar, options: table = none", "Agent",
+     "Creates an agent whose mind perceives the distance to its leader (Agent.SetLeader) and commands \"follow\" or "
+     "\"stop\".",
+     R"(local follower = Sandbox.CreateSoarFollowerAgent(sandbox, "Quiet.lua")
+follower:SetLeader(agent))",
+     true},
+    {"Sandbox.CreateSoarSeekingAgent", CreateSoarSeekingAgent, kIgnored,
+     "sandbox: Sandbox, script: string, rules: string = seekingagent.soar, options: table = none", "Agent",
+     "Creates an agent whose mind perceives the distance to its target and commands \"newtarget\" or \"sametarget\".",
+     R"(local seeker = Sandbox.CreateSoarSeekingAgent(sandbox, "Quiet.lua"))", true},
+    {"Sandbox.CreateSoarWaypointAgent", CreateSoarWaypointAgent, kIgnored,
+     "sandbox: Sandbox, script: string, rules: string = waypointagent.soar, options: table = none", "Agent",
+     "Creates an agent whose mind perceives the distance to its target and commands \"nextwaypoint\" or "
+     "\"samewaypoint\".",
+     R"(local guard = Sandbox.CreateSoarWaypointAgent(sandbox, "Quiet.lua"))", true},
+    {"Sandbox.GetAgents", GetAgents, kIgnored, "sandbox: Sandbox", "table of Agent",
+     "All agents in the order of their creation, including dead ones.", R"(print(#Sandbox.GetAgents(sandbox))  --> 2)"},
+    {"Sandbox.GetObjects", kCall<GetObjects>, kIgnored, "sandbox: Sandbox", "table of Object",
+     "All objects in ascending order of their numbers, without agents.",
+     R"(for _, object in ipairs(Sandbox.GetObjects(sandbox)) do Core.GetMass(object) end)"},
+    {"Sandbox.RayCastToObject", RayCastToObject, kError, "sandbox: Sandbox, from: Vector [m], to: Vector [m]", "table",
+     "Finds the first body on a line: {result, hitPoint, object}, the last two only if result is true. A ray that "
+     "starts inside a body does not hit that body.",
+     R"(local hit = Sandbox.RayCastToObject(sandbox, Vector.new(5, 10, 5), Vector.new(5, -1, 5))
+print(hit.result, hit.hitPoint.y)  --> true	1)"},
+    {"Sandbox.RemoveAgent", RemoveAgent, kError, "sandbox: Sandbox, agent: value", "",
+     "Removes an agent, with everything attached to it, at the beginning of the next step. Until then it acts as "
+     "before; then Agent_Cleanup of its script is called and its mind ends. A second call has no effect.",
+     R"(Sandbox.RemoveAgent(sandbox, agent))", true},
+    {"Sandbox.RemoveObject", RemoveObject, kIgnored, "sandbox: Sandbox, object: value", "",
+     "Removes an object from the world at the beginning of the next step. A second call has no effect.",
+     R"(Sandbox.RemoveObject(sandbox, object))"},
 };
 
 }  // namespace
 
-void BindSandboxCreate(lua_State* state) {
-  RegisterTable(state, "Sandbox", kSandboxCreateBindings);
+std::span<const ApiFunction> SandboxCreateApi() {
+  return kSandboxCreateFunctions;
 }
 
 }  // namespace soarbox::script

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include <lua.hpp>
 
-#include "script/bind_api.h"
-#include "script/bind_arguments.h"
-#include "script/binding.h"
+#include "script/api_call.h"
 #include "script/lua_machine.h"
 #include "script/script_path.h"
 
@@ -11,6 +9,8 @@
 
 namespace soarbox::script {
 namespace {
+
+using enum WrongCount;
 
 /// A separate function, so that no C++ string is alive when the error is raised.
 int RaiseFull(lua_State* state) {
@@ -26,7 +26,6 @@ void CheckCallbacks(lua_State* state) {
 
 int AddEvent(lua_State* state) {
   const std::string_view type = TextArgument(state, 2);
-  if (!SandboxArgument(state, 1)) return 0;
   LuaMachine::Of(state).Charge(100);
   EventQueue& events = ContextOf(state).events;
   const WorldLimits& limits = ContextOf(state).budget.limits();
@@ -40,8 +39,6 @@ int AddEvent(lua_State* state) {
 }
 
 int AddEventCallback(lua_State* state) {
-  luaL_checktype(state, 3, LUA_TFUNCTION);
-  if (!SandboxArgument(state, 1)) return 0;
   const Handle* target = ToHandle(state, 2);
   const bool can_hear = target && (target->kind == ValueKind::kAgent || target->kind == ValueKind::kObject ||
                                    target->kind == ValueKind::kSandbox);
@@ -51,35 +48,27 @@ int AddEventCallback(lua_State* state) {
   }
   if (target->kind == ValueKind::kObject) ObjectArgument(state, 2);
   if (target->kind == ValueKind::kAgent) AgentArgument(state, 2);
-  LuaMachine& machine = LuaMachine::Of(state);
   CheckCallbacks(state);
   lua_pushvalue(state, 3);
-  ContextOf(state).events.SetCallback(*target, machine, luaL_ref(state, LUA_REGISTRYINDEX));
+  ContextOf(state).events.SetCallback(*target, LuaMachine::Of(state), luaL_ref(state, LUA_REGISTRYINDEX));
   return 0;
 }
 
 int AddCollisionCallback(lua_State* state) {
-  luaL_checktype(state, 3, LUA_TFUNCTION);
-  if (!SandboxArgument(state, 1)) return 0;
-  const world::Object* object = ObjectArgument(state, 2);
-  if (!object) return 0;
-  LuaMachine& machine = LuaMachine::Of(state);
+  const world::EntityId object = ObjectArgument(state, 2).id();
   CheckCallbacks(state);
   lua_pushvalue(state, 3);
-  ContextOf(state).collisions.Add(object->id(), machine, luaL_ref(state, LUA_REGISTRYINDEX));
+  ContextOf(state).collisions.Add(object, LuaMachine::Of(state), luaL_ref(state, LUA_REGISTRYINDEX));
   return 0;
 }
 
-int End(lua_State* state) {
-  const std::string_view end = TextArgument(state, 2);
-  if (SandboxArgument(state, 1)) ContextOf(state).reporter.EndReached(end);
-  return 0;
+void End(lua_State* state, const world::World&, std::string_view end) {
+  ContextOf(state).reporter.EndReached(end);
 }
 
 /// Reads a file on the scripts' search path with its restrictions: only the scenario's folder and the library.
 int ReadText(lua_State* state) {
   const std::string_view name = TextArgument(state, 2);
-  if (!SandboxArgument(state, 1)) return 0;
   LuaMachine& machine = LuaMachine::Of(state);
   const Result<const ScriptSource*> source = machine.path().Load(name);
   if (!source.ok()) {
@@ -98,18 +87,38 @@ int ReadTextOrRaise(lua_State* state) {
   return count < 0 ? lua_error(state) : count;
 }
 
-constexpr Binding kSandboxEventsBindings[] = {
-    {"AddCollisionCallback", AddCollisionCallback, 3, 3, WrongCount::kIgnored},
-    {"AddEvent", AddEvent, 3, 3, WrongCount::kError},
-    {"AddEventCallback", AddEventCallback, 3, 3, WrongCount::kError},
-    {"End", End, 2, 2, WrongCount::kError},
-    {"ReadText", ReadTextOrRaise, 2, 2, WrongCount::kError},
+constexpr ApiFunction kSandboxEventsFunctions[] = {
+    {"Sandbox.AddCollisionCallback", AddCollisionCallback, kIgnored,
+     "sandbox: Sandbox, object: Object, callback: function", "",
+     "Calls callback(sandbox, collision) after each step in which an agent or another body touches the object. The "
+     "collision has the fields objectA (this object), objectB (the other object or agent), pointA, pointB and "
+     "normalOnB.",
+     R"(Sandbox.AddCollisionCallback(sandbox, object, function(sandbox, collision)
+  Sandbox.RemoveObject(sandbox, collision.objectA)
+end))"},
+    {"Sandbox.AddEvent", AddEvent, kError, "sandbox: Sandbox, type: string, event: value", "",
+     "Sends an event to all listeners at the beginning of the next step. The fields of the table may be numbers, "
+     "strings, booleans, vectors, agents, objects and the sandbox; others are left out.",
+     R"(Sandbox.AddEvent(sandbox, "Noise", {position = agent:GetPosition(), loudness = 3}))"},
+    {"Sandbox.AddEventCallback", AddEventCallback, kError, "sandbox: Sandbox, listener: value, callback: function", "",
+     "Adds a listener, which is an agent, an object or the sandbox: callback(sandbox, listener, type, event) is called "
+     "for all events. A second callback of the same listener replaces the first.",
+     R"(Sandbox.AddEventCallback(sandbox, agent, function(sandbox, agent, type, event)
+  if type == "Noise" then agent:SetTarget(event.position) end
+end))"},
+    {"Sandbox.End", kCall<End>, kError, "sandbox: Sandbox, name: string", "",
+     "Reports that the run has reached this end, like an [[end]] of a scenario file. A run without a window ends; "
+     "otherwise the world and the scripts continue. Missions refer to the end by this name.",
+     R"(Sandbox.End(sandbox, "all is eaten"))", true},
+    {"Sandbox.ReadText", ReadTextOrRaise, kError, "sandbox: Sandbox, name: string", "string",
+     "The content of a text file in the scenario's folder or the library's. A file that cannot be read is an error.",
+     R"(local text = Sandbox.ReadText(sandbox, "Quiet.lua"))", true},
 };
 
 }  // namespace
 
-void BindSandboxEvents(lua_State* state) {
-  RegisterTable(state, "Sandbox", kSandboxEventsBindings);
+std::span<const ApiFunction> SandboxEventsApi() {
+  return kSandboxEventsFunctions;
 }
 
 }  // namespace soarbox::script

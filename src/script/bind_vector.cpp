@@ -6,14 +6,14 @@
 #include <lua.hpp>
 #include <string>
 
-#include "script/binding.h"
-#include "script/lua_values.h"
+#include "script/api_call.h"
 #include "world/rotation.h"
 
 namespace soarbox::script {
 namespace {
 
 using world::Vec3;
+using enum WrongCount;
 
 /// Reads the number at `index`. Most numbers are not 0, and then lua_tonumber alone shows that the value is one.
 bool ReadNumber(lua_State* state, int index, float& number) {
@@ -44,76 +44,29 @@ int New(lua_State* state) {
   return 1;
 }
 
-int CrossProduct(lua_State* state) {
-  PushVector(state, Cross(CheckVector(state, 1), CheckVector(state, 2)));
-  return 1;
+float DistanceSquared(Vec3 a, Vec3 b) {
+  return world::LengthSquared(a - b);
 }
 
-int Distance(lua_State* state) {
-  lua_pushnumber(state, Distance(CheckVector(state, 1), CheckVector(state, 2)));
-  return 1;
+/// Other values than vectors give nothing, with a warning.
+template <float (*kMeasure)(Vec3)>
+int Measure(lua_State* state) {
+  if (const Vec3* vector = ToVector(state, 1)) return PushResult(state, kMeasure(*vector));
+  WarnIgnored(state, lua_pushfstring(state, "argument 1 is not a vector but %s", NameOfValue(state, 1)));
+  return 0;
 }
 
-int DistanceSquared(lua_State* state) {
-  lua_pushnumber(state, LengthSquared(CheckVector(state, 1) - CheckVector(state, 2)));
-  return 1;
+Vec3 Normalize(Vec3 vector) {
+  return world::Normalized(vector);
 }
 
-int DotProduct(lua_State* state) {
-  lua_pushnumber(state, Dot(CheckVector(state, 1), CheckVector(state, 2)));
-  return 1;
+Vec3 Rotate(Vec3 vector, Vec3 rotation) {
+  return world::Rotate(world::FromRotationVector(rotation), vector);
 }
 
-/// Returns the vector to measure; null after a warning.
-const Vec3* MeasuredVector(lua_State* state) {
-  const Vec3* vector = ToVector(state, 1);
-  if (!vector) WarnIgnored(state, lua_pushfstring(state, "argument 1 is not a vector but %s", NameOfValue(state, 1)));
-  return vector;
+Vec3 RotationTo(Vec3 from, Vec3 to) {
+  return world::ToRotationVector(world::ShortestArc(from, to));
 }
-
-int Length(lua_State* state) {
-  const Vec3* vector = MeasuredVector(state);
-  if (!vector) return 0;
-  lua_pushnumber(state, Length(*vector));
-  return 1;
-}
-
-int LengthSquared(lua_State* state) {
-  const Vec3* vector = MeasuredVector(state);
-  if (!vector) return 0;
-  lua_pushnumber(state, LengthSquared(*vector));
-  return 1;
-}
-
-int Normalize(lua_State* state) {
-  PushVector(state, world::Normalized(CheckVector(state, 1)));
-  return 1;
-}
-
-int Rotate(lua_State* state) {
-  const Vec3 vector = CheckVector(state, 1);
-  PushVector(state, Rotate(world::FromRotationVector(CheckVector(state, 2)), vector));
-  return 1;
-}
-
-int RotationTo(lua_State* state) {
-  const Vec3 from = CheckVector(state, 1);
-  PushVector(state, world::ToRotationVector(world::ShortestArc(from, CheckVector(state, 2))));
-  return 1;
-}
-
-constexpr Binding kVectorBindings[] = {
-    {"new", New, 0, kAnyCount, WrongCount::kIgnored},
-    {"CrossProduct", CrossProduct, 2, 2, WrongCount::kIgnored},
-    {"Distance", Distance, 2, 2, WrongCount::kIgnored},
-    {"DistanceSquared", DistanceSquared, 2, 2, WrongCount::kIgnored},
-    {"DotProduct", DotProduct, 2, 2, WrongCount::kIgnored},
-    {"Length", Length, 1, 1, WrongCount::kIgnored},
-    {"LengthSquared", LengthSquared, 1, 1, WrongCount::kIgnored},
-    {"Normalize", Normalize, 1, 1, WrongCount::kIgnored},
-    {"Rotate", Rotate, 2, 2, WrongCount::kIgnored},
-    {"RotationTo", RotationTo, 2, 2, WrongCount::kIgnored},
-};
 
 /// Warns why an operation on vectors gives nil.
 void WarnOfOperands(lua_State* state, const char* operation) {
@@ -231,10 +184,48 @@ int ToText(lua_State* state) {
   return 1;
 }
 
+constexpr ApiFunction kVectorFunctions[] = {
+    {"Vector.CrossProduct", kCall<world::Cross>, kIgnored, "a: Vector, b: Vector", "Vector",
+     "The vector that is perpendicular to both, by the right-hand rule.",
+     R"(local up = Vector.CrossProduct(Vector.new(0, 0, 1), Vector.new(1, 0, 0))
+print(up.x, up.y, up.z)  --> 0	1	0)"},
+    {"Vector.Distance", kCall<world::Distance>, kIgnored, "a: Vector [m], b: Vector [m]", "number [m]",
+     "The distance between two points.", R"(print(Vector.Distance(Vector.new(), Vector.new(3, 4, 0)))  --> 5)"},
+    {"Vector.DistanceSquared", kCall<DistanceSquared>, kIgnored, "a: Vector [m], b: Vector [m]", "number [m^2]",
+     "The square of the distance; faster if you only compare distances.",
+     R"(print(Vector.DistanceSquared(Vector.new(), Vector.new(3, 4, 0)))  --> 25)"},
+    {"Vector.DotProduct", kCall<world::Dot>, kIgnored, "a: Vector, b: Vector", "number",
+     "The product of the lengths and the cosine of the angle between the vectors; 0 if they are perpendicular.",
+     R"(print(Vector.DotProduct(Vector.new(1, 2, 3), Vector.new(1)))  --> 6)"},
+    {"Vector.Length", Measure<world::Length>, kIgnored, "vector: value", "number",
+     "The length of a vector; nothing for other values.", R"(print(Vector.Length(Vector.new(0, 3, 4)))  --> 5)"},
+    {"Vector.LengthSquared", Measure<world::LengthSquared>, kIgnored, "vector: value", "number",
+     "The square of the length; nothing for other values.",
+     R"(print(Vector.LengthSquared(Vector.new(0, 3, 4)))  --> 25)"},
+    {"Vector.Normalize", kCall<Normalize>, kIgnored, "vector: Vector", "Vector",
+     "A new vector with the same direction and length 1; the zero vector stays zero.",
+     R"(print(Vector.Normalize(Vector.new(0, 0, 7)).z)  --> 1)"},
+    {"Vector.Rotate", kCall<Rotate>, kIgnored, "vector: Vector, rotation: Vector [deg]", "Vector",
+     "Turns a vector by a rotation vector: about z first, then y, then x.",
+     R"(local left = Vector.Rotate(Vector.new(0, 0, 1), Vector.new(0, 90, 0))
+print(string.format("%.2f", left.x))  --> 1.00)"},
+    {"Vector.RotationTo", kCall<RotationTo>, kIgnored, "from: Vector, to: Vector", "Vector [deg]",
+     "The rotation vector of the shortest turn from one direction to another; their lengths do not matter.",
+     R"(local turn = Vector.RotationTo(Vector.new(0, 0, 1), Vector.new(5, 0, 0))
+print(string.format("%.0f", turn.y))  --> 90)"},
+    {"Vector.new", New, kIgnored, "x: value = 0, y: value = x, z: value = x", "Vector",
+     "Creates a vector from three numbers, from one number for all three, or as a copy of another vector. Other "
+     "arguments give nil.",
+     R"(local v = Vector.new(1, 2, 3)
+print(v.y)  --> 2
+print(Vector.new(v) == v)  --> true)",
+     false, kAnyCount},
+};
+
 }  // namespace
 
-void BindVector(lua_State* state) {
-  RegisterTable(state, "Vector", kVectorBindings);
+std::span<const ApiFunction> VectorApi() {
+  return kVectorFunctions;
 }
 
 void InstallVectorMetamethods(lua_State* state) {

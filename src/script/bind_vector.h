@@ -5,9 +5,6 @@ struct lua_State;
 
 namespace soarbox::script {
 
-/// The table Vector (lua_api.md 5.1). Needs no world.
-void BindVector(lua_State* state);
-
 /// Fills the metatable on top of the stack with the operators of vectors (lua_api.md 2.2).
 void InstallVectorMetamethods(lua_State* state);
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "script/binding.h"
 
-#include <algorithm>
 #include <lua.hpp>
 #include <map>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,47 +21,42 @@ namespace {
 constexpr std::uint64_t kCallPrice = 20;
 constexpr std::uint64_t kWarningPrice = 200;
 
-/// Shared by the functions of all machines for this binding.
-struct Bound {
-  const Binding* binding;
-  std::string name;         ///< "Table.Name".
-  const CheckedCall* call;  ///< Null: no argument needs a check.
-};
-
-/// Created once for each binding; its address never changes.
-const Bound& BoundOf(const Binding& binding, const char* table) {
-  // Shared by worlds on several threads.
-  static std::mutex mutex;
-  static std::map<std::pair<const Binding*, std::string_view>, Bound> all;
-  const std::lock_guard lock(mutex);
-  const auto found = all.find({&binding, table});
-  if (found != all.end()) return found->second;
-  std::string name = std::string(table) + "." + binding.name;
-  const ApiFunction* entry = FindApiFunction(name);
-  const CheckedCall* call = entry ? &CheckedCallOf(*entry) : nullptr;
-  const auto needs_check = [](const ApiArgument& argument) {
-    return argument.type != ApiType::kValue && argument.type != ApiType::kBoolean;
-  };
-  if (call && std::ranges::none_of(call->arguments, needs_check)) call = nullptr;
-  return all.emplace(std::pair{&binding, std::string_view(table)}, Bound{&binding, std::move(name), call})
-      .first->second;
+Binding BindingOf(const ApiFunction& function) {
+  Binding binding{&function, ParseArguments(function.arguments)};
+  for (const ApiArgument& argument : binding.arguments) {
+    binding.min_arguments += argument.optional ? 0 : 1;
+    binding.needs_check |= argument.type != ApiType::kValue && argument.type != ApiType::kBoolean;
+  }
+  binding.max_arguments = static_cast<int>(binding.arguments.size()) + function.more_arguments;
+  binding.takes_any_number = function.name.starts_with("Vector.");
+  return binding;
 }
 
-int CallChecked(lua_State* state, const Bound& bound) {
-  const Binding& binding = *bound.binding;
+/// The bindings of a group, in its order. Their addresses never change.
+const std::vector<Binding>& BindingsOf(const ApiGroup& group) {
+  static const auto kBindings = [] {
+    std::map<std::string_view, std::vector<Binding>> bindings;
+    for (const ApiGroup& each : ApiGroups())
+      for (const ApiFunction& function : each.functions) bindings[each.name].push_back(BindingOf(function));
+    return bindings;
+  }();
+  return kBindings.at(group.name);
+}
+
+int CallChecked(lua_State* state, const Binding& binding) {
   const int count = lua_gettop(state);
   if (count >= binding.min_arguments && count <= binding.max_arguments) {
-    if (bound.call && !CheckArguments(state, *bound.call)) return 0;
-    return binding.function(state);
+    if (binding.needs_check && !CheckArguments(state, binding)) return 0;
+    return binding.function->function(state);
   }
 
-  const char* name = bound.name.c_str();
+  const char* name = binding.function->name.data();
   const char* text =
       binding.min_arguments == binding.max_arguments
           ? lua_pushfstring(state, "\"%s\" expected %d arguments, encountered %d", name, binding.min_arguments, count)
           : lua_pushfstring(state, "\"%s\" expected %d to %d arguments, encountered %d", name, binding.min_arguments,
                             binding.max_arguments, count);
-  if (binding.wrong_count == WrongCount::kError) return luaL_error(state, "%s", text);
+  if (binding.function->wrong_count == WrongCount::kError) return luaL_error(state, "%s", text);
   WarnIgnored(state, text);
   return 0;
 }
@@ -79,13 +72,13 @@ void PlaceMediaWarnings(lua_State* state, ScriptContext& context) {
   }
 }
 
-/// Upvalue: the Bound.
+/// Upvalue: the Binding.
 int CallBinding(lua_State* state) {
-  const auto& bound = *static_cast<const Bound*>(lua_touserdata(state, lua_upvalueindex(1)));
+  const auto& binding = *static_cast<const Binding*>(lua_touserdata(state, lua_upvalueindex(1)));
   LuaMachine& machine = LuaMachine::Of(state);
   machine.Charge(kCallPrice);
   if (machine.instructions_left() == 0) machine.RaiseOutOfBudget(state);
-  const int results = CallChecked(state, bound);
+  const int results = CallChecked(state, binding);
   if (ScriptContext* context = machine.context(); context != nullptr && context->world.HasMediaWarnings())
     PlaceMediaWarnings(state, *context);
   return results;
@@ -93,20 +86,17 @@ int CallBinding(lua_State* state) {
 
 }  // namespace
 
-void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings) {
-  lua_getglobal(state, table);
-  if (!lua_istable(state, -1)) {
-    lua_pop(state, 1);
-    lua_newtable(state);
-    lua_pushvalue(state, -1);
-    lua_setglobal(state, table);
-    MarkLoaded(state, table);
-    GuardNames(state, table);
-  }
-  for (const Binding& binding : bindings) {
-    lua_pushlightuserdata(state, const_cast<Bound*>(&BoundOf(binding, table)));
+void RegisterTable(lua_State* state, const ApiGroup& group) {
+  const char* table = group.name.data();
+  lua_newtable(state);
+  lua_pushvalue(state, -1);
+  lua_setglobal(state, table);
+  MarkLoaded(state, table);
+  GuardNames(state, table);
+  for (const Binding& binding : BindingsOf(group)) {
+    lua_pushlightuserdata(state, const_cast<Binding*>(&binding));
     lua_pushcclosure(state, CallBinding, 1);
-    lua_setfield(state, -2, binding.name);
+    lua_setfield(state, -2, binding.function->name.data() + group.name.size() + 1);
   }
   lua_pop(state, 1);
 }
@@ -116,7 +106,8 @@ const char* NameOfRunning(lua_State* state) {
   if (lua_getstack(state, 0, &frame) != 1 || lua_getinfo(state, "f", &frame) == 0) return nullptr;
   const bool is_binding = lua_tocfunction(state, -1) == CallBinding;
   lua_pop(state, 1);
-  return is_binding ? static_cast<const Bound*>(lua_touserdata(state, lua_upvalueindex(1)))->name.c_str() : nullptr;
+  if (!is_binding) return nullptr;
+  return static_cast<const Binding*>(lua_touserdata(state, lua_upvalueindex(1)))->function->name.data();
 }
 
 void WarnAtCaller(lua_State* state, std::string message) {

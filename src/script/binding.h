@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "script/api_table.h"
 
 struct lua_State;
 
 namespace soarbox::script {
 
-/// What a call with too few or too many arguments does ("arity class" in docs/spec/lua_api.md).
-enum class WrongCount : unsigned char {
-  kIgnored,  ///< Nothing, with a warning, once per place.
-  kError,    ///< A Lua error.
-};
-
-/// One function of the sandbox's API. The number of its arguments is checked before `function` runs.
+/// A function of the API with its parsed arguments. Created once, for all machines of the process.
 struct Binding {
-  const char* name;
-  int (*function)(lua_State*);
-  int min_arguments;
-  int max_arguments;
-  WrongCount wrong_count;
+  const ApiFunction* function;
+  std::vector<ApiArgument> arguments;  ///< From ParseArguments.
+  int min_arguments = 0;
+  int max_arguments = 0;
+  bool needs_check = false;  ///< An argument is not just a value or a truth value.
+  /// The function only calculates, so it accepts and returns numbers that are not finite.
+  bool takes_any_number = false;
 };
 
-/// For functions that take any number of arguments.
-inline constexpr int kAnyCount = 250;
-
-/// Creates a global table of these functions (or adds them to an existing one) and enters it into package.loaded. The
-/// bindings must live as long as the state.
-void RegisterTable(lua_State* state, const char* table, std::span<const Binding> bindings);
+/// Creates the global table of this group with its functions and enters it into package.loaded.
+void RegisterTable(lua_State* state, const ApiGroup& group);
 
 /// Returns the full name of the running API function, "Agent.GetPosition"; null if it is none.
 const char* NameOfRunning(lua_State* state);

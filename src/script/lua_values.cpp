@@ -166,9 +166,11 @@ std::uint32_t CheckHandle(lua_State* state, int index, ValueKind kind) {
 }
 
 float CheckFloat(lua_State* state, int index) {
-  if (!lua_isnumber(state, index))
+  const double number = lua_tonumber(state, index);
+  // Other values than numbers give 0.
+  if (number == 0 && !lua_isnumber(state, index))
     ArgumentError(state, index, lua_pushfstring(state, "number expected, got %s", NameOfValue(state, index)));
-  return static_cast<float>(lua_tonumber(state, index));
+  return static_cast<float>(number);
 }
 
 const char* NameOf(ValueKind kind) {
