@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "cli/command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cli/interpreter.h"
@@ -51,8 +53,17 @@ bool CommandCall::Parse(std::span<const OptionSpec> specs, ParsedWords& parsed) 
   return Fail(parsed.error);
 }
 
-bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
-                   std::string_view also_known) {
+bool RunSubcommand(CommandCall& call, const SubcommandTexts& texts) {
+  std::string error;
+  const CommandInfo& command = *FindCommand(call.words[0].text, error);
+  const std::string invalid =
+      !texts.invalid.empty()
+          ? texts.invalid
+          : fmt::format("Invalid {0} command.  Use '{0} ?' to see a list of valid settings.", command.name);
+  const std::string usage_hint =
+      !texts.usage_hint.empty()
+          ? texts.usage_hint
+          : fmt::format("Use '{0} ?' or 'help {0}' to learn more about the {0} command.", command.name);
   // Like Soar, first check the options against those of all sub-commands. The options of the named sub-command come
   // first in the list: if another one uses the same letter in another way, they count.
   std::vector<OptionSpec> all;
@@ -66,11 +77,11 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
       if (!known) all.push_back(option);
     }
   }
-  for (const char letter : also_known) all.push_back({letter, ""});
+  for (const char letter : texts.also_known) all.push_back({letter, ""});
   const ParsedWords checked =
       ParseOptions(call.words.subspan(1), all, call.agent().settings().like != kernel::SoarVersion::k963);
   if (!checked.error.empty()) {
-    return call.Fail(checked.error + "\n" + std::string(usage_hint));
+    return call.Fail(checked.error + "\n" + usage_hint);
   }
 
   const std::string& word = call.words[1].text;
@@ -85,8 +96,9 @@ bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_vi
   if (found.size() > 1) {
     std::vector<std::string_view> names;
     for (const SubcommandInfo* subcommand : found) names.push_back(subcommand->name);
-    return call.Fail(DidYouMean(std::move(names)) + std::string(invalid));
+    return call.Fail(DidYouMean(std::move(names)) + invalid);
   }
+  if (found.empty() && (word == "?" || word == "help")) return ShowHelp(call, command.name);
   if (found.empty()) {
     std::vector<std::string_view> names;
     for (const SubcommandInfo& subcommand : command.subcommands) names.push_back(subcommand.name);

@@ -77,14 +77,22 @@ std::span<const CommandInfo> Commands();
 /// The command with this full name or unique prefix. If there is none, returns null and sets `error` to Soar's message.
 const CommandInfo* FindCommand(std::string_view word, std::string& error);
 
+/// Prints the output of `help NAME`, for commands whose `?` has no other output in Soar that programs could rely on.
+bool ShowHelp(CommandCall& call, std::string_view name);
+
 /// The line that lists the possible meanings of an ambiguous word.
 std::string DidYouMean(std::vector<std::string_view> names);
 
-/// Executes the subcommand that words[1] names by its full name or a unique prefix. If there is none, the message is
-/// `invalid`. As in Soar, the options are first checked against those of all subcommands of the command. `usage_hint`
-/// is added to the message about an invalid option. Letters in `also_known` pass this check.
-bool RunSubcommand(CommandCall& call, const CommandInfo& command, std::string_view invalid, std::string_view usage_hint,
-                   std::string_view also_known = {});
+/// Texts of a command with subcommands. If one is empty, it is the usual one.
+struct SubcommandTexts {
+  std::string invalid = {};          ///< If there is no such subcommand.
+  std::string usage_hint = {};       ///< Follows the message about an invalid option.
+  std::string_view also_known = {};  ///< Letters of options that are accepted although no subcommand has them.
+};
+
+/// Executes the subcommand of words[0] that words[1] names by its full name or a unique prefix; `?` and `help` print
+/// the help of the command. As in Soar, the options are first checked against those of all subcommands of the command.
+bool RunSubcommand(CommandCall& call, const SubcommandTexts& texts);
 
 /// The name of a command or alias that is most similar to a misspelt word; empty if none is similar.
 std::string NearestCommand(std::string_view word, const std::vector<std::pair<std::string, std::string>>& aliases);

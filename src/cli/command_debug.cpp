@@ -86,25 +86,11 @@ bool InternalSymbols(CommandCall& call) {
   return true;
 }
 
-bool DebugHelp(CommandCall& call) {
-  call.Out(
-      "======================================================================\n"
-      "                     Debug Commands and Settings                      \n"
-      "======================================================================\n"
-      "allocate [pool blocks]          Memory grows by itself: does nothing\n"
-      "internal-symbols                Symbols that working memory uses\n"
-      "port                            The port that the kernel listens on\n"
-      "time <command> [args]           Carries out a command and says how long it took\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kDebugSubcommandList[] = {
     {"allocate", "POOL BLOCKS", "accepted for old scripts; memory grows by itself", {}, Allocate},
     {"internal-symbols", "", "symbols that working memory uses, and how often", {}, InternalSymbols},
     {"port", "", "the port that the kernel listens on", {}, Port},
     {"time", "COMMAND...", "carries out a command and says how long it took", {}, Time},
-    {"?", "", "an overview of the sub-commands", {}, DebugHelp},
-    {"help", "", "an overview of the sub-commands", {}, DebugHelp},
 };
 
 }  // namespace
@@ -126,10 +112,8 @@ bool CommandDebug(CommandCall& call) {
     call.words = outer;
     return ok;
   }
-  std::string error;
-  return RunSubcommand(call, *FindCommand("debug", error),
-                       "Debug| Invalid command: " + call.words[1].text + ".\n\nSyntax: Debug [command]",
-                       "Use 'debug ?' to learn more about the debug command.");
+  return RunSubcommand(call, {"Debug| Invalid command: " + call.words[1].text + ".\n\nSyntax: Debug [command]",
+                              "Use 'debug ?' to learn more about the debug command."});
 }
 
 }  // namespace soarbox::cli

@@ -253,29 +253,6 @@ bool SetRandomSeed(CommandCall& call) {
   return true;
 }
 
-bool DecideHelp(CommandCall& call) {
-  constexpr std::string_view kRule = "-----------------------------------------------------------------------------\n";
-  constexpr std::string_view kDouble =
-      "=============================================================================\n";
-  call.Out(kDouble);
-  call.Out("-                      Decide Sub-Commands and Options                      -\n");
-  call.Out(kDouble);
-  call.Out("decide numeric-indifferent-mode  [--avg --sum]\n");
-  call.Out(kRule);
-  call.Out("decide indifferent-selection     [--boltzmann --epsilon-greedy --first --last --softmax]\n");
-  call.Out("decide indifferent-selection     <--epsilon | --temperature> [value]\n");
-  call.Out("decide indifferent-selection     --reduction-policy <parameter> [exponential | linear]\n");
-  call.Out("decide indifferent-selection     --reduction-rate <parameter> <policy> [rate]\n");
-  call.Out("decide indifferent-selection     --auto-reduce [on | off]\n");
-  call.Out("decide indifferent-selection     --stats\n");
-  call.Out(kRule);
-  call.Out("decide predict\ndecide select                    [operator]\n");
-  call.Out("decide set-random-seed           [seed]\n");
-  call.Out(kRule);
-  call.Out("\nFor a detailed explanation of sub-commands:    help decide\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kDecideSubcommandList[] = {
     {"numeric-indifferent-mode", "[--avg | --sum]", "how several numbers for one operator count", kNumericOptions,
      NumericMode},
@@ -285,8 +262,6 @@ constexpr SubcommandInfo kDecideSubcommandList[] = {
     {"select", "[OPERATOR]", "the operator that the next decision selects, if it is proposed", {}, Select},
     {"set-random-seed", "[SEED]", "restarts the random numbers", {}, SetRandomSeed},
     {"srand", "[SEED]", "restarts the random numbers", {}, SetRandomSeed},
-    {"?", "", "an overview of the settings", {}, DecideHelp},
-    {"help", "", "an overview of the settings", {}, DecideHelp},
 };
 
 }  // namespace
@@ -295,10 +270,7 @@ const std::span<const SubcommandInfo> kDecideSubcommands = kDecideSubcommandList
 
 bool CommandDecide(CommandCall& call) {
   if (call.words.size() < 2) return DecideOverview(call);
-  std::string error;
-  return RunSubcommand(call, *FindCommand("decide", error),
-                       "Invalid decide command.  Use 'decide ?' to see a list of valid settings.",
-                       "Use 'decide ?' or 'help decide' to learn more about the decide command.", "qvz");
+  return RunSubcommand(call, {.also_known = "qvz"});
 }
 
 }  // namespace soarbox::cli

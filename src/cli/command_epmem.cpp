@@ -285,27 +285,13 @@ bool EpmemOverview(CommandCall& call) {
   return true;
 }
 
-/// Lists all settings, for `?`.
-bool ListSettings(CommandCall& call) {
-  call.Out("Episodic memory: settings\n");
-  for (const SettingInfo& info : SettingStore::All()) {
-    if (info.group != "epmem") continue;
-    call.Out(fmt::format("  {:<32} {:<12} {}\n", info.name, call.session.settings().Get(info.group, info.name),
-                         info.kind == SettingKind::kSwitch ? "on off" : info.choices));
-  }
-  call.Out("Options\n");
-  for (const OptionSpec& option : kEpmemTable) {
-    if (!option.help.empty()) call.Out(fmt::format("  -{}, --{:<26} {}\n", option.letter, option.name, option.help));
-  }
-  return true;
-}
-
 }  // namespace
 
 const std::span<const OptionSpec> kEpmemOptions = kEpmemTable;
 
 bool CommandEpmem(CommandCall& call) {
-  if (call.words.size() == 2 && (call.words[1].text == "?" || call.words[1].text == "help")) return ListSettings(call);
+  if (call.words.size() == 2 && (call.words[1].text == "?" || call.words[1].text == "help"))
+    return ShowHelp(call, "epmem");
   ParsedWords parsed;
   if (!call.Parse(kEpmemTable, parsed)) return false;
   if (parsed.options.empty()) {

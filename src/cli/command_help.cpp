@@ -25,6 +25,17 @@ void List(CommandCall& call) {
 
 }  // namespace
 
+bool ShowHelp(CommandCall& call, std::string_view name) {
+  std::string error;
+  const CommandInfo* command = FindCommand(name, error);
+  if (!command) {
+    call.Out("No such command '" + std::string(name) + "'.\n");
+    return call.FailPrinted();
+  }
+  call.Out(HelpText(*command, call.interpreter.aliases()));
+  return true;
+}
+
 bool CommandHelp(CommandCall& call) {
   if (call.words.size() < 2) {
     List(call);
@@ -43,14 +54,7 @@ bool CommandHelp(CommandCall& call) {
     call.Out(fmt::format("{} = \"{}\"\n\n", word, expansion));
     word = expansion.substr(0, expansion.find(' '));
   }
-  std::string error;
-  const CommandInfo* command = FindCommand(word, error);
-  if (!command) {
-    call.Out("No such command '" + word + "'.\n");
-    return call.FailPrinted();
-  }
-  call.Out(HelpText(*command, call.interpreter.aliases()));
-  return true;
+  return ShowHelp(call, word);
 }
 
 }  // namespace soarbox::cli

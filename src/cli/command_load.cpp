@@ -355,20 +355,6 @@ bool LoadPercepts(CommandCall& call) {
   return true;
 }
 
-bool LoadHelp(CommandCall& call) {
-  call.Out(
-      "============================================================\n"
-      "-               Load Sub-Commands and Options              -\n"
-      "============================================================\n"
-      "load file                       [--all --disable --verbose] <filename>\n"
-      "load library                    <filename> <args...>\n"
-      "load rete-network               --load <filename>\n"
-      "load percepts                   [--open <filename> | --close]\n"
-      "------------------------------------------------------------\n\n"
-      "For a detailed explanation of sub-commands:        help load\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kLoadSubcommandList[] = {
     {"file", "[--all --disable --verbose] FILE", "carries out the commands of a file", kFileOptions, LoadFile},
     {"library", "NAME [ARGUMENTS]", "loads a library", {}, LoadLibrary},
@@ -376,8 +362,6 @@ constexpr SubcommandInfo kLoadSubcommandList[] = {
      kReteOptions, LoadRete},
     {"percepts", "[--open FILE | --close]", "replays recorded input instead of clients' input", kPerceptsOptions,
      LoadPercepts},
-    {"?", "", "an overview of the sub-commands", {}, LoadHelp},
-    {"help", "", "an overview of the sub-commands", {}, LoadHelp},
 };
 
 }  // namespace
@@ -388,10 +372,7 @@ bool CommandLoad(CommandCall& call) {
   if (call.words.size() < 2) {
     return call.Fail("File type is required. \n\nUse 'load ?' or 'help load' to learn more about the load command.");
   }
-  std::string error;
-  return RunSubcommand(call, *FindCommand("load", error),
-                       "Invalid load command.  Use 'load ?' to see a list of valid settings.",
-                       "Use 'load ?' or 'help load' to learn more about the load command.");
+  return RunSubcommand(call, {});
 }
 
 }  // namespace soarbox::cli

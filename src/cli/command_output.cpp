@@ -12,8 +12,6 @@
 namespace soarbox::cli {
 namespace {
 
-constexpr std::string_view kInvalidSubcommand =
-    "Invalid output sub-command.  Use 'output ?' to see a list of valid sub-commands and settings.";
 constexpr std::string_view kInvalidArgument =
     "Invalid argument for output command. Use 'output ?' to see a list of valid sub-commands.";
 
@@ -213,32 +211,6 @@ bool CommandToFile(CommandCall& call) {
   return ok;
 }
 
-bool OutputHelp(CommandCall& call) {
-  const OutputSettings& output = call.session.output();
-  Summary summary(55);
-  summary.Rule('=').Title("Output Sub-Commands and Options", '-').Rule('=').Rule('-');
-  summary.Row("output enabled", OnOff(call.stream().enabled()), "   whether anything is printed at all");
-  summary.Row("output console", OnOff(call.stream().console()), "   also print to the standard output");
-  summary.Row("output callbacks", OnOff(call.stream().sink_enabled()),
-              "   send output to clients that registered for it");
-  summary.Rule('-');
-  summary.Row("output agent-logs", "<channel> [on | off]", "   show what (log) prints on a channel");
-  summary.Row("output agent-writes", OnOff(output.agent_writes), "   show what (write) prints");
-  summary.Rule('-');
-  summary.Row("output log", "[--append | -A] <filename>", "   write all output to a file as well");
-  summary.Row("output log", "--add <string>", "   add a line to it");
-  summary.Row("output log", "[--close]", "   close it");
-  summary.Rule('-');
-  summary.Row("output command-to-file", "[-a] <file> <command>", "   write what one command prints to a file");
-  summary.Rule('-');
-  summary.Row("output echo-commands", OnOff(output.echo_commands), "   send commands to clients that listen");
-  summary.Row("output print-depth", std::to_string(output.print_depth), "   levels of objects that print shows");
-  summary.Row("output warnings", OnOff(output.warnings), "   print warnings");
-  summary.Rule('-');
-  call.Out(summary.Take());
-  return true;
-}
-
 constexpr OptionSpec kEchoOptions[] = {{'n', "nonewline", OptionArgument::kNone, "no newline at the end"}};
 
 constexpr SubcommandInfo kOutputSubcommandList[] = {
@@ -256,8 +228,6 @@ constexpr SubcommandInfo kOutputSubcommandList[] = {
      EchoCommands},
     {"warnings", "[on | off]", "print warnings", kWarningOptions, Warnings},
     {"print-depth", "[N]", "levels of objects that print shows", {}, PrintDepth},
-    {"?", "", "an overview of the settings", {}, OutputHelp},
-    {"help", "", "an overview of the settings", {}, OutputHelp},
 };
 
 }  // namespace
@@ -274,9 +244,9 @@ bool CommandOutput(CommandCall& call) {
     call.words = outer;
     return ok;
   }
-  std::string error;
-  return RunSubcommand(call, *FindCommand("output", error), kInvalidSubcommand,
-                       "Use 'output ?' and 'help output' to learn more about the output command.");
+  return RunSubcommand(call, {"Invalid output sub-command.  Use 'output ?' to see a list of valid sub-commands and "
+                              "settings.",
+                              "Use 'output ?' and 'help output' to learn more about the output command."});
 }
 
 bool CommandEcho(CommandCall& call) {

@@ -495,22 +495,6 @@ bool OptimizeAttribute(CommandCall& call) {
   return true;
 }
 
-bool ProductionHelp(CommandCall& call) {
-  const std::string rule(66, '-');
-  call.Out(std::string(66, '=') + "\n-               Production Sub-Commands and Options              -\n" +
-           std::string(66, '=') + "\n");
-  for (const SubcommandInfo& subcommand : kProductionSubcommands) {
-    if (subcommand.name == "?" || subcommand.name == "help") continue;
-    std::string line = fmt::format("production {:<19}", subcommand.name);
-    for (const OptionSpec& option : subcommand.options) {
-      if (!option.help.empty()) line += fmt::format("[--{}] ", option.name);
-    }
-    call.Out(line + std::string(subcommand.usage) + "\n" + rule + "\n");
-  }
-  call.Out("\nFor a detailed explanation of sub-commands:    help production\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kProductionSubcommandList[] = {
     {"break", "[RULE]", "stops runs when a rule matches", kBreakOptions, Break},
     {"excise", "[RULE]", "removes rules", kExciseOptions, Excise},
@@ -524,8 +508,6 @@ constexpr SubcommandInfo kProductionSubcommandList[] = {
      {},
      OptimizeAttribute},
     {"watch", "[RULE]", "shows firings of a rule at any trace level", kWatchOptions, Watch},
-    {"?", "", "an overview of the sub-commands", {}, ProductionHelp},
-    {"help", "", "an overview of the sub-commands", {}, ProductionHelp},
 };
 
 }  // namespace
@@ -534,10 +516,7 @@ const std::span<const SubcommandInfo> kProductionSubcommands = kProductionSubcom
 
 bool CommandProduction(CommandCall& call) {
   if (call.words.size() < 2) return ProductionOverview(call);
-  std::string error;
-  return RunSubcommand(call, *FindCommand("production", error),
-                       "Invalid production command.  Use 'production ?' to see a list of valid settings.",
-                       "Use 'production ?' or 'help production' to learn more about the production command.", "bqvxyz");
+  return RunSubcommand(call, {.also_known = "bqvxyz"});
 }
 
 }  // namespace soarbox::cli

@@ -177,29 +177,13 @@ bool SaveRete(CommandCall& call) {
   return SaveRuleImage(call, *file);
 }
 
-bool SaveHelp(CommandCall& call) {
-  call.Out(
-      "======================================================\n"
-      "-            Save Sub-Commands and Options           -\n"
-      "======================================================\n"
-      "save agent                           <filename>\n"
-      "save chunks                          <filename>\n"
-      "save percepts                        [--open <filename> | --close | --flush]\n"
-      "save rete-network                    --save <filename>\n"
-      "------------------------------------------------------\n\n"
-      "For a detailed explanation of sub-commands:  help save\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kSaveSubcommandList[] = {
     {"agent", "FILE", "writes the agent's settings and rules to a file that can be sourced", {}, SaveAgent},
     {"chunks", "FILE", "writes learned rules to a file", {}, SaveChunks},
     {"percepts", "[--open FILE | --close | --flush]", "records what clients put on the input link", kPerceptsOptions,
      SavePercepts},
-    {"rete-network", "--save FILE", "writes an image of the rules, which loads faster than their text", kReteOptions,
-     SaveRete},
-    {"?", "", "an overview of the sub-commands", {}, SaveHelp},
-    {"help", "", "an overview of the sub-commands", {}, SaveHelp},
+    {"rete-network", "--save FILE", "writes the rules with the numbers that they learned, for load rete-network",
+     kReteOptions, SaveRete},
 };
 
 }  // namespace
@@ -210,10 +194,7 @@ bool CommandSave(CommandCall& call) {
   if (call.words.size() < 2) {
     return call.Fail("File type is required. \n\nUse 'save ?' or 'help save' to learn more about the save command.");
   }
-  std::string error;
-  return RunSubcommand(call, *FindCommand("save", error),
-                       "Invalid save command.  Use 'save ?' to see a list of valid settings.",
-                       "Use 'save ?' or 'help save' to learn more about the save command.");
+  return RunSubcommand(call, {});
 }
 
 }  // namespace soarbox::cli

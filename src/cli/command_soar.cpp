@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
@@ -61,38 +62,94 @@ std::int64_t LooseInteger(const std::string& text) {
   return ParseLeadingInteger(text).value_or(0);
 }
 
-std::string Value(CommandCall& call, std::string_view name) {
-  const AgentSettings& settings = call.agent().settings();
-  SettingStore& store = call.session.settings();
-  if (name == "keep-all-top-oprefs") return std::string(OnOff(settings.keep_all_top_o_preferences));
-  if (name == "max-elaborations") return std::to_string(settings.max_elaborations);
-  if (name == "max-goal-depth") return std::to_string(settings.max_goal_depth);
-  if (name == "max-nil-output-cycles") return std::to_string(settings.max_nil_output_cycles);
-  if (name == "max-dc-time") return std::to_string(settings.max_decision_time_us);
-  if (name == "max-partial-matches") return std::to_string(settings.max_partial_matches);
-  if (name == "max-gp") return std::to_string(settings.max_gp);
-  if (name == "stop-phase") return std::string(PhaseName(settings.stop_phase));
-  if (name == "like") return std::string(TextOf(settings.like));
-  if (name == "wait-snc") return std::string(OnOff(settings.wait_snc));
-  return store.Get("soar", name);
-}
-
-struct SettingRow {
-  std::string_view name, help;
+/// A setting of `soar`. Settings without a field are stored as texts, or have a handler of their own.
+struct SoarSetting {
+  using Field = std::variant<std::monostate, bool AgentSettings::*, int AgentSettings::*,
+                             std::uint32_t AgentSettings::*, std::int64_t AgentSettings::*>;
+  std::string_view name;
+  std::string_view help = {};  ///< For `soar ?`; empty: not listed there.
+  Field field = {};
+  std::string_view changed = {};  ///< Printed after a change to a number, which replaces {}, or to `on`.
+  std::string_view off = {};      ///< Printed after a change to 0 or `off`; empty: `changed` is.
+  std::int64_t minimum = 0;
+  /// Maximum value that a stranger's files may set, so that a world always advances and does not depend on wall time.
+  std::int64_t most_of_strangers = 2147483647;
 };
-constexpr SettingRow kRows[] = {
-    {"keep-all-top-oprefs", "Keep all preferences for o-supported WMEs on top state"},
-    {"max-elaborations", "Maximum elaboration in a decision cycle"},
-    {"max-goal-depth", "Halt if goal stack reaches this depth"},
-    {"max-nil-output-cycles", "Impasse after this many nil outputs (run --out)"},
-    {"max-dc-time", "Interrupt decision after this much time"},
-    {"max-memory-usage", "Threshold for memory warning (see help)"},
-    {"max-gp", "Maximum rules gp can generate"},
+
+constexpr SoarSetting kSettings[] = {
+    {"keep-all-top-oprefs", "Keep all preferences for o-supported WMEs on top state",
+     &AgentSettings::keep_all_top_o_preferences,
+     "Soar will now always retain top level preferences for items that are already o-supported.\n",
+     "Soar will now not retain top level preferences for items that are already o-supported.\n"},
+    {"max-elaborations",
+     "Maximum elaboration in a decision cycle",
+     &AgentSettings::max_elaborations,
+     "The maximum number of elaborations in a phase is now {}.\n",
+     {},
+     0,
+     10'000},
+    {"max-goal-depth",
+     "Halt if goal stack reaches this depth",
+     &AgentSettings::max_goal_depth,
+     "The maximum goal depth is now {}.\n",
+     {},
+     1,
+     1'000},
+    {"max-nil-output-cycles",
+     "Impasse after this many nil outputs (run --out)",
+     &AgentSettings::max_nil_output_cycles,
+     "The maximum number of decision cycles without output before interrupting is now {}.  (used with run --output)\n",
+     {},
+     1,
+     1'000},
+    {"max-dc-time", "Interrupt decision after this much time", &AgentSettings::max_decision_time_us,
+     "Soar will now interrupt decisions after {} seconds.\n",
+     "Soar will no longer interrupt based on how how long a decision takes. (default)\n", 0, 0},
+    {"max-memory-usage",
+     "Threshold for memory warning (see help)",
+     {},
+     "Soar will now interrupt execution if more than {} bytes of memory are used.  (This requires a special build of "
+     "Soar.  See manual for more information.)\n",
+     {},
+     1},
+    {"max-gp",
+     "Maximum rules gp can generate",
+     &AgentSettings::max_gp,
+     "The maximum number of rules gp can generate is now {}.\n",
+     {},
+     1,
+     100'000},
+    {"max-partial-matches",
+     {},
+     &AgentSettings::max_partial_matches,
+     "An agent that needs more than {} partial matches at a time is now halted.\n",
+     {},
+     1},
     {"stop-phase", "Phase before which Soar will stop"},
     {"tcl", "Allow Tcl code in commands"},
     {"timers", "Profile where Soar spends its time"},
-    {"wait-snc", "Wait instead of impasse after state-no-change"},
+    {"wait-snc", "Wait instead of impasse after state-no-change", &AgentSettings::wait_snc,
+     "Soar will now wait instead of impassing when a state doesn't change.\n",
+     "Soar will now impasse when a state doesn't change.\n"},
 };
+
+std::string Value(CommandCall& call, std::string_view name) {
+  const AgentSettings& settings = call.agent().settings();
+  if (name == "stop-phase") return std::string(PhaseName(settings.stop_phase));
+  if (name == "like") return std::string(TextOf(settings.like));
+  const SoarSetting& setting = *std::ranges::find(kSettings, name, &SoarSetting::name);
+  return std::visit(
+      [&](auto field) {
+        if constexpr (std::is_same_v<decltype(field), std::monostate>) {
+          return call.session.settings().Get("soar", name);
+        } else if constexpr (std::is_same_v<decltype(field), bool AgentSettings::*>) {
+          return std::string(OnOff(settings.*field));
+        } else {
+          return std::to_string(settings.*field);
+        }
+      },
+      setting.field);
+}
 
 bool SoarHelp(CommandCall& call) {
   std::string text = "====== Soar General Commands and Settings =====\n";
@@ -102,7 +159,8 @@ bool SoarHelp(CommandCall& call) {
   row("soar stop [--self]", "Stop Soar execution");
   row("soar version", "Print version number of Soar");
   text += "----------------- Settings --------------------\n";
-  for (const SettingRow& setting : kRows) {
+  for (const SoarSetting& setting : kSettings) {
+    if (setting.help.empty()) continue;
     const std::string value = Value(call, setting.name);
     row(fmt::format("{:<{}}{}", setting.name, 47 - value.size(), value), setting.help);
   }
@@ -221,16 +279,6 @@ bool ShowSetting(CommandCall& call, std::string_view name) {
   return true;
 }
 
-bool KeepAllTopOprefs(CommandCall& call) {
-  std::optional<bool> on;
-  if (!ReadSwitch(call, on)) return false;
-  if (!on) return ShowSetting(call, "keep-all-top-oprefs");
-  call.agent().mutable_settings().keep_all_top_o_preferences = *on;
-  call.Out(*on ? "Soar will now always retain top level preferences for items that are already o-supported.\n"
-               : "Soar will now not retain top level preferences for items that are already o-supported.\n");
-  return true;
-}
-
 bool Like(CommandCall& call) {
   if (call.words.size() < 2) return ShowSetting(call, "like");
   const std::string& word = call.words[1].text;
@@ -244,13 +292,37 @@ bool Like(CommandCall& call) {
   return call.Fail("The behaviour of this version is not known: 9.6.3 and 9.6.5 are.");
 }
 
-bool WaitSnc(CommandCall& call) {
+/// Shows or changes the setting that words[0] names.
+bool SwitchSetting(CommandCall& call) {
+  const SoarSetting& setting = *std::ranges::find(kSettings, call.words[0].text, &SoarSetting::name);
   std::optional<bool> on;
   if (!ReadSwitch(call, on)) return false;
-  if (!on) return ShowSetting(call, "wait-snc");
-  call.agent().mutable_settings().wait_snc = *on;
-  call.Out(*on ? "Soar will now wait instead of impassing when a state doesn't change.\n"
-               : "Soar will now impasse when a state doesn't change.\n");
+  if (!on) return ShowSetting(call, setting.name);
+  call.agent().mutable_settings().*std::get<bool AgentSettings::*>(setting.field) = *on;
+  call.Out(*on ? setting.changed : setting.off);
+  return true;
+}
+
+bool NumberSetting(CommandCall& call) {
+  const SoarSetting& setting = *std::ranges::find(kSettings, call.words[0].text, &SoarSetting::name);
+  if (call.words.size() < 2) return ShowSetting(call, setting.name);
+  const std::int64_t value = LooseInteger(call.words[1].text);
+  if (value < setting.minimum || value > 2147483647) return call.Fail(kInvalidSoarArgument);
+  if (call.interpreter.fence() != nullptr && value > setting.most_of_strangers)
+    return call.Fail(
+        fmt::format("The files of a scenario may set {} to {} at most.", setting.name, setting.most_of_strangers));
+  std::visit(
+      [&](auto field) {
+        if constexpr (std::is_same_v<decltype(field), std::monostate>) {
+          call.session.settings().Set("soar", setting.name, std::to_string(value));
+        } else {
+          AgentSettings& settings = call.agent().mutable_settings();
+          settings.*field = static_cast<std::remove_reference_t<decltype(settings.*field)>>(value);
+        }
+      },
+      setting.field);
+  call.Out(value == 0 && !setting.off.empty() ? std::string(setting.off)
+                                              : fmt::format(fmt::runtime(setting.changed), value));
   return true;
 }
 
@@ -273,87 +345,6 @@ bool Tcl(CommandCall& call) {
     return true;
   }
   return ShowSetting(call, "tcl");
-}
-
-/// Maximum values that a stranger's files may set for the limits of a decision, so that a world always advances. They
-/// may not set max-dc-time, because a run must not depend on wall time.
-constexpr std::pair<std::string_view, std::int64_t> kMostOfStrangers[] = {{"max-elaborations", 10'000},
-                                                                          {"max-goal-depth", 1'000},
-                                                                          {"max-nil-output-cycles", 1'000},
-                                                                          {"max-gp", 100'000},
-                                                                          {"max-dc-time", 0}};
-
-/// A setting with a number: shows it, or passes the new value to `set`, which may reject it.
-bool Number(CommandCall& call, std::string_view name, std::int64_t minimum,
-            const std::function<std::string(std::int64_t)>& set) {
-  if (call.words.size() < 2) return ShowSetting(call, name);
-  const std::int64_t value = LooseInteger(call.words[1].text);
-  if (value < minimum || value > 2147483647) return call.Fail(kInvalidSoarArgument);
-  if (call.interpreter.fence() != nullptr) {
-    for (const auto& [setting, most] : kMostOfStrangers)
-      if (setting == name && value > most)
-        return call.Fail(fmt::format("The files of a scenario may set {} to {} at most.", name, most));
-  }
-  call.Out(set(value));
-  return true;
-}
-
-bool MaxElaborations(CommandCall& call) {
-  return Number(call, "max-elaborations", 0, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_elaborations = static_cast<int>(value);
-    return fmt::format("The maximum number of elaborations in a phase is now {}.\n", value);
-  });
-}
-
-bool MaxGoalDepth(CommandCall& call) {
-  return Number(call, "max-goal-depth", 1, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_goal_depth = static_cast<int>(value);
-    return fmt::format("The maximum goal depth is now {}.\n", value);
-  });
-}
-
-bool MaxNilOutputCycles(CommandCall& call) {
-  return Number(call, "max-nil-output-cycles", 1, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_nil_output_cycles = static_cast<int>(value);
-    return fmt::format(
-        "The maximum number of decision cycles without output before interrupting is now {}.  (used with run "
-        "--output)\n",
-        value);
-  });
-}
-
-bool MaxDcTime(CommandCall& call) {
-  return Number(call, "max-dc-time", 0, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_decision_time_us = value;
-    if (value == 0) {
-      return std::string("Soar will no longer interrupt based on how how long a decision takes. (default)\n");
-    }
-    return fmt::format("Soar will now interrupt decisions after {} seconds.\n", value);
-  });
-}
-
-bool MaxMemoryUsage(CommandCall& call) {
-  return Number(call, "max-memory-usage", 1, [&](std::int64_t value) {
-    call.session.settings().Set("soar", "max-memory-usage", std::to_string(value));
-    return fmt::format(
-        "Soar will now interrupt execution if more than {} bytes of memory are used.  (This requires a special build "
-        "of Soar.  See manual for more information.)\n",
-        value);
-  });
-}
-
-bool MaxGp(CommandCall& call) {
-  return Number(call, "max-gp", 1, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_gp = static_cast<int>(value);
-    return fmt::format("The maximum number of rules gp can generate is now {}.\n", value);
-  });
-}
-
-bool MaxPartialMatches(CommandCall& call) {
-  return Number(call, "max-partial-matches", 1, [&](std::int64_t value) {
-    call.agent().mutable_settings().max_partial_matches = static_cast<std::uint32_t>(value);
-    return fmt::format("An agent that needs more than {} partial matches at a time is now halted.\n", value);
-  });
 }
 
 bool StopPhase(CommandCall& call) {
@@ -402,26 +393,27 @@ constexpr SubcommandInfo kSoarSubcommandList[] = {
     {"version", "", "the version of Soar that this behaves like, and the version of Soarbox", {}, Version},
     {"like", "[9.6.3 | 9.6.5]", "the version of Soar that rules behave like where versions differ", {}, Like},
     {"keep-all-top-oprefs", "[on | off]", "keep every preference for o-supported elements of the top state",
-     kSwitchOptions, KeepAllTopOprefs},
-    {"max-elaborations", "[N]", "elaborations in a phase before it is ended", {}, MaxElaborations},
-    {"max-goal-depth", "[N]", "states on the stack before the run is ended", {}, MaxGoalDepth},
-    {"max-nil-output-cycles", "[N]", "decisions without output before run --output ends", {}, MaxNilOutputCycles},
-    {"max-dc-time", "[MICROSECONDS]", "time that a decision may take; 0: any", {}, MaxDcTime},
+     kSwitchOptions, SwitchSetting},
+    {"max-elaborations", "[N]", "elaborations in a phase before it is ended", {}, NumberSetting},
+    {"max-goal-depth", "[N]", "states on the stack before the run is ended", {}, NumberSetting},
+    {"max-nil-output-cycles", "[N]", "decisions without output before run --output ends", {}, NumberSetting},
+    {"max-dc-time", "[MICROSECONDS]", "time that a decision may take; 0: any", {}, NumberSetting},
     {"max-memory-usage",
      "[BYTES]",
      "kept for clients that set it; without effect (see max-partial-matches)",
      {},
-     MaxMemoryUsage},
-    {"max-gp", "[N]", "rules that one gp command may make", {}, MaxGp},
+     NumberSetting},
+    {"max-gp", "[N]", "rules that one gp command may make", {}, NumberSetting},
     {"max-partial-matches",
      "[N]",
      "partial matches that rules may have at a time; an agent that needs more is halted for good",
      {},
-     MaxPartialMatches},
+     NumberSetting},
     {"stop-phase", "[PHASE]", "the phase before which runs by decisions stop", kStopPhaseOptions, StopPhase},
     {"tcl", "[on | off]", "Tcl in commands; never available", kSwitchOptions, Tcl},
     {"timers", "[on | off]", "keep times for stats", kSwitchOptions, Timers},
-    {"wait-snc", "[on | off]", "wait instead of making a state when no operator is proposed", kSwitchOptions, WaitSnc},
+    {"wait-snc", "[on | off]", "wait instead of making a state when no operator is proposed", kSwitchOptions,
+     SwitchSetting},
     {"?", "", "an overview of the settings", {}, SoarHelp},
     {"help", "", "an overview of the settings", {}, SoarHelp},
 };
@@ -435,10 +427,8 @@ bool CommandSoar(CommandCall& call) {
   const auto plain =
       std::count_if(call.words.begin(), call.words.end(), [](const Word& word) { return !word.text.starts_with('-'); });
   if (plain < 2 || plain > 3) return SoarOverview(call);
-  std::string error;
-  const CommandInfo* command = FindCommand("soar", error);
-  return RunSubcommand(call, *command, call.words.size() == 2 ? kInvalidSoarSubcommand : kInvalidCommand,
-                       "Use 'soar ?' and 'help soar' to learn more about the soar command.");
+  return RunSubcommand(call, {std::string(call.words.size() == 2 ? kInvalidSoarSubcommand : kInvalidCommand),
+                              "Use 'soar ?' and 'help soar' to learn more about the soar command."});
 }
 
 }  // namespace soarbox::cli

@@ -52,31 +52,6 @@ constexpr SubcommandInfo kVisualizeSubcommandList[] = {
     {"print-debug", "[on | off]", "print the drawing's text"},
 };
 
-bool VisualizeHelp(CommandCall& call) {
-  const SettingStore& store = call.session.settings();
-  std::string text = "======= Visualization Commands and Settings =======\n";
-  const auto row = [&](std::string_view left, std::string_view summary) {
-    text += fmt::format("{:<51}   {}\n", left, summary);
-  };
-  row("visualize ?", "this overview");
-  bool settings = false;
-  for (const SubcommandInfo& entry : kVisualizeSubcommands) {
-    const SettingInfo* info = SettingStore::Find("visualize", entry.name);
-    if (!info) {
-      row(fmt::format("visualize {} {}", entry.name, entry.usage), entry.summary);
-      continue;
-    }
-    if (!settings) text += "------------------- Settings ----------------------\n";
-    settings = true;
-    const std::string value = store.Get("visualize", entry.name);
-    row(fmt::format("{:<{}}{}", entry.name, 51 - std::min<std::size_t>(value.size(), 30), value), entry.summary);
-  }
-  text += "---------------------------------------------------\n\n";
-  row("To change a setting:", "visualize <setting> [<value>]");
-  call.Out(text);
-  return true;
-}
-
 /// The file of the drawing. Its name ends with the first unused number, unless `use-same-file` is on.
 std::filesystem::path NextFile(CommandCall& call) {
   const SettingStore& store = call.session.settings();
@@ -232,7 +207,7 @@ bool CommandVisualize(CommandCall& call) {
     return true;
   }
   const std::string& word = call.words[1].text;
-  if (word == "?" || word == "help") return VisualizeHelp(call);
+  if (word == "?" || word == "help") return ShowHelp(call, "visualize");
   if (word == "wm") return WorkingMemory(call, call.words.subspan(2));
   if (word == "smem") return SemanticMemory(call, call.words.subspan(2));
   if (word == "epmem") return Episode(call, call.words.subspan(2));

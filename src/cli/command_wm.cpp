@@ -298,26 +298,6 @@ bool Activation(CommandCall& call) {
   return true;
 }
 
-bool WmHelp(CommandCall& call) {
-  call.Out(
-      "=========================================================\n"
-      "-               WM Sub-Commands and Options             -\n"
-      "=========================================================\n"
-      "wm add          <id> [^]<attribute> <value> [+]\n"
-      "wm remove       <timetag>\n"
-      "wm activation   --get <parameter>\n"
-      "wm activation   --set <parameter> <value>\n"
-      "wm activation   [--history <timetag> | --stats | --timers]\n"
-      "wm watch        --add-filter    [--type <t>] <id> <attribute> <value>\n"
-      "wm watch        --remove-filter [--type <t>] <id> <attribute> <value>\n"
-      "wm watch        --list-filter   [--type <t>]\n"
-      "wm watch        --reset-filter  [--type <t>]\n"
-      "                <t> = adds, removes or both\n"
-      "---------------------------------------------------------\n\n"
-      "For a detailed explanation of sub-commands:       help wm\n");
-  return call.FailPrinted();
-}
-
 constexpr SubcommandInfo kWmSubcommandList[] = {
     {"add", "ID [^]ATTRIBUTE VALUE [+]", "adds an element to working memory, as input", {}, Add},
     {"remove", "TIMETAG", "removes an element from working memory", {}, Remove},
@@ -325,8 +305,6 @@ constexpr SubcommandInfo kWmSubcommandList[] = {
      Activation},
     {"watch", "[--add-filter ID ATTRIBUTE VALUE]", "limits the trace of elements (trace --wmes) to certain ones",
      kWatchOptions, Watch},
-    {"?", "", "an overview of the sub-commands", {}, WmHelp},
-    {"help", "", "an overview of the sub-commands", {}, WmHelp},
 };
 
 }  // namespace
@@ -340,10 +318,7 @@ bool CommandWm(CommandCall& call) {
         "activation and watch.\n\nUse 'wm ?' to see an overview of the command or 'help wm' to read the "
         "manual page.");
   }
-  std::string error;
-  return RunSubcommand(call, *FindCommand("wm", error),
-                       "Invalid wm command.  Use 'wm ?' to see a list of valid settings.",
-                       "Use 'wm ?' or 'help wm' to learn more about the wm command.");
+  return RunSubcommand(call, {});
 }
 
 }  // namespace soarbox::cli

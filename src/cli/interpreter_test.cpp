@@ -86,6 +86,28 @@ TEST_F(InterpreterTest, AnImageIsWrittenAndReadByTheCommandOfOlderScripts) {
   EXPECT_TRUE(Do("save rete-network --load x.net").ok);
 }
 
+TEST_F(InterpreterTest, AQuestionMarkPrintsTheHelpOfACommand) {
+  for (const char* const command :
+       {"debug", "decide", "epmem", "load", "output", "production", "save", "visualize", "wm"}) {
+    const std::string help = Do(std::string("help ") + command).text;
+    EXPECT_THAT(help, HasSubstr("\n\n  ")) << command;
+    for (const char* const word : {" ?", " help"}) EXPECT_EQ(Do(std::string(command) + word).text, help) << command;
+  }
+  EXPECT_THAT(Do("decide nothing").text, HasSubstr("Invalid decide command.  Use 'decide ?'"));
+}
+
+TEST_F(InterpreterTest, SettingsOfSoarAreShownAndChanged) {
+  EXPECT_EQ(Do("soar max-gp").text, "max-gp is 20000\n");
+  EXPECT_EQ(Do("soar max-gp 5").text, "The maximum number of rules gp can generate is now 5.\n");
+  EXPECT_FALSE(Do("soar max-gp 0").ok);
+  EXPECT_EQ(Do("soar max-memory-usage 1000").text.substr(0, 63),
+            "Soar will now interrupt execution if more than 1000 bytes of me");
+  EXPECT_EQ(Do("soar max-memory-usage").text, "max-memory-usage is 1000\n");
+  EXPECT_THAT(Do("soar max-dc-time 0").text, HasSubstr("no longer interrupt"));
+  EXPECT_EQ(Do("soar wait-snc on").text, "Soar will now wait instead of impassing when a state doesn't change.\n");
+  EXPECT_EQ(Do("soar wait-snc").text, "wait-snc is on\n");
+}
+
 TEST_F(InterpreterTest, ExcisingChunksExcisesJustifications) {
   Do("sp {pp (state <s> ^superstate nil) --> (<s> ^operator <o> +) (<o> ^name a)}");
   Do("sp {rr (state <s> ^superstate <ss>) (<ss> ^operator.name a) --> (<ss> ^res t)}");
