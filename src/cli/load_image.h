@@ -5,6 +5,10 @@
 
 #include "cli/command.h"
 
+/// Images of an agent's rules (`save rete-network`, `load rete-network`, files named .soarx).
+///
+/// An image is text: a first line, then the rules in the order of loading, each with its conditions in match order and
+/// all digits of its numbers. Loading it takes as long as sourcing the rules.
 namespace soarbox::cli {
 
 /// Replaces all rules of the agent by those of an image and initialises it (`load rete-network`, or `source` of a file

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "cli/rule_image.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <sstream>
 
 #include "cli/interpreter.h"
@@ -71,16 +68,22 @@ class RuleImageTest : public testing::Test {
     return Path(name);
   }
 
-  /// An image with this payload and a valid header.
-  static std::string Wrap(const std::string& payload) {
-    std::string image(rule_image::kMagic);
-    const auto fixed = [&](std::uint64_t number, int size) {
-      for (int i = 0; i < size; ++i) image += static_cast<char>(number >> (8 * i));
-    };
-    fixed(rule_image::kVersion, 4);
-    fixed(payload.size(), 8);
-    fixed(rule_image::Checksum(payload), 8);
-    return image + payload;
+  std::string Image() {
+    EXPECT_TRUE(source_.Do("save rete-network --save " + Path("all.soarx")).ok);
+    std::ostringstream text;
+    text << std::ifstream(Path("all.soarx"), std::ios::binary).rdbuf();
+    return text.str();
+  }
+  /// The answer to loading this file. Checks that it is refused and changes nothing.
+  std::string Refused(const std::string& bytes) const {
+    Shell shell;
+    shell.Do("sp {kept (state <s> ^a b) --> (<s> ^c d)}");
+    const std::uint64_t before = shell.agent.symbols().Digest();
+    const CommandResult result = shell.Do("load rete-network --load " + Write("file", bytes));
+    EXPECT_FALSE(result.ok);
+    EXPECT_NE(shell.agent.FindProduction("kept"), kernel::ProductionId::kNone) << "nothing changes";
+    EXPECT_EQ(shell.agent.symbols().Digest(), before);
+    return result.text;
   }
 
   std::filesystem::path folder_;
@@ -92,7 +95,7 @@ TEST_F(RuleImageTest, RulesFromAnImageLiveTheSameLife) {
             "10 productions written to file " + Path("all.soarx") + ".\n");
   Shell target;
   EXPECT_TRUE(target.Do("load rete-network --load " + Path("all.soarx")).ok);
-  EXPECT_EQ(WriteRuleImage(target.agent), WriteRuleImage(source_.agent));
+  EXPECT_EQ(target.Do("print --internal --all").text, source_.Do("print --internal --all").text);
   EXPECT_EQ(target.Life(), source_.Life());
   EXPECT_EQ(target.agent.CheckInvariants(), "");
 }
@@ -126,97 +129,34 @@ TEST_F(RuleImageTest, AnImageIsNotWrittenWhileThereAreJustifications) {
   EXPECT_FALSE(std::filesystem::exists(Path("no.soarx")));
 }
 
-TEST_F(RuleImageTest, AFileThatIsNoImageIsRefusedWithAWayOn) {
-  const std::string image = WriteRuleImage(source_.agent);
-  const auto answer = [&](const std::string& bytes) {
-    Shell shell;
-    shell.Do("sp {kept (state <s> ^a b) --> (<s> ^c d)}");
-    const CommandResult result = shell.Do("load rete-network --load " + Write("file", bytes));
-    EXPECT_FALSE(result.ok);
-    EXPECT_NE(shell.agent.FindProduction("kept"), kernel::ProductionId::kNone) << "nothing changes";
-    return result.text;
-  };
-  EXPECT_THAT(answer(""), HasSubstr("the file is empty"));
-  EXPECT_THAT(answer("SoarCompactReteNet\n\4rest"), HasSubstr("another Soar wrote"));
-  EXPECT_THAT(answer("sp {x (state <s> ^a b) --> (<s> ^c d)}"), HasSubstr("use 'source'"));
-  EXPECT_THAT(answer(image.substr(0, 30)), HasSubstr("ends within its header, at byte 30"));
-  EXPECT_THAT(answer(image.substr(0, image.size() - 1)), HasSubstr("it was cut or added to"));
-  std::string changed = image;
-  changed.back() = static_cast<char>(changed.back() ^ 1);
-  EXPECT_THAT(answer(changed), HasSubstr("checksum"));
-  changed = image;
-  changed[16] = 9;
-  EXPECT_THAT(answer(changed), HasSubstr("format 9"));
-  changed = image;
-  changed.erase(13, 1);
-  EXPECT_THAT(answer(changed), HasSubstr("copied as if it were text"));
-}
-
-TEST_F(RuleImageTest, ErrorsInThePayloadNameTheRuleAndTheByte) {
-  std::string payload = WriteRuleImage(source_.agent).substr(rule_image::kHeaderSize);
-  const std::size_t place = payload.find("crlf");
-  ASSERT_NE(place, std::string::npos);
-  payload.replace(place, 4, "nope");
-  kernel::SymbolTable symbols;
-  const auto rules = ReadRuleImage(Wrap(payload), "f.soarx", symbols);
-  ASSERT_FALSE(rules.ok());
-  EXPECT_EQ(rules.error().file, "f.soarx");
-  EXPECT_THAT(rules.error().message, StartsWith("byte "));
-  EXPECT_THAT(rules.error().message, HasSubstr("rule "));
-}
-
-TEST_F(RuleImageTest, ANumericPreferenceNeedsItsNumberAtOnce) {
+TEST_F(RuleImageTest, AnImageKeepsWhatPrintLeavesOut) {
   Shell shell;
-  shell.Do("sp {p (state <s> ^operator <o> + ^name <n>) --> (<s> ^operator <o> = <n>)}");
-  std::string payload = WriteRuleImage(shell.agent).substr(rule_image::kHeaderSize);
-  // The only action is the last: its code, then object, attribute, value and referent with two bytes each.
-  char& code = payload[payload.size() - 9];
-  ASSERT_EQ(code, static_cast<char>(kernel::PreferenceType::kBinaryIndifferent));
-  code = static_cast<char>(kernel::PreferenceType::kNumericIndifferent);
-  kernel::SymbolTable symbols;
-  const auto rules = ReadRuleImage(Wrap(payload), "f", symbols);
-  ASSERT_FALSE(rules.ok());
-  EXPECT_THAT(rules.error().message, HasSubstr("rule 'p': a numeric preference has no number"));
+  shell.Do(
+      "sp {fine :explain (state <s> ^superstate nil) --> (<s> ^far 3.0e20 ^near 1.25e-9 ^third 0.3333333333333333)}");
+  shell.Do("save rete-network --save " + Path("fine.soarx"));
+  Shell target;
+  EXPECT_TRUE(target.Do("load rete-network --load " + Path("fine.soarx")).ok);
+  const auto rule_of = [](const Shell& of) { return of.agent.production_ptr(of.agent.FindProduction("fine")); };
+  EXPECT_TRUE(rule_of(target)->explain);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(target.agent.symbols().FloatValue(rule_of(target)->actions[i].value.symbol()),
+              shell.agent.symbols().FloatValue(rule_of(shell)->actions[i].value.symbol()));
 }
 
-TEST_F(RuleImageTest, EveryCutIsAnErrorAndLeavesNoSymbols) {
-  const std::string payload = WriteRuleImage(source_.agent).substr(rule_image::kHeaderSize);
-  for (std::size_t length = 0; length < payload.size(); ++length) {
-    kernel::SymbolTable symbols;
-    const std::uint64_t before = symbols.Digest();
-    EXPECT_FALSE(ReadRuleImage(Wrap(payload.substr(0, length)), "f", symbols).ok()) << length;
-    EXPECT_EQ(symbols.Digest(), before);
-  }
+TEST_F(RuleImageTest, AFileThatIsNoImageIsRefusedWithAWayOn) {
+  EXPECT_THAT(Refused(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(Refused("SoarCompactReteNet\n\4rest"), HasSubstr("another program or version"));
+  EXPECT_THAT(Refused("Soarbox rules\r\n\x1a\1"), HasSubstr("another program or version"));
+  EXPECT_THAT(Refused("sp {x (state <s> ^a b) --> (<s> ^c d)}"), HasSubstr("use 'source'"));
 }
 
-TEST_F(RuleImageTest, ImagesWithWrongBytesEitherFailOrGiveRulesThatRun) {
-  const std::string payload = WriteRuleImage(source_.agent).substr(rule_image::kHeaderSize);
-  std::mt19937 random(2026);
-  int good = 0;
-  for (int round = 0; round < 3000; ++round) {
-    std::string changed = payload;
-    for (std::uint32_t n = random() % 3 + 1; n > 0; --n) {
-      changed[random() % changed.size()] = static_cast<char>(random() % 4 == 0 ? random() % 256 : random() % 12);
-    }
-    kernel::Agent agent("soar");
-    auto rules = ReadRuleImage(Wrap(changed), "f", agent.mutable_symbols());
-    if (!rules) continue;
-    ++good;
-    for (kernel::ProductionPtr& rule : *rules) agent.AddProduction(std::move(rule));
-    agent.Run(kernel::RunUnit::kDecision, 4);
-    EXPECT_EQ(agent.CheckInvariants(), "");
-  }
-  EXPECT_GT(good, 50) << "some changes do no harm";
-}
-
-TEST_F(RuleImageTest, NestingIsBounded) {
-  // The first condition of this rule consists of 100,000 nested negations.
-  std::string payload("\0\1\0\1\1x\0\0\0\0\0", 11);
-  for (int i = 0; i < 100000; ++i) payload += std::string("\1\2", 2);
-  kernel::SymbolTable symbols;
-  const auto rules = ReadRuleImage(Wrap(payload), "f", symbols);
-  ASSERT_FALSE(rules.ok());
-  EXPECT_THAT(rules.error().message, HasSubstr("nested too deeply"));
+TEST_F(RuleImageTest, AnErrorInAnImageIsReportedWithItsPlace) {
+  const std::string image = Image();
+  std::string changed = image;
+  changed.replace(changed.find("-->"), 3, "->>");
+  EXPECT_THAT(Refused(changed), HasSubstr("file:"));
+  EXPECT_THAT(Refused(image.substr(0, image.size() - 4)), HasSubstr("file:"));
+  EXPECT_THAT(Refused(image + "watch 5\n"), HasSubstr("an image contains only rules"));
 }
 
 }  // namespace

@@ -118,6 +118,7 @@ struct RuleDraft {
   bool interrupt = false;
   bool explain = false;
   bool is_rl = false;
+  bool keeps_order = false;  ///< The conditions are in match order already; reordering only moves their tests.
   DraftList<ConditionDraft> conditions;
   DraftList<ActionDraft> actions;
   std::vector<Symbol> new_identifiers;

@@ -8,6 +8,7 @@
 #include "kernel/base/known_symbols.h"
 #include "kernel/rules/draft.h"
 #include "kernel/rules/finish_rule.h"
+#include "kernel/rules/ordered_rule.h"
 #include "kernel/rules/rule_reader.h"
 #include "kernel/rules/syntax_help.h"
 
@@ -199,8 +200,8 @@ bool RuleReader::ReadRule(RuleDraft& rule) {
   return ReadActions(rule.actions);
 }
 
-ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
-                             const ExpectedValues& expected, const RuleLanguage& language) {
+static ParseOutcome Parse(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
+                          const ExpectedValues& expected, const RuleLanguage& language, bool keeps_order) {
   const SymbolTable::PinScope pin(symbols);
   ParseOutcome out;
   Arena arena;
@@ -208,6 +209,7 @@ ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, Sy
   rule.file = place.file;
   rule.line = place.line;
   rule.column = place.column;
+  rule.keeps_order = keeps_order;
   VariableIndex variables;
   RuleReader reader(body, place, symbols, variables, arena, language, out);
   if (reader.ReadRule(rule) && FinishRule(rule, variables, place, symbols, expected, arena, out)) {
@@ -217,6 +219,16 @@ ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, Sy
         {"(Ignoring production " + ToString(symbols, symbols.String(out.name)) + ")\n\n", false, false});
   }
   return out;
+}
+
+ParseOutcome ParseProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
+                             const ExpectedValues& expected, const RuleLanguage& language) {
+  return Parse(body, place, symbols, expected, language, false);
+}
+
+ParseOutcome ParseOrderedProduction(std::string_view body, const SourcePlace& place, SymbolTable& symbols,
+                                    const RuleLanguage& language) {
+  return Parse(body, place, symbols, {}, language, true);
 }
 
 }  // namespace soarbox::kernel

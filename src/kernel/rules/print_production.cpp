@@ -2,6 +2,8 @@
 #include "kernel/rules/print_production.h"
 
 #include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <vector>
 
 #include "diagnostics/name_table.h"
@@ -11,6 +13,15 @@
 namespace soarbox::kernel {
 
 namespace {
+
+void AppendSymbol(std::string& out, const SymbolTable& symbols, Symbol symbol, bool all_digits) {
+  if (!all_digits || !symbol.IsFloat()) return AppendTo(out, symbols, symbol);
+  char digits[512];
+  const char* const end =
+      std::to_chars(digits, std::end(digits), symbols.FloatValue(symbol), std::chars_format::fixed).ptr;
+  const std::string_view number(digits, static_cast<std::size_t>(end - digits));
+  out.append(number).append(number.find('.') == std::string_view::npos ? ".0" : "");
+}
 
 bool PrintsAsGoal(const Test& test) {
   return test.kind == TestKind::kState || test.kind == TestKind::kImpasse;
@@ -24,8 +35,8 @@ std::size_t Column(const std::string& out) {
 /// Prints a list of conditions or actions: one object per line, or several lines if an object is too long.
 class ObjectPrinter {
  public:
-  ObjectPrinter(std::string& out, const SymbolTable& symbols, bool internal)
-      : out_(out), symbols_(symbols), internal_(internal) {}
+  ObjectPrinter(std::string& out, const SymbolTable& symbols, const RulePrintOptions& options)
+      : out_(out), symbols_(symbols), internal_(options.internal), all_digits_(options.complete) {}
 
   /// `first_in_line`: the list continues in the current line.
   void Conditions(std::span<const Condition> conditions, std::size_t indent, bool first_in_line) {
@@ -77,11 +88,11 @@ class ObjectPrinter {
       first = false;
       out_.append(indent, ' ');
       if (actions[i].is_function_call) {
-        AppendRhsValue(out_, symbols_, actions[i].value);
+        AppendRhsValue(out_, symbols_, actions[i].value, all_digits_);
         continue;
       }
       out_ += '(';
-      AppendRhsValue(out_, symbols_, actions[i].id);
+      AppendRhsValue(out_, symbols_, actions[i].id, all_digits_);
       for (std::size_t j = i; j < actions.size(); ++j) {
         if (printed[j] || actions[j].is_function_call || actions[j].id.symbol() != actions[i].id.symbol()) {
           continue;
@@ -102,10 +113,10 @@ class ObjectPrinter {
   /// " ^attribute value +"
   std::string AttributeText(const Condition& condition) const {
     std::string text = condition.kind == ConditionKind::kNegative ? " -^" : " ^";
-    AppendTest(text, symbols_, condition.attribute);
+    AppendTest(text, symbols_, condition.attribute, all_digits_);
     if (condition.value.kind != TestKind::kBlank) {
       text += ' ';
-      AppendTest(text, symbols_, condition.value);
+      AppendTest(text, symbols_, condition.value, all_digits_);
     }
     if (condition.tests_acceptable) {
       text += " +";
@@ -115,9 +126,9 @@ class ObjectPrinter {
 
   std::string ActionText(const Action& action, bool always_signed) const {
     std::string text = " ^";
-    AppendRhsValue(text, symbols_, action.attribute);
+    AppendRhsValue(text, symbols_, action.attribute, all_digits_);
     text += ' ';
-    AppendRhsValue(text, symbols_, action.value);
+    AppendRhsValue(text, symbols_, action.value, all_digits_);
     const bool is_operator =
         action.attribute.kind == RhsValueKind::kConstant && action.attribute.symbol() == words::kOperator;
     if (always_signed || is_operator || action.preference != PreferenceType::kAcceptable) {
@@ -126,7 +137,7 @@ class ObjectPrinter {
     }
     if (action.HasReferent()) {
       text += ' ';
-      AppendRhsValue(text, symbols_, action.referent);
+      AppendRhsValue(text, symbols_, action.referent, all_digits_);
     }
     return text;
   }
@@ -141,9 +152,9 @@ class ObjectPrinter {
       }
     }
     if (condition.id.kind != TestKind::kConjunction) {
-      AppendTest(out_, symbols_, condition.id);
+      AppendTest(out_, symbols_, condition.id, all_digits_);
     } else if (rest.size() == 1) {
-      AppendTest(out_, symbols_, *rest.front());
+      AppendTest(out_, symbols_, *rest.front(), all_digits_);
     } else {
       AppendConjunction(rest);
     }
@@ -158,7 +169,7 @@ class ObjectPrinter {
   void AppendConjunction(const std::vector<const Test*>& parts) {
     out_ += "{ ";
     for (const Test* part : parts) {
-      AppendTest(out_, symbols_, *part);
+      AppendTest(out_, symbols_, *part, all_digits_);
       out_ += ' ';
     }
     out_ += '}';
@@ -175,7 +186,7 @@ class ObjectPrinter {
 
   std::string& out_;
   const SymbolTable& symbols_;
-  bool internal_;
+  bool internal_, all_digits_;
 };
 
 void AppendQuoted(std::string& out, std::string_view text) {
@@ -214,7 +225,7 @@ static const Test* OnlyLiteral(const Test& test) {
   return is_alone && literal->referent() == other->referent() ? literal : nullptr;
 }
 
-void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) {
+void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test, bool all_digits) {
   switch (test.kind) {
     case TestKind::kBlank:
       return;
@@ -233,7 +244,7 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
     case TestKind::kDisjunction:
       out += "<< ";
       for (const Symbol symbol : test.disjuncts()) {
-        AppendTo(out, symbols, symbol);
+        AppendSymbol(out, symbols, symbol, all_digits);
         out += ' ';
       }
       out += ">>";
@@ -241,26 +252,26 @@ void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test) 
     case TestKind::kConjunction:
       if (const Test* const literal = OnlyLiteral(test); literal != nullptr) {
         out += "$ ";
-        AppendTo(out, symbols, literal->referent());
+        AppendSymbol(out, symbols, literal->referent(), all_digits);
         return;
       }
       out += "{ ";
       for (const Test& part : test.parts()) {
-        AppendTest(out, symbols, part);
+        AppendTest(out, symbols, part, all_digits);
         out += ' ';
       }
       out += '}';
       return;
     default:
       out += ComparisonSign(test.kind);
-      AppendTo(out, symbols, test.referent());
+      AppendSymbol(out, symbols, test.referent(), all_digits);
       return;
   }
 }
 
-void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value) {
+void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value, bool all_digits) {
   if (value.kind != RhsValueKind::kFunction) {
-    AppendTo(out, symbols, value.symbol());
+    AppendSymbol(out, symbols, value.symbol(), all_digits);
     return;
   }
   const std::string_view function = BuiltinFunctions()[value.function_index()].name;
@@ -273,13 +284,13 @@ void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue
   }
   for (const RhsValue& argument : value.arguments()) {
     out += ' ';
-    AppendRhsValue(out, symbols, argument);
+    AppendRhsValue(out, symbols, argument, all_digits);
   }
   out += ')';
 }
 
 void AppendAction(std::string& out, const SymbolTable& symbols, const Action& action) {
-  ObjectPrinter(out, symbols, true).Actions({&action, 1}, 0);
+  ObjectPrinter(out, symbols, {.internal = true}).Actions({&action, 1}, 0);
 }
 
 // Unfinished parts are rarely printed, so they are first converted to the only part of a rule.
@@ -312,7 +323,7 @@ void AppendUngroundedAction(std::string& out, const SymbolTable& symbols, const 
   }
   out += '(';
   AppendRhsValue(out, symbols, action.id);
-  out += ObjectPrinter(out, symbols, true).ActionText(action, true) + ")";
+  out += ObjectPrinter(out, symbols, {.internal = true}).ActionText(action, true) + ")";
 }
 
 void AppendCondition(std::string& out, const SymbolTable& symbols, const Condition& condition) {
@@ -325,7 +336,7 @@ void AppendCondition(std::string& out, const SymbolTable& symbols, const Conditi
     out += '}';
     return;
   }
-  ObjectPrinter printer(out, symbols, true);
+  ObjectPrinter printer(out, symbols, {.internal = true});
   out += '(';
   printer.AppendId(condition);
   out += printer.AttributeText(condition) + ")";
@@ -369,7 +380,8 @@ std::string PrintProduction(const SymbolTable& symbols, const Production& produc
   if (production.interrupt) {
     out += "    :interrupt\n";
   }
-  ObjectPrinter printer(out, symbols, options.internal);
+  if (options.complete && production.explain) out += "    :explain\n";
+  ObjectPrinter printer(out, symbols, options);
   printer.Conditions(production.conditions, 4, true);
   out += "\n    -->\n";
   printer.Actions(production.actions, 4);

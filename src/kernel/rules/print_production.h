@@ -15,6 +15,7 @@ inline constexpr std::size_t kPrintColumns = 80;
 
 struct RulePrintOptions {
   bool internal = false;  ///< One line per condition and action, in match and firing order (`print -i`).
+  bool complete = false;  ///< Also what `print` leaves out: all digits of numbers, and `:explain`.
 };
 
 /// Prints a rule as `print` does, in a form that can be read again: "sp {name\n ... }\n".
@@ -23,8 +24,8 @@ std::string PrintProduction(const SymbolTable& symbols, const Production& produc
 
 // Parts of rules, for `matches`, `production find`, explanations and messages.
 
-void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test);
-void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value);
+void AppendTest(std::string& out, const SymbolTable& symbols, const Test& test, bool all_digits = false);
+void AppendRhsValue(std::string& out, const SymbolTable& symbols, const RhsValue& value, bool all_digits = false);
 void AppendTest(std::string& out, const SymbolTable& symbols, const TestDraft& test);
 void AppendRhsValue(std::string& out, const SymbolTable& symbols, const ValueDraft& value);
 /// Appends one action: "(<s> ^name value +)" or "(write ...)". The sign of an acceptable preference is shown only for

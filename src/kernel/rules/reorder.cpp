@@ -65,9 +65,9 @@ template <typename Set>
 class ListReorderer {
  public:
   /// `bound` must contain kNoVariable, because constants count as bound.
-  ListReorderer(std::string_view rule_name, const SymbolTable& symbols, const VariableIndex& variables,
+  ListReorderer(const RuleDraft& rule, const SymbolTable& symbols, const VariableIndex& variables,
                 const ExpectedValues& expected, Arena& arena, const Set& bound, ReorderOutcome& out)
-      : rule_name_(rule_name),
+      : rule_(rule),
         symbols_(symbols),
         variables_(variables),
         expected_(expected),
@@ -89,14 +89,16 @@ class ListReorderer {
       DropGoalTests();
     }
     if (!has_roots && is_top) {
-      Warn("Error: production " + std::string(rule_name_) +
+      Warn("Error: production " + std::string(rule_.name) +
            " has no positive conditions that reference a goal state.\n"
            "Did you forget to add \"^type state\" or \"^superstate nil\"?\n");
       out_.ok = false;
       return;
     }
     conditions = {};
-    if (is_long_) {
+    if (rule_.keeps_order) {
+      PlaceInOrder(conditions);
+    } else if (is_long_) {
       PlaceByQueue(conditions);
     } else {
       PlaceByScan(conditions);
@@ -126,6 +128,14 @@ class ListReorderer {
   static void AddVariable(Variables& set, std::uint32_t variable) {
     if (variable != kNoVariable) {
       set.Add(variable);
+    }
+  }
+
+  void PlaceInOrder(DraftList<ConditionDraft>& conditions) {
+    for (std::size_t n = 0; n < count_; ++n) {
+      ConditionDraft* const next = waiting_[n]->condition;
+      Place(*next);
+      conditions.Add(next);
     }
   }
 
@@ -366,7 +376,7 @@ class ListReorderer {
     }
     unconnected_.push_back(root);
     for (const Symbol variable : unconnected_) {
-      Warn("\nWarning: On the LHS of production " + std::string(rule_name_) + ", identifier " +
+      Warn("\nWarning: On the LHS of production " + std::string(rule_.name) + ", identifier " +
            std::string(symbols_.Text(variable)) + " is not connected to any goal or impasse.\n");
     }
   }
@@ -555,7 +565,7 @@ class ListReorderer {
 
   void WarnOfUnconnected() {
     if (!warned_) {
-      Warn("Warning:  in production " + std::string(rule_name_) +
+      Warn("Warning:  in production " + std::string(rule_.name) +
            ",\n     The LHS conditions are not all connected.\n");
       warned_ = true;
     }
@@ -575,7 +585,7 @@ class ListReorderer {
       case ConditionKind::kConjunctiveNegation: {
         Set inner_bound(variables_, arena_);
         inner_bound.Assign(bound_);
-        ListReorderer inner(rule_name_, symbols_, variables_, expected_, arena_, inner_bound, out_);
+        ListReorderer inner(rule_, symbols_, variables_, expected_, arena_, inner_bound, out_);
         inner.Reorder(condition.conditions, false);
         return;
       }
@@ -616,7 +626,7 @@ class ListReorderer {
     }
     std::string text;
     AppendTest(text, symbols_, test);
-    out_.messages.push_back({"Error: production " + std::string(rule_name_) +
+    out_.messages.push_back({"Error: production " + std::string(rule_.name) +
                                  " has an unbound referent in negated relational test " + text + ".\n",
                              false, false});
     Warn("\nAttempted to add an invalid rule:\n      Unbound relational test in negative condition of rule \n");
@@ -646,7 +656,7 @@ class ListReorderer {
     }
   }
 
-  std::string_view rule_name_;
+  const RuleDraft& rule_;
   const SymbolTable& symbols_;
   const VariableIndex& variables_;
   const ExpectedValues& expected_;
@@ -679,7 +689,7 @@ void Reorder(RuleDraft& rule, const VariableIndex& variables, const ExpectedValu
              const SymbolTable& symbols, Arena& arena, ReorderOutcome& out) {
   Set bound(variables, arena);
   bound.Add(kNoVariable);
-  ListReorderer<Set>(rule.name, symbols, variables, expected, arena, bound, out).Reorder(rule.conditions, true);
+  ListReorderer<Set>(rule, symbols, variables, expected, arena, bound, out).Reorder(rule.conditions, true);
 }
 
 }  // namespace
