@@ -10,7 +10,6 @@
 #include "mission/evaluator.h"
 #include "mission/gather_facts.h"
 #include "mission/testing.h"
-#include "sim/mind_log.h"
 #include "sim/run_event.h"
 #include "sim/scenario.h"
 #include "sim/simulation.h"

@@ -285,7 +285,7 @@ void Minds::Decide() {
   if (has_new_rules_) TellSlips();
   for (Mind& mind : minds_) {
     mind.decide_s = 0;
-    if (mind.soar.is_logged()) mind.soar.log().Clear();
+    if (mind.soar.is_logged()) mind.soar.record().Clear();
   }
   PlayClientActs();
   Notice();

@@ -102,7 +102,7 @@ void Minds::PlayClientAct(const std::vector<std::string>& parts) {
   }
   const std::string input_link = NameOfInputLink(mind.soar.agent());
   mind.scene->Note(parts, input_link);
-  mind::EventLog* const log = mind.soar.is_logged() ? &mind.soar.log().events() : nullptr;
+  mind::EventLog* const log = mind.soar.is_logged() ? &mind.soar.record().events : nullptr;
   std::vector<std::string> act = parts;
   if (kind == "line" && act.size() > 2) {
     if (Initializes(act[2])) {

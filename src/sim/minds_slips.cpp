@@ -35,7 +35,7 @@ Diagnostic Placed(const explain::Slip& slip, const std::vector<explain::RuleFile
 }
 
 /// Converts "Error: attempt to divide ('/') by zero." to a slip: the rule, and what to do.
-explain::Slip SlipOf(const ActionFailure& failure) {
+explain::Slip SlipOf(const mind::RuleOutput::Failure& failure) {
   constexpr std::string_view kError = "Error: ", kDivision = "attempt to divide ('";
   std::string text = failure.text;
   text.erase(0, text.find_first_not_of(" \t\n"));
@@ -146,7 +146,7 @@ void Minds::TellSlips() {
 }
 
 void Minds::TellFailures(Mind& mind, const world::Agent& body) {
-  for (const ActionFailure& failure : mind.soar.TakeFailures()) {
+  for (const mind::RuleOutput::Failure& failure : mind.soar.TakeFailures()) {
     // Arguments may differ each time, so only the first failure of a rule is reported.
     const bool is_scene = failure.text.starts_with("svs: ");
     const std::string kind = is_scene ? "\n" + failure.text : failure.text.empty() ? "\nfires without end" : "\nfailed";

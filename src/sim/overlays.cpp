@@ -136,7 +136,7 @@ world::OverlaySnapshot TakeOverlays(const Arena& arena, Minds& minds, const worl
     while (actor != actors.end() && (*actor)->id() < id) ++actor;
     const bool has_actor = actor != actors.end() && (*actor)->id() == id;
     const Minds::Mind* mind = minds.Find(id);
-    if (mind != nullptr) out.operator_name = mind->soar.log().Operators();
+    if (mind != nullptr) out.operator_name = mind->soar.record().Operators();
     if (has_actor) AddActor(**actor, out);
     if (mind != nullptr && mind->settings.has_distance) AddMeasured(world, body, *mind, out);
     if (!has_actor || (mind != nullptr && mind->is_scripted)) AddScripted(body, out);

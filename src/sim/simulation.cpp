@@ -596,7 +596,7 @@ std::size_t Simulation::present_soar_agents() const {
 }
 MindReport Simulation::Mind(std::size_t index) const {
   const Minds::Mind& mind = impl_->minds->all()[index];
-  return {AgentOfMind(index), mind.soar.log().events(), mind.decide_s};
+  return {AgentOfMind(index), mind.soar.record().events, mind.decide_s};
 }
 const std::string& Simulation::AgentOfMind(std::size_t index) const {
   return impl_->world.FindAgent(impl_->minds->all()[index].agent)->name();

@@ -13,11 +13,11 @@
 #include "diagnostics/result.h"
 #include "explain/inspector.h"
 #include "explain/why_node.h"
+#include "mind/mind_record.h"
 #include "script/world_budget.h"
 #include "sim/commands_elsewhere.h"
 #include "sim/input.h"
 #include "sim/live_edits.h"
-#include "sim/mind_log.h"
 #include "sim/run_event.h"
 #include "sim/scenario.h"
 #include "sim/soar_host.h"
@@ -35,6 +35,7 @@ namespace soarbox::sim {
 
 class Arena;
 class ForeignBodies;
+using mind::MindDetail;
 
 /// What one Soar mind did in a tick.
 struct MindReport {

@@ -11,7 +11,6 @@
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
 #include "soarbox_Inspection.h"
-#include "soarbox_Limits.h"
 #include "soarbox_Observation.h"
 #endif
 #include "vocabulary/vocabulary_percepts.h"
@@ -19,8 +18,6 @@
 namespace soarbox::sim {
 namespace {
 
-constexpr std::size_t kMostWritten = 64 * 1024;
-constexpr std::size_t kMostFailures = 100;
 constexpr int kDeepestParameter = 4;
 /// Limits for parameters of one command, including everything below it, and of all commands of a mind in one tick.
 constexpr std::size_t kMostParameters = 1'000, kMostParametersPerTick = 20'000;
@@ -70,54 +67,47 @@ vocabulary::PerceptList ReadBelow(sml::Identifier& parent, std::size_t& left, in
   return list;
 }
 
+void AddParameters(const vocabulary::PerceptList& list, std::uint32_t depth, std::vector<mind::Parameter>& parameters) {
+  for (const vocabulary::Percept& percept : list) {
+    if (parameters.size() >= mind::kMostParameters) return;
+    mind::Parameter& parameter = parameters.emplace_back();
+    parameter.depth = depth;
+    parameter.attribute = percept.attribute;
+    if (const auto* below = std::get_if<vocabulary::PerceptList>(&percept.value)) {
+      parameter.is_object = true;
+      AddParameters(*below, depth + 1, parameters);
+    } else if (const auto* integer = std::get_if<std::int64_t>(&percept.value)) {
+      parameter.value = *integer;
+    } else if (const auto* number = std::get_if<double>(&percept.value)) {
+      parameter.value = *number;
+    } else {
+      parameter.value = std::string_view(*percept.Text());
+    }
+  }
+}
+
 }  // namespace
 
 /// Our own kernel reports the output of rules separately from traces that a debugger has requested. For another kernel,
 /// its entire output is used.
-struct SoarMind::Writing
+struct SoarMind::Observations {
+  Observations(sml::Agent& agent, mind::RuleOutput& output) {
 #ifdef SOARBOX_OWN_KERNEL
-    : MindObserver
+    of_output = ObserveOutput(agent, output);
+    if (of_output != nullptr) return;
 #endif
-{
-  explicit Writing(sml::Agent& agent) {
+    agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &Observations::OnPrint, &output);
+  }
+  static void OnPrint(sml::smlPrintEventId, void* output, sml::Agent*, char const* message) {
+    static_cast<mind::RuleOutput*>(output)->Write(message);
+  }
 #ifdef SOARBOX_OWN_KERNEL
-    observation = ObserveMind(agent, *this, soarbox::MindDetail::kWritten);
-    if (observation != nullptr) return;
+  std::unique_ptr<Observation> of_output, of_mind;
 #endif
-    agent.RegisterForPrintEvent(sml::smlEVENT_PRINT, &Writing::OnPrint, this);
-  }
-  static void OnPrint(sml::smlPrintEventId, void* self, sml::Agent*, char const* message) {
-    static_cast<Writing*>(self)->Add(message);
-  }
-  void Add(std::string_view more) {
-    if (text.size() < kMostWritten) text += more;
-  }
-
-#ifdef SOARBOX_OWN_KERNEL
-  void OnWritten(std::string_view more) override {
-    Add(more);
-  }
-  void OnActionFailed(std::string_view rule, std::string_view why) override {
-    if (failures.size() < kMostFailures) failures.push_back({std::string(rule), std::string(why)});
-  }
-  void OnEndlessFiring(std::string_view rule) override {
-    if (failures.size() < kMostFailures) failures.push_back({std::string(rule), {}});
-  }
-  void OnOperator(int, std::string_view, std::string_view) override {}
-  void OnState(int, std::string_view, mind::StateReason, bool) override {}
-  void OnStateGone(int, std::string_view) override {}
-  void OnHalt() override {}
-  void OnFiring(std::string_view, int, bool) override {}
-  void OnElement(const mind::ElementChanged&) override {}
-
-  std::unique_ptr<Observation> observation;
-#endif
-  std::string text;
-  std::vector<ActionFailure> failures;
 };
 
-void SoarMind::EndWriting::operator()(Writing* writing) const {
-  delete writing;
+void SoarMind::EndObservations::operator()(Observations* observations) const {
+  delete observations;
 }
 
 SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
@@ -129,7 +119,7 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
       rows_(*link_),
       graph_(std::make_unique<GraphMirror>(*link_)),
       blinks_(settings.blinks),
-      writing_(new Writing(agent)) {
+      observations_(new Observations(agent, *output_)) {
   agent.SetBlinkIfNoChange(settings.blinks);
   // ReadOutput finds new elements by their time tags. With change tracking, a kernel in another process would have to
   // report each decision.
@@ -151,16 +141,17 @@ SoarMind::SoarMind(sml::Agent& agent, const MindSettings& settings)
 }
 
 void SoarMind::SetDetail(MindDetail detail, [[maybe_unused]] bool origins) {
-  if (detail == MindDetail::kNone && !is_logged_) return;
+  if (observations_ == nullptr || (detail == MindDetail::kNone && !is_logged_)) return;
   is_logged_ = detail != MindDetail::kNone;
-  log_.Clear();
-  log_.Listen(*agent_, detail);
+  record_->Clear();
 #ifdef SOARBOX_OWN_KERNEL
+  observations_->of_mind.reset();
+  if (is_logged_) observations_->of_mind = ObserveMind(*agent_, *record_, detail);
   if (is_logged_ && origins) NoteOrigins(*agent_);
 #endif
   for (InputMirror* mirror : {&own_body_, &messages_, &surroundings_, &rows_})
-    mirror->SetLog(is_logged_ ? &log_.events() : nullptr);
-  graph_->SetLog(is_logged_ ? &log_.events() : nullptr);
+    mirror->SetLog(is_logged_ ? &record_->events : nullptr);
+  graph_->SetLog(is_logged_ ? &record_->events : nullptr);
 }
 
 void SoarMind::SetDistance(float distance_squared_m2) {
@@ -169,7 +160,7 @@ void SoarMind::SetDistance(float distance_squared_m2) {
   const auto value = static_cast<double>(distance_squared_m2);
   const bool is_same = value == slot.number;
   if (is_same && !blinks_) return;
-  if (is_logged_ && !is_same) log_.events().Add(mind::PerceptChanged{{}, "distance", 0, value});
+  if (is_logged_ && !is_same) record_->events.Add(mind::PerceptChanged{{}, "distance", 0, value});
   slot.number = value;
   const Batch batch(*agent_);
   link_->Change(slot);
@@ -253,7 +244,12 @@ void SoarMind::ReadOutput() {
 }
 
 void SoarMind::NoteSaid(const vocabulary::SaidCommand& said) {
-  log_.NoteCommand(said.tag, said.name, said.parameters);
+  said_.timetag = said.tag;
+  said_.name = said.name;
+  said_.rule = record_->MakerOf(said.tag);
+  said_.parameters.clear();
+  AddParameters(said.parameters, 0, said_.parameters);
+  record_->events.Add(said_);
 }
 
 /// The command's identifier; null if it is not an identifier or was removed, because a debugger may have run the agent
@@ -284,13 +280,13 @@ void SoarMind::NoteOutcome(std::string_view command, const Outcome& outcome) {
     case Outcome::Status::kProgress:
       return;
     case Outcome::Status::kComplete:
-      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kComplete, {}});
+      record_->events.Add(mind::CommandEnded{command, mind::CommandStatus::kComplete, {}});
       return;
     case Outcome::Status::kInterrupted:
-      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kInterrupted, {}});
+      record_->events.Add(mind::CommandEnded{command, mind::CommandStatus::kInterrupted, {}});
       return;
     case Outcome::Status::kError:
-      log_.events().Add(mind::CommandEnded{command, mind::CommandStatus::kError, outcome.reason});
+      record_->events.Add(mind::CommandEnded{command, mind::CommandStatus::kError, outcome.reason});
       return;
   }
 }
@@ -324,13 +320,13 @@ void SoarMind::Answer(const Outcome& outcome) {
   }
 }
 
-std::vector<ActionFailure> SoarMind::TakeFailures() {
-  return std::exchange(writing_->failures, {});
+std::vector<mind::RuleOutput::Failure> SoarMind::TakeFailures() {
+  return std::exchange(output_->failures, {});
 }
 
 std::vector<std::string> SoarMind::TakeWritten() {
   std::vector<std::string> lines;
-  std::string& text = writing_->text;
+  std::string& text = output_->text;
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = text.find('\n', begin);
@@ -410,9 +406,8 @@ void SoarMind::AllowMemory(std::size_t) {}
 #endif
 
 void SoarMind::Forget() {
-  writing_.reset();
+  observations_.reset();
   link_->Close();
-  log_.Listen(*agent_, MindDetail::kNone);
   standing_.clear();
   commands_.clear();
   withdrawn_.clear();

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "mind/mind_record.h"
 #include "sim/actor.h"
 #include "sim/graph_mirror.h"
 #include "sim/input_mirror.h"
-#include "sim/mind_log.h"
 #include "sim/percept_link.h"
 #include "sim/scene_sense.h"
 #include "vocabulary/command_check.h"
@@ -25,6 +25,8 @@ class Identifier;
 
 namespace soarbox::sim {
 
+using mind::MindDetail;
+
 struct MindSettings {
   bool has_distance = true;               ///< It perceives the thesis' ^distance.
   bool blinks = true;                     ///< ^distance is a new element in each tick.
@@ -33,12 +35,6 @@ struct MindSettings {
   bool imagines = false;                  ///< Its spatial visual system is on and receives what its body perceives.
   MindDetail detail = MindDetail::kNone;  ///< How much is recorded of what it does.
   bool origins = true;                    ///< If something is recorded: the kernel also records origins for *why*.
-};
-
-/// An action that failed when a rule fired, or a rule that would fire endlessly.
-struct ActionFailure {
-  std::string rule;
-  std::string text;  ///< The kernel's message: "Error: attempt to divide ('/') by zero.\n". Empty: it fires endlessly.
 };
 
 /// The mind of an agent as a Soar program. Its percepts are on its input link; each identifier directly on its output
@@ -77,7 +73,7 @@ class SoarMind {
   /// Output of rules since the last call, as lines without blank ones. Of more than 64 KB, the rest is left out.
   std::vector<std::string> TakeWritten();
   /// Failed actions since the last call, at most a hundred. Always empty for a kernel in another process.
-  std::vector<ActionFailure> TakeFailures();
+  std::vector<mind::RuleOutput::Failure> TakeFailures();
 
   /// Whether the program has halted. It does nothing until it is restarted.
   bool Halted() const;
@@ -104,8 +100,8 @@ class SoarMind {
   void Forget();
   sml::Agent& agent() { return *agent_; }
   /// What it did in this tick; empty unless MindSettings::detail requests it.
-  MindLog& log() { return log_; }
-  const MindLog& log() const { return log_; }
+  mind::MindRecord& record() { return *record_; }
+  const mind::MindRecord& record() const { return *record_; }
   bool is_logged() const { return is_logged_; }
   /// Sets how much is recorded from now on. `origins` as in MindSettings; origins that are recorded already stay on.
   void SetDetail(MindDetail detail, bool origins);
@@ -140,17 +136,19 @@ class SoarMind {
   std::vector<vocabulary::SaidCommand> commands_;
   std::vector<std::uint64_t> withdrawn_;
   std::vector<Standing> standing_;  ///< Sorted by tag; usually few.
-  MindLog log_;
+  std::unique_ptr<mind::MindRecord> record_ = std::make_unique<mind::MindRecord>();
   bool is_logged_ = false;
   std::uint32_t own_match_limit_ = 0;  ///< The agent's own limit.
   std::uint32_t match_limit_ = 0;      ///< The limit that AllowMatches has set; 0: none.
   std::size_t memory_limit_ = 0;       ///< The limit that AllowMemory has set; 0: none.
-  /// Receives the output of rules. The kernel stores its address.
-  struct Writing;
-  struct EndWriting {
-    void operator()(Writing* writing) const;
+  std::unique_ptr<mind::RuleOutput> output_ = std::make_unique<mind::RuleOutput>();
+  mind::CommandSaid said_;  ///< Scratch of NoteSaid.
+  /// Fill record_ and output_.
+  struct Observations;
+  struct EndObservations {
+    void operator()(Observations* observations) const;
   };
-  std::unique_ptr<Writing, EndWriting> writing_;
+  std::unique_ptr<Observations, EndObservations> observations_;
 };
 
 }  // namespace soarbox::sim

@@ -80,7 +80,6 @@ ALLOWED = {
     "kernel/io/input_link.h InputLink": 17,
     "bytes/byte_stream.h ByteReader": 17,
     "sml/client/soarbox_Inspection.h MindInspection": 17,
-    "sml/client/soarbox_Observation.h MindObserver": 17,
     "cli/print_stream.h PrintStream": 16,
     "kernel/imagery/tracked_list.h TrackedList": 16,
     "kernel/learn/justification.h Justifier": 16,

@@ -2,7 +2,6 @@
 #include <strings.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 #include "sml/client/agent_data.h"

@@ -43,15 +43,13 @@ sp {apply*forget
 )";
 
 /// The selected operators, in order.
-struct Decisions final : MindObserver {
-  void OnOperator(int, std::string_view, std::string_view name) override { names.emplace_back(name); }
-  void OnState(int, std::string_view, mind::StateReason, bool) override {}
-  void OnStateGone(int, std::string_view) override {}
-  void OnHalt() override {}
-  void OnFiring(std::string_view, int, bool) override {}
-  void OnElement(const mind::ElementChanged&) override {}
+std::vector<std::string> OperatorsIn(const mind::MindRecord& record) {
   std::vector<std::string> names;
-};
+  record.events.ForEach([&](const mind::Event& event) {
+    if (const auto* selected = std::get_if<mind::OperatorSelected>(&event)) names.emplace_back(selected->name);
+  });
+  return names;
+}
 
 class ClientLog : public testing::Test {
  protected:
@@ -76,8 +74,8 @@ class ClientLog : public testing::Test {
     sml::Agent* const agent = kernel->CreateAgent("walker");
     EXPECT_TRUE(agent->LoadProductions(rules.c_str()));
     if (seed != nullptr) agent->ExecuteCommandLine(seed);
-    Decisions decisions;
-    std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
+    mind::MindRecord record;
+    std::unique_ptr<Observation> observation = ObserveMind(*agent, record, mind::MindDetail::kDecisions);
     sml::IntElement* const turn = agent->CreateIntWME(agent->GetInputLink(), "turn", 0);
     sml::Identifier* const place = agent->CreateIdWME(agent->GetInputLink(), "place");
     sml::StringElement* const name = agent->CreateStringWME(place, "name", "gate\twith a tab");
@@ -90,7 +88,7 @@ class ClientLog : public testing::Test {
     }
     observation.reset();
     kernel->Shutdown();
-    return decisions.names;
+    return OperatorsIn(record);
   }
 
   /// Replays the log for a new agent. Returns its decisions. Adds differences from the recording to `problems`.
@@ -100,8 +98,8 @@ class ClientLog : public testing::Test {
     // Commands in a recording may read only files of the recording.
     kernel->FenceFiles({folder.string()});
     sml::Agent* const agent = kernel->CreateAgent("walker");
-    Decisions decisions;
-    std::unique_ptr<Observation> observation = ObserveMind(*agent, decisions, MindDetail::kDecisions);
+    mind::MindRecord record;
+    std::unique_ptr<Observation> observation = ObserveMind(*agent, record, mind::MindDetail::kDecisions);
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
       std::vector<std::string> parts = PartsOfClientAct(line);
@@ -112,7 +110,7 @@ class ClientLog : public testing::Test {
     }
     observation.reset();
     kernel->Shutdown();
-    return decisions.names;
+    return OperatorsIn(record);
   }
 
   std::string Log() const {

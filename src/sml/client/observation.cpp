@@ -14,7 +14,6 @@
 #include "sml/client/local_agent_link.h"
 #include "sml/server/decision_packer.h"
 #include "sml/server/printed_names.h"
-#include "soarbox_Limits.h"
 #include "soarbox_Observation.h"
 
 namespace soarbox {
@@ -48,84 +47,59 @@ mind::StateReason ReasonOf(kernel::ImpasseType impasse) {
   return static_cast<mind::StateReason>(impasse);
 }
 
-/// Forwards the events of one agent of a kernel in this process.
-class LocalObservation final : public Observation, kernel::Observer {
+/// Records the events of one agent of a kernel in this process.
+class MindObservation final : public Observation, kernel::Observer {
  public:
-  LocalObservation(kernel::Agent& agent, MindObserver& listener, MindDetail detail)
-      : agent_(agent), listener_(listener) {
+  MindObservation(kernel::Agent& agent, mind::MindRecord& record, mind::MindDetail detail)
+      : agent_(agent), record_(record) {
     kernel::EventMask events = Event::kDecision | Event::kReason | Event::kRun | Event::kOutput | Event::kRecall |
                                Event::kLearning | Event::kReinforcement;
-    if (detail == MindDetail::kWritten) events = Event::kPrint | Event::kRun;
-    if (detail == MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
-    tells_decisions_ = detail != MindDetail::kWritten;
-    if (tells_decisions_) agent_.mutable_explanations().noting = true;
+    if (detail == mind::MindDetail::kAll) events = events | Event::kFiring | Event::kWme;
+    record_.ForgetWaiting();
+    agent_.mutable_explanations().noting = true;
     total_reward_ = agent_.reward().total_reward;
     agent_.AddObserver(*this, events);
   }
-  ~LocalObservation() override {
+  ~MindObservation() override {
     agent_.RemoveObserver(*this);
-    if (tells_decisions_) agent_.mutable_explanations().noting = false;
+    agent_.mutable_explanations().noting = false;
   }
 
  private:
   void OnDecided(const kernel::Agent& agent, const kernel::DecisionReport& report) override {
     decided_for_ = report.goal;
-    listener_.OnDecided(decisions_.Pack(agent, report));
+    decision_ = decisions_.Pack(agent, report);
   }
   void OnDecision(const kernel::Agent& agent, const kernel::GoalInfo& goal, std::uint64_t) override {
     if (agent.reinforcement().learning) NoteEpisode(agent, goal);
     // If this state has just been decided, its texts exist already.
     const bool is_known = std::exchange(decided_for_, {}) == goal.goal;
+    const std::string_view decision = std::exchange(decision_, {});
+    const int level = static_cast<int>(goal.level);
     if (goal.op) {
       if (is_known) {
         const server::DecisionPacker::Operator known = decisions_.Find(goal.op);
-        if (!known.id.empty()) return listener_.OnOperator(static_cast<int>(goal.level), known.id, known.name);
+        if (!known.id.empty()) return record_.OnOperator({level, known.id, known.name, decision});
       }
       const server::IdentifierText op(agent, goal.op);
-      listener_.OnOperator(static_cast<int>(goal.level), op.view(), names_.NameOfOperator(agent, goal.op));
+      record_.OnOperator({level, op.view(), names_.NameOfOperator(agent, goal.op), decision});
     } else {
       const server::IdentifierText state(agent, goal.goal);
-      listener_.OnState(static_cast<int>(goal.level), state.view(), ReasonOf(goal.impasse), goal.on_operator);
+      record_.OnState({level, state.view(), ReasonOf(goal.impasse), goal.on_operator, decision});
     }
   }
   void OnStateRemoved(const kernel::Agent& agent, const kernel::GoalInfo& goal, kernel::GoalRemoval why) override {
     if (why == kernel::GoalRemoval::kWithSuperstate) return;
-    listener_.OnStateGone(static_cast<int>(goal.level), SymbolText(agent, goal.goal));
+    record_.OnStateGone({static_cast<int>(goal.level), SymbolText(agent, goal.goal)});
   }
   void OnRecall(const kernel::Agent&, const kernel::RecallInfo& info) override {
-    listener_.OnRecall(static_cast<int>(info.level), info.is_episode, info.number, info.question, info.answer,
-                       info.reason);
-  }
-  void OnPrint(const kernel::Agent&, std::string_view text) override { listener_.OnWritten(text); }
-  void OnError(const kernel::Agent& agent, std::string_view text) override {
-    listener_.OnWritten(text);
-    if (const std::string_view rule = agent.FiringRule(); !rule.empty()) listener_.OnActionFailed(rule, text);
-  }
-  void OnSceneProblem(const kernel::Agent& agent, kernel::WmeId command, std::string_view problem,
-                      std::string_view hint) override {
-    const kernel::PreferenceId maker = agent.memory().record(command).preference;
-    if (maker == kernel::PreferenceId::kNone) return;
-    const std::string_view rule = agent.ProductionName(agent.memory().preference(maker).instantiation);
-    if (rule.empty()) return;
-    const std::string name(names_.Of(agent, agent.memory().wme(command).attribute));
-    listener_.OnActionFailed(rule, "svs: command " + name + ": " + std::string(problem) + "\n" + std::string(hint));
-  }
-  void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override {
-    // Of the warnings, only endless firing is reported, and only once, because it would recur in each decision.
-    if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
-      if (std::exchange(told_of_elaborations_, true)) return;
-      listener_.OnWritten("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
-      if (const std::string_view rule = agent.NextRule(); !rule.empty()) listener_.OnEndlessFiring(rule);
-    }
-    if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) listener_.OnWritten(text);
-  }
-  void OnRuleInterrupt(const kernel::Agent& agent, kernel::ProductionId rule, std::uint32_t) override {
-    listener_.OnWritten("interrupted by the rule " + std::string(agent.production(rule).name) + "\n");
+    record_.events.Add(mind::Recalled{static_cast<int>(info.level), info.is_episode, info.number, info.question,
+                                      info.answer, info.reason});
   }
   void OnHalt(const kernel::Agent& agent) override {
-    listener_.OnHalt();
+    record_.events.Add(mind::Halted{});
     NoteReward(agent);
-    if (std::exchange(is_in_episode_, false)) listener_.OnEpisodeEnd();
+    if (std::exchange(is_in_episode_, false)) record_.events.Add(mind::EpisodeEnded{});
   }
   void OnLearned(const kernel::Agent& agent, const kernel::FiringInfo& info) override {
     if (info.production == kernel::ProductionId::kNone ||
@@ -135,25 +109,27 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (noted.empty() || noted.back().name != info.name) return;
     const kernel::ExplainedRule& learned = noted.back();
     const kernel::ExplainedRule::Firing* const base = learned.FindFiring(learned.base);
-    listener_.OnLearned({learned.level, info.name, base == nullptr ? std::string_view() : std::string_view(base->rule),
-                         learned.state, ReasonOf(learned.impasse), learned.on_operator});
+    record_.events.Add(mind::RuleLearned{learned.level, info.name,
+                                         base == nullptr ? std::string_view() : std::string_view(base->rule),
+                                         learned.state, ReasonOf(learned.impasse), learned.on_operator});
   }
   void OnRlUpdate(const kernel::Agent& agent, const kernel::RlUpdate& update) override {
     NoteReward(agent);
-    listener_.OnValue(cli::RuleName(agent, agent.production(update.rule)), update.new_current + update.new_future);
+    record_.events.Add(mind::ValueUpdated{cli::RuleName(agent, agent.production(update.rule)),
+                                          update.new_current + update.new_future});
   }
   void OnOutput(const kernel::Agent& agent) override {
     const kernel::Symbol link = agent.output().identifier();
     for (const kernel::OutputChange& change : agent.output().changes()) {
       if (!change.added || change.id != link) continue;
-      listener_.OnCommand(change.timetag, RuleOfOutput(agent, change.attribute, change.timetag));
+      record_.OnCommand(change.timetag, RuleOfOutput(agent, change.attribute, change.timetag));
     }
   }
   void OnFiring(const kernel::Agent&, const kernel::FiringInfo& info) override {
-    listener_.OnFiring(info.name, static_cast<int>(info.level), false);
+    record_.events.Add(mind::RuleFired{info.name, false});
   }
   void OnRetracting(const kernel::Agent&, const kernel::FiringInfo& info) override {
-    listener_.OnFiring(info.name, static_cast<int>(info.level), true);
+    record_.events.Add(mind::RuleFired{info.name, true});
   }
   void OnWmeAdded(const kernel::Agent& agent, const kernel::WmeInfo& wme) override { Tell(agent, wme, true); }
   void OnWmeRemoved(const kernel::Agent& agent, const kernel::WmeInfo& wme) override { Tell(agent, wme, false); }
@@ -161,12 +137,13 @@ class LocalObservation final : public Observation, kernel::Observer {
   void Tell(const kernel::Agent& agent, const kernel::WmeInfo& wme, bool added) {
     const std::string id = SymbolText(agent, wme.id), attribute = SymbolText(agent, wme.attribute),
                       value = SymbolText(agent, wme.value);
-    listener_.OnElement({added, wme.timetag, id, attribute, value, wme.acceptable, wme.value.IsIdentifier()});
+    record_.events.Add(
+        mind::ElementChanged{added, wme.timetag, id, attribute, value, wme.acceptable, wme.value.IsIdentifier()});
   }
 
   void NoteReward(const kernel::Agent& agent) {
     const double total = agent.reward().total_reward;
-    if (total != total_reward_) listener_.OnReward(total - total_reward_);
+    if (total != total_reward_) record_.events.Add(mind::RewardReceived{total - total_reward_});
     total_reward_ = total;
   }
 
@@ -176,7 +153,7 @@ class LocalObservation final : public Observation, kernel::Observer {
     if (!goal.op) {
       // After init-soar the earlier reward no longer counts.
       total_reward_ = agent.reward().total_reward;
-      if (std::exchange(is_in_episode_, false)) listener_.OnEpisodeEnd();
+      if (std::exchange(is_in_episode_, false)) record_.events.Add(mind::EpisodeEnded{});
       return;
     }
     NoteReward(agent);
@@ -184,7 +161,7 @@ class LocalObservation final : public Observation, kernel::Observer {
       is_in_episode_ = true;
     } else if (is_in_episode_ && !agent.reinforcement().temporal_extension) {
       is_in_episode_ = false;
-      listener_.OnEpisodeEnd();
+      record_.events.Add(mind::EpisodeEnded{});
     }
   }
 
@@ -202,13 +179,55 @@ class LocalObservation final : public Observation, kernel::Observer {
   }
 
   kernel::Agent& agent_;
-  MindObserver& listener_;
-  bool tells_decisions_ = false, is_in_episode_ = false;
+  mind::MindRecord& record_;
+  bool is_in_episode_ = false;
   double total_reward_ = 0;
-  bool told_of_elaborations_ = false;
   server::PrintedNames names_;
   server::DecisionPacker decisions_;
+  std::string_view decision_;   ///< The packed record of the next operator or state.
   kernel::Symbol decided_for_;  ///< The state of the decisions in decisions_, until its operator is reported.
+};
+
+/// Records what the rules of one agent write.
+class OutputObservation final : public Observation, kernel::Observer {
+ public:
+  OutputObservation(kernel::Agent& agent, mind::RuleOutput& output) : agent_(agent), output_(output) {
+    agent_.AddObserver(*this, Event::kPrint | Event::kRun);
+  }
+  ~OutputObservation() override { agent_.RemoveObserver(*this); }
+
+ private:
+  void OnPrint(const kernel::Agent&, std::string_view text) override { output_.Write(text); }
+  void OnError(const kernel::Agent& agent, std::string_view text) override {
+    output_.Write(text);
+    if (const std::string_view rule = agent.FiringRule(); !rule.empty()) output_.NoteFailure(rule, text);
+  }
+  void OnSceneProblem(const kernel::Agent& agent, kernel::WmeId command, std::string_view problem,
+                      std::string_view hint) override {
+    const kernel::PreferenceId maker = agent.memory().record(command).preference;
+    if (maker == kernel::PreferenceId::kNone) return;
+    const std::string_view rule = agent.ProductionName(agent.memory().preference(maker).instantiation);
+    if (rule.empty()) return;
+    const std::string name(names_.Of(agent, agent.memory().wme(command).attribute));
+    output_.NoteFailure(rule, "svs: command " + name + ": " + std::string(problem) + "\n" + std::string(hint));
+  }
+  void OnWarning(const kernel::Agent& agent, kernel::WarningKind kind, std::string_view text) override {
+    // Of the warnings, only endless firing is reported, and only once, because it would recur in each decision.
+    if (kind == kernel::WarningKind::kMaxElaborationsPropose || kind == kernel::WarningKind::kMaxElaborationsApply) {
+      if (std::exchange(told_of_elaborations_, true)) return;
+      output_.Write("Warning: reached max-elaborations: its rules fire again and again in one phase\n");
+      if (const std::string_view rule = agent.NextRule(); !rule.empty()) output_.NoteFailure(rule, {});
+    }
+    if (kind == kernel::WarningKind::kMaxDecisionTime || kind == kernel::WarningKind::kOther) output_.Write(text);
+  }
+  void OnRuleInterrupt(const kernel::Agent& agent, kernel::ProductionId rule, std::uint32_t) override {
+    output_.Write("interrupted by the rule " + std::string(agent.production(rule).name) + "\n");
+  }
+
+  kernel::Agent& agent_;
+  mind::RuleOutput& output_;
+  bool told_of_elaborations_ = false;
+  server::PrintedNames names_;
 };
 
 /// Returns null if the kernel is in another process.
@@ -219,10 +238,16 @@ kernel::Agent* KernelAgent(sml::Agent& agent) {
 
 }  // namespace
 
-std::unique_ptr<Observation> ObserveMind(sml::Agent& agent, MindObserver& observer, MindDetail detail) {
+std::unique_ptr<Observation> ObserveMind(sml::Agent& agent, mind::MindRecord& record, mind::MindDetail detail) {
   kernel::Agent* mind = KernelAgent(agent);
   if (mind == nullptr) return nullptr;
-  return std::make_unique<LocalObservation>(*mind, observer, detail);
+  return std::make_unique<MindObservation>(*mind, record, detail);
+}
+
+std::unique_ptr<Observation> ObserveOutput(sml::Agent& agent, mind::RuleOutput& output) {
+  kernel::Agent* mind = KernelAgent(agent);
+  if (mind == nullptr) return nullptr;
+  return std::make_unique<OutputObservation>(*mind, output);
 }
 
 CallBatch::CallBatch(sml::Agent& agent) {
