@@ -28,6 +28,11 @@ double StudentWithin(double t, std::size_t freedom) {
   return is_odd ? (angle + sine * sum) * 2 / std::numbers::pi : sine * sum;
 }
 
+/// Smaller differences of two numbers are rounding errors.
+double RoundingOf(double a, double b) {
+  return 1e-9 * std::max({1e-3, std::abs(a), std::abs(b)});
+}
+
 }  // namespace
 
 Interval WilsonInterval(std::size_t good, std::size_t all) {
@@ -105,9 +110,22 @@ std::vector<double> Holm(std::span<const double> probabilities) {
   return corrected;
 }
 
-double PairedEffect(std::span<const double> differences) {
-  const double deviation = StandardDeviation(differences);
-  return deviation > 0 ? Mean(differences) / deviation : 0;
+std::vector<double> PairedDifferences(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = b[i] - a[i];
+    differences.push_back(std::abs(difference) < RoundingOf(a[i], b[i]) ? 0 : difference);
+  }
+  return differences;
+}
+
+std::optional<double> PairedEffect(std::span<const double> a, std::span<const double> b) {
+  const std::vector<double> differences = PairedDifferences(a, b);
+  double rounding = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) rounding = std::max(rounding, RoundingOf(a[i], b[i]));
+  const double mean = Mean(differences), deviation = StandardDeviation(differences);
+  if (deviation > rounding) return mean / deviation;
+  return std::abs(mean) > rounding ? std::nullopt : std::optional<double>(0);
 }
 
 double CliffsDelta(std::span<const double> a, std::span<const double> b) {

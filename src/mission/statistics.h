@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,8 +33,11 @@ double StudentTest(std::span<const double> differences);
 /// Holm's correction for a family of comparisons, in the order of the input. If all quantities are in fact equal, the
 /// corrected probabilities show no difference in 95 % of cases.
 std::vector<double> Holm(std::span<const double> probabilities);
-/// Mean of the differences of pairs divided by their standard deviation (Cohen's d for pairs); 0 if that is 0.
-double PairedEffect(std::span<const double> differences);
+/// The differences b[i] - a[i]. A difference below the rounding of its two numbers is 0.
+std::vector<double> PairedDifferences(std::span<const double> a, std::span<const double> b);
+/// Mean of the differences of pairs divided by their standard deviation (Cohen's d for pairs). 0 if all differences are
+/// 0; nothing if they are equal to each other, except for rounding, and not 0.
+std::optional<double> PairedEffect(std::span<const double> a, std::span<const double> b);
 /// Cliff's delta: the probability that a value of b is above one of a, minus the probability that it is below; -1 to 1.
 double CliffsDelta(std::span<const double> a, std::span<const double> b);
 /// The number of pairs with which a difference of `effect` standard deviations is detected in 80 % of cases (two-sided,

@@ -104,8 +104,22 @@ TEST(Statistics, EffectsAreThoseOfAllPairs) {
   EXPECT_DOUBLE_EQ(CliffsDelta(a, b), sum / 16.0);
   EXPECT_EQ(CliffsDelta(a, a), 0);
   EXPECT_EQ(CliffsDelta(a, std::array<double, 1>{9}), 1);
-  EXPECT_NEAR(PairedEffect(std::array<double, 3>{1, 2, 3}), 2, 1e-12);
-  EXPECT_EQ(PairedEffect(std::array<double, 2>{3, 3}), 0) << "no spread to measure it by";
+  EXPECT_NEAR(PairedEffect(a, std::array<double, 4>{2, 4, 5, 9}).value(), 2.5 / std::sqrt(5.0 / 3), 1e-12);
+}
+
+TEST(Statistics, EqualDifferencesHaveNoEffectSize) {
+  // 0.3 - 0.1 and 0.9 - 0.7 differ in their last bits.
+  const std::array<double, 3> a = {0.1, 0.7, 1.1}, b = {0.3, 0.9, 1.3};
+  EXPECT_EQ(PairedEffect(a, b), std::nullopt);
+  EXPECT_EQ(PairedEffect(std::array<double, 2>{1, 2}, std::array<double, 2>{4, 5}), std::nullopt);
+  EXPECT_EQ(PairedEffect(a, a), 0);
+}
+
+TEST(Statistics, DifferencesBelowTheRoundingAreZero) {
+  const std::array<double, 2> a = {0.3, 1e6}, b = {0.1 + 0.2, 1e6 + 1e-4};
+  EXPECT_EQ(PairedDifferences(a, b), (std::vector<double>{0, 0}));
+  EXPECT_EQ(PairedEffect(a, b), 0);
+  EXPECT_EQ(PairedDifferences(std::array<double, 1>{1}, std::array<double, 1>{1.5}), std::vector<double>{0.5});
 }
 
 TEST(Statistics, SmallerEffectsNeedMorePairs) {

@@ -161,15 +161,20 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
     if (std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end()) continue;
     Json differences = Json::array();
     for (std::size_t v = 1; v < count; ++v) {
-      std::vector<double> paired;
-      for (const auto& [seed, value] : values[v])
-        if (const auto other = values[0].find(seed); other != values[0].end()) paired.push_back(value - other->second);
+      std::vector<double> of_base, of_variant;  // On equal seeds.
+      for (const auto& [seed, value] : values[v]) {
+        const auto other = values[0].find(seed);
+        if (other == values[0].end()) continue;
+        of_base.push_back(other->second);
+        of_variant.push_back(value);
+      }
+      const std::vector<double> paired = mission::PairedDifferences(of_base, of_variant);
       if (paired.size() < 2) continue;
       Json difference = IntervalOf(paired);
       difference["variant"] = plan->variants[v].variant.name;
       difference["pairs"] = paired.size();
       difference["probability"] = mission::StudentTest(paired);
-      difference["d"] = mission::PairedEffect(paired);
+      if (const std::optional<double> effect = mission::PairedEffect(of_base, of_variant)) difference["d"] = *effect;
       std::vector<double> ones, others;
       for (const auto& [seed, value] : values[0]) ones.push_back(value);
       for (const auto& [seed, value] : values[v]) others.push_back(value);

@@ -102,28 +102,21 @@ struct Compared {
   std::size_t pairs = 0;
 };
 
-/// Smaller differences of two numbers are rounding errors.
-double RoundingOf(double a, double b) {
-  return 1e-9 * std::max({1e-3, std::abs(a), std::abs(b)});
-}
-
 std::optional<Compared> CompareNumbers(const Plan& plan, const Quantity& quantity, std::size_t a, std::size_t b) {
-  std::vector<double> differences, ones, others;
-  std::size_t more = 0;
+  std::vector<double> ones, others;
   for (const auto& [seed, value] : quantity.by_variant[b]) {
     const auto other = quantity.by_variant[a].find(seed);
     if (other == quantity.by_variant[a].end()) continue;
-    const double difference = value - other->second;
-    differences.push_back(std::abs(difference) < RoundingOf(value, other->second) ? 0 : difference);
     ones.push_back(other->second);
     others.push_back(value);
-    more += differences.back() > 0 ? 1 : 0;
   }
+  const std::vector<double> differences = mission::PairedDifferences(ones, others);
+  const auto more = std::ranges::count_if(differences, [](double d) { return d > 0; });
   if (differences.size() < kFewestPairs || std::ranges::all_of(differences, [](double d) { return d == 0; }))
     return std::nullopt;
   const mission::Interval interval = mission::StudentInterval(differences);
-  Compared compared{
-      {}, mission::StudentTest(differences), mission::PairedEffect(differences), true, differences.size()};
+  const std::optional<double> effect = mission::PairedEffect(ones, others);
+  Compared compared{{}, mission::StudentTest(differences), effect.value_or(0), true, differences.size()};
   const double mean = mission::Mean(differences);
   const bool is_less = mean < 0;
   compared.line = "  " + quantity.name + ": " + plan.variants[b].variant.name + " has " + Short(std::abs(mean)) +
@@ -131,8 +124,9 @@ std::optional<Compared> CompareNumbers(const Plan& plan, const Quantity& quantit
                   " (95 %: " + Short(is_less ? -interval.high : interval.low) + " to " +
                   Short(is_less ? -interval.low : interval.high) + "), more in " +
                   Percent(static_cast<double>(more) / static_cast<double>(differences.size())) + " % of " +
-                  std::to_string(differences.size()) + " equal seeds; d " + Short(compared.effect) +
-                  ", Cliff's delta " + Short(mission::CliffsDelta(ones, others));
+                  std::to_string(differences.size()) + " equal seeds; " +
+                  (effect ? "d " + Short(*effect) : "no d, because all differences are equal") + ", Cliff's delta " +
+                  Short(mission::CliffsDelta(ones, others));
   return compared;
 }
 

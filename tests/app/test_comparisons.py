@@ -132,6 +132,13 @@ class Sweeps(MissionCase):
         self.assertNotRegex(out, r"e-\d\d (more|less) than")
         self.assertIn("fast never differs from slow", out)
 
+    def test_differences_that_are_all_equal_have_no_d(self):
+        self.mission("")
+        spec = (NOISY % 4).replace(', "agent.scout.senses.noise" = 0.5', '')
+        out = Run("sweep", self.write("noisy.toml", spec), code=0).out
+        self.assertRegex(out, r"way: fast has \S+ more than base .* 4 equal seeds; no d, because all differences are equal, Cliff's delta 1;")
+        self.assertNotRegex(out, r"; d (0|\S+e[-+]\d+),")
+
     def test_a_variant_rests_on_the_files_that_it_uses(self):
         self.mission("")
         self.write("bold.soar", RULES)

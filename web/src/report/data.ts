@@ -66,7 +66,8 @@ export interface Metric {
   name: string;
   /** Of each variant; without values it has no numbers. */
   variants: readonly (Partial<Statistics> & { values: readonly number[] })[];
-  differences: readonly (Statistics & { variant: string; pairs: number; probability: number; holm: number; d: number; delta: number })[];
+  /** From the first variant, on equal seeds. Without `d`: all differences are equal. */
+  differences: readonly (Statistics & { variant: string; pairs: number; probability: number; holm: number; d?: number; delta: number })[];
 }
 export interface Standing { agent: string; rating: number; low: number; high: number; games: number; won: number; drawn: number; lost: number; place: number; points: number }
 export type Cell = string | number | boolean;

@@ -60,7 +60,7 @@ export function sweepSections(sweep: SweepReport): Child {
     const share = one.checks[i];
     return share === undefined ? "" : `${share.true} of ${share.of} (${percent(share.low)} to ${percent(share.high)})`;
   })]);
-  const differences = sweep.metrics.flatMap((metric) => metric.differences.map((one) => [metric.name, one.variant, one.mean, one.low, one.high, one.pairs, one.d, one.delta, one.probability, one.holm, one.holm < 0.05 ? "differs" : "may be chance"]));
+  const differences = sweep.metrics.flatMap((metric) => metric.differences.map((one) => [metric.name, one.variant, one.mean, one.low, one.high, one.pairs, one.d ?? "", one.delta, one.probability, one.holm, one.holm < 0.05 ? "differs" : "may be chance"]));
   const few = Math.min(...sweep.metrics.flatMap((metric) => metric.differences.map((one) => one.pairs)));
   const outliers = sweep.outliers.map((one): TableCell[] => [one.variant, one.seed, one.what, one.value, one.median, h("code", null, one.command)]);
   return [
@@ -69,7 +69,7 @@ export function sweepSections(sweep: SweepReport): Child {
     checks.length > 0 && section("checks", "Checks", table(["check", ...names], checks, "How often each check was true, with 95 % intervals")),
     sweep.metrics.length > 0 && section("distributions", "Distributions", h("p.quiet", null, "Each run, with the mean and its 95 % interval below."), h("div.even", null, sweep.metrics.slice(0, MOST_METRICS).map((metric) => distribution(metric, names)))),
     differences.length > 0 && section("differences", `Differences from ${names[0] ?? ""}, on equal seeds`,
-      h("p.quiet", null, `${differences.length} comparisons. The intervals (95 %, Student's t) and p are those of each alone; "after Holm" corrects for all ${differences.length}. d: the mean difference in standard deviations of the differences; Cliff's delta: how much likelier a larger value is than a smaller one.${few < 10 ? ` ${few} pairs are few: small differences do not show, and the intervals hold only if the numbers are spread like a normal distribution.` : ""}`),
+      h("p.quiet", null, `${differences.length} comparisons. The intervals (95 %, Student's t) and p are those of each alone; "after Holm" corrects for all ${differences.length}. d: the mean difference in standard deviations of the differences, empty if all differences are equal; Cliff's delta: how much likelier a larger value is than a smaller one.${few < 10 ? ` ${few} pairs are few: small differences do not show, and the intervals hold only if the numbers are spread like a normal distribution.` : ""}`),
       table(["number", "variant", "mean difference", "low", "high", "pairs", "d", "Cliff's delta", "p", "after Holm", "in all"], differences, "Paired differences with 95 % intervals")),
     outliers.length > 0 && section("outliers", "Seeds that stand out", table(["variant", "seed", "what", "value", "median", "see it"], outliers, "Furthest from the median of their variant")),
     sweep.failed.length > 0 && section("failed", "Runs that broke", table(["variant", "seed", "outcome", "why"], sweep.failed.map((one) => [one.variant, one.seed, one.outcome, one.error]), "Crashed and hung runs")),
