@@ -16,7 +16,7 @@ constexpr ViewInfo kViews[] = {
     {"agents", "[TEXT]", "all agents, or those with this text", false},
     {"stack", "", "the goal stack and the phase", true},
     {"memory", "[ID | TIMETAG | /TEXT]", "an identifier with what is below it, an element, or a search", true},
-    {"operators", "[STATE]", "candidates, preferences, and why the winner won", true},
+    {"operators", "[STATE]", "candidates, preferences, and why one was selected", true},
     {"rules", "[TEXT]", "rules with firings and matches", true},
     {"rule", "RULE", "its source, and how far it matches", true},
     {"coverage", "", "which rules fired, and where the others stop", true},

@@ -102,7 +102,7 @@ constexpr ContentField kFields[] = {
                              "what bodies do now, by the number of the agent: \"move-to gate\""),
 
     FieldRow<&C::stack>("mind", "stack", "stack", "the goal stack"),
-    FieldRow<&C::operators>("mind", "operators", "operators", "candidates, preferences, and why the winner won"),
+    FieldRow<&C::operators>("mind", "operators", "operators", "candidates, preferences, and why one was selected"),
     FieldRow<&C::shown>(
         "mind", "shown", "",
         "what the agent's script shows of its state: `rows`, each with `depth`, `name`, `value`, `active` "

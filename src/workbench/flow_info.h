@@ -23,7 +23,7 @@ struct FlowInfo {
 inline constexpr auto kFlowInfos = std::to_array<FlowInfo>({
     {Flow::kTogglePause, "toggle-pause", "Pause", "Pause", "Pause the world, or let it continue"},
     {Flow::kStepTick, "step-tick", "Tick", "Step a tick",
-     "Let the world advance by one tick: all sense, decide, act and move"},
+     "Let the world advance by one tick: agents perceive, decide and act, and bodies move"},
     {Flow::kStepDecision, "step-decision", "Decision", "Step a decision",
      "The selected agent perceives what is new and makes one decision; the world advances by one tick"},
     {Flow::kStepPhase, "step-phase", "Phase", "Step a phase",
@@ -40,7 +40,7 @@ inline constexpr auto kFlowInfos = std::to_array<FlowInfo>({
      "The run begins again, with other random numbers"},
     {Flow::kQuit, "quit", "Quit", "Quit", "Close the window; so does Esc, pressed twice"},
     {Flow::kStepTurn, "step-turn", "Turn", "Step a turn",
-     "Let the world advance by one tick, or a game by one turn: all sense, decide, act and move"},
+     "Let the world advance by one tick, or a game by one turn: agents perceive, decide and act, and bodies move"},
 });
 
 inline constexpr const FlowInfo& InfoOf(Flow flow) {

@@ -48,7 +48,8 @@ struct PanelInfo {
 inline constexpr auto kPanelInfos = std::to_array<PanelInfo>({
     {PanelId::kAgents, "agents", "Agents", "All agents of the world: team, state, operator, command. Click to select.",
      'A'},
-    {PanelId::kMind, "mind", "Mind", "The goal stack, the operators that compete in it, and why the winner won.", 'M'},
+    {PanelId::kMind, "mind", "Mind",
+     "The goal stack, the operators that compete in it, and why one of them was selected.", 'M'},
     {PanelId::kMemory, "memory", "Memory", "Working memory as a tree; changes are marked.", 'E'},
     {PanelId::kRules, "rules", "Rules", "The rules with how often they fired, what they match now, or where they fail.",
      'R'},

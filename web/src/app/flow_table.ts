@@ -5,7 +5,7 @@
 export const FLOWS = {
   "step-tick": {
     button: "Tick", title: "Step a tick",
-    meaning: "Let the world advance by one tick: all sense, decide, act and move",
+    meaning: "Let the world advance by one tick: agents perceive, decide and act, and bodies move",
   },
   "step-decision": {
     button: "Decision", title: "Step a decision",
@@ -45,7 +45,7 @@ export const FLOWS = {
   },
   "step-turn": {
     button: "Turn", title: "Step a turn",
-    meaning: "Let the world advance by one tick, or a game by one turn: all sense, decide, act and move",
+    meaning: "Let the world advance by one tick, or a game by one turn: agents perceive, decide and act, and bodies move",
   },
 } as const;
 

@@ -17,7 +17,7 @@ export const PANELS: readonly PanelInfo[] = [
   },
   {
     word: "mind", title: "Mind",
-    about: "The goal stack, the operators that compete in it, and why the winner won.",
+    about: "The goal stack, the operators that compete in it, and why one of them was selected.",
     hasDocument: true,
   },
   {
