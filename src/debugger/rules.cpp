@@ -194,8 +194,9 @@ std::string ToText(const std::vector<Coverage::Row>& rows) {
   for (const Coverage::Row& row : rows) {
     std::string why;
     if (row.firings == 0)
-      why = row.matched ? "it matched and did not fire"
-                        : fmt::format("{} of {} conditions held; then {}", row.furthest, row.conditions, row.stops_at);
+      why = row.matched
+                ? "it matched and did not fire"
+                : fmt::format("{} of {} conditions matched; then {}", row.furthest, row.conditions, row.stops_at);
     table.push_back({row.rule, std::to_string(row.firings), row.first ? std::to_string(*row.first) : "",
                      row.last ? std::to_string(*row.last) : "", why});
   }
