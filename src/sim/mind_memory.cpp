@@ -94,8 +94,8 @@ void Minds::TellLearned(Mind& mind) {
   event.diagnostic.message = "the mind of " + event.agent + " has learned " + std::to_string(mind.soar.LearnedRules()) +
                              " rules, " + mind.soar.MostLearnedFrom();
   event.diagnostic.hint =
-      "let that rule's substate test nothing that is new each time, such as a counter or the time; or learn only where "
-      "it pays: 'chunk only' and (force-learn <s>)";
+      "let that rule's substate test nothing that is new each time, such as a counter or the time; or learn only in "
+      "states in which it is useful: 'chunk only' and (force-learn <s>)";
   report_(std::move(event));
 }
 
