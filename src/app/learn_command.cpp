@@ -68,7 +68,7 @@ class Learner {
       std::cout << '\n';
     }
     if (!options_.json)
-      std::cout << '\n' << command_ << "N begins a lesson, " << command_ << "next the first that is not done\n";
+      std::cout << '\n' << command_ << "N begins a lesson, " << command_ << "next begins the first that is not done\n";
     return kOk;
   }
 

@@ -139,7 +139,7 @@ sp {NAME*apply*wander
 }
 )TEXT";
 
-constexpr std::string_view kLamp = R"TEXT(-- A body of one's own: a lamp that counts seconds.
+constexpr std::string_view kLamp = R"TEXT(-- The script of an agent with its own body: a lamp that counts seconds.
 local seconds = 0;
 
 function Agent_Initialize(agent)
@@ -328,8 +328,8 @@ std::vector<StarterFile> SoarStarter() {
 std::vector<StarterFile> LuaStarter() {
   return {{"Sandbox.lua", "the script that sets up the world", std::string(kLuaWorld)},
           {"NAME.soar", "the rules of an agent whose body comes with the program", std::string(kLuaWalker)},
-          {"Lamp.lua", "a body of one's own, with a percept and a command of its own", std::string(kLamp)},
-          {"lamp.soar", "the rules of that body", Rules(kLampRules, "lamp")},
+          {"Lamp.lua", "the script of an agent that has its own body, percept and command", std::string(kLamp)},
+          {"lamp.soar", "the rules of that agent", Rules(kLampRules, "lamp")},
           {"test.sh", "runs it with three seeds and checks what the agents do",
            Test(" --seconds 10",
                 {{"shines for the 5. time", "the lamp did not shine"}, {R"("command":"wander")", "nobody wandered"}})}};

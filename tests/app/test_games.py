@@ -330,7 +330,7 @@ sp {tanksoar*apply*turn
     def test_each_step_of_the_course_is_graded_as_it_should(self):
         listed = Run("learn", "eaters", code=0)
         self.assertIn(" 8  Jump and move, by value", listed.out)
-        self.assertIn("soarbox learn eaters N begins a lesson", listed.out)
+        self.assertIn("soarbox learn eaters N begins a lesson, soarbox learn eaters next begins the first that is not done", listed.out)
         self.assertIn("soarbox learn eaters lists another course", Run("learn").out)
         tested = Run("learn", "eaters", "test", code=0)
         self.assertEqual(len(re.findall("solution: as it should", tested.out)), 8)
