@@ -19,19 +19,6 @@ std::uint64_t NumberOf(std::string_view name) {
   return error == std::errc() && stop == name.data() + name.size() ? number : 0;
 }
 
-/// A client's name such as "f12" as a number; 0 for other names.
-std::int64_t ClientKey(std::string_view name) {
-  constexpr std::size_t kMostDigits = 16;  // They fit below the letter.
-  if (name.size() < 2 || name.size() > 1 + kMostDigits || name[1] < '1' || name[1] > '9') return 0;
-  if (name[0] < 'a' || name[0] > 'z') return 0;
-  std::uint64_t number = 0;
-  for (const char digit : name.substr(1)) {
-    if (digit < '0' || digit > '9') return 0;
-    number = number * 10 + static_cast<std::uint64_t>(digit - '0');
-  }
-  return IdentifierKey(name[0], number);
-}
-
 /// The live identifier with a kernel's name, or the none symbol.
 kernel::Symbol FindIdentifier(const kernel::SymbolTable& symbols, std::string_view name) {
   const std::uint64_t number = NumberOf(name);
@@ -53,19 +40,9 @@ kernel::InputObject AgentInput::Resolve(const InputWme& wme) {
   return wme.id.empty() ? Resolve(IdentifierName(wme.id_key)) : Resolve(wme.id);
 }
 
-const kernel::InputObject* AgentInput::FindNamed(std::string_view name) const {
-  if (const std::int64_t key = ClientKey(name)) return objects_.Find(key);
-  const auto found = odd_objects_.find(name);
-  return found == odd_objects_.end() ? nullptr : &found->second;
-}
-
 kernel::InputObject AgentInput::Resolve(std::string_view name) {
   if (name.empty()) return kernel::InputObject::kNone;
-  if (name == last_name_) return last_object_;
-  if (const kernel::InputObject* found = FindNamed(name)) {
-    last_name_ = name;
-    return last_object_ = *found;
-  }
+  if (const auto found = objects_.find(name); found != objects_.end()) return found->second;
   const kernel::Symbol identifier = FindIdentifier(agent_.symbols(), name);
   if (!identifier) return kernel::InputObject::kNone;
   if (identifier == agent_.InputLinkIdentifier()) return kernel::InputObject::kInputLink;
@@ -86,13 +63,7 @@ kernel::InputValue AgentInput::Value(const InputWme& wme) {
   kernel::InputObject object = Resolve(wme.text);
   if (object == kernel::InputObject::kNone && !wme.text.empty()) {
     object = agent_.input().NewObject();
-    if (const std::int64_t key = ClientKey(wme.text)) {
-      objects_.Set(key, object);
-    } else {
-      odd_objects_.emplace(std::string(wme.text), object);
-    }
-    last_name_ = wme.text;
-    last_object_ = object;
+    objects_.emplace(std::string(wme.text), object);
   }
   return object;
 }
@@ -149,9 +120,9 @@ void AgentInput::RemoveByTag(long long tag) {
 }
 
 std::string AgentInput::KernelName(std::string_view client_name) const {
-  const kernel::InputObject* const found = FindNamed(client_name);
-  if (found == nullptr) return {};
-  const kernel::Symbol identifier = std::as_const(agent_).input().Identifier(*found);
+  const auto found = objects_.find(client_name);
+  if (found == objects_.end()) return {};
+  const kernel::Symbol identifier = std::as_const(agent_).input().Identifier(found->second);
   return identifier ? kernel::ToString(agent_.symbols(), identifier) : std::string();
 }
 
@@ -166,27 +137,23 @@ std::vector<std::pair<kernel::WmeId, long long>> AgentInput::ClientTags() const 
 
 void AgentInput::Clear() {
   elements_.Clear();
-  objects_.Clear();
-  odd_objects_.clear();
-  last_name_.clear();
+  objects_.clear();
 }
 
 void AgentInput::Tidy() {
-  if (elements_.size() < tidy_elements_at_ && NamedObjects() < tidy_objects_at_) return;
+  if (elements_.size() < tidy_elements_at_ && objects_.size() < tidy_objects_at_) return;
   const kernel::InputLink& input = std::as_const(agent_).input();
   // Elements that wait for the next input phase are not in working memory either.
   if (input.HasPendingChanges()) return;
   elements_.RemoveIf(
       [&](std::int64_t, kernel::InputElement element) { return input.Wme(element) == kernel::WmeId::kNone; });
-  last_name_.clear();
-  const auto is_gone = [&](kernel::InputObject object) {
-    const kernel::Symbol identifier = input.Identifier(object);
+  const auto is_gone = [&](const auto& named) {
+    const kernel::Symbol identifier = input.Identifier(named.second);
     return !identifier || !agent_.memory().identifier(identifier).live;
   };
-  objects_.RemoveIf([&](std::int64_t, kernel::InputObject object) { return is_gone(object); });
-  std::erase_if(odd_objects_, [&](const auto& entry) { return is_gone(entry.second); });
+  std::erase_if(objects_, is_gone);
   tidy_elements_at_ = std::max<std::size_t>(256, 2 * elements_.size());
-  tidy_objects_at_ = std::max<std::size_t>(64, 2 * NamedObjects());
+  tidy_objects_at_ = std::max<std::size_t>(64, 2 * objects_.size());
 }
 
 }  // namespace soarbox::server

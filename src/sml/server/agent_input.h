@@ -49,10 +49,8 @@ class AgentInput {
   void Tidy();
 
  private:
-  std::size_t NamedObjects() const { return objects_.size() + odd_objects_.size(); }
   kernel::InputObject Resolve(const InputWme& wme);
   kernel::InputObject Resolve(std::string_view name);
-  const kernel::InputObject* FindNamed(std::string_view name) const;
   kernel::InputValue Value(const InputWme& wme);
   kernel::InputElement AddUnlogged(const InputWme& wme);
 
@@ -60,11 +58,7 @@ class AgentInput {
   ClientLog* log_ = nullptr;
   HostedAgent* hosted_ = nullptr;  ///< For the log.
   TagMap<kernel::InputElement> elements_;
-  TagMap<kernel::InputObject> objects_;                                  ///< By client name, converted to a number.
-  std::map<std::string, kernel::InputObject, std::less<>> odd_objects_;  ///< Those with other names.
-  /// The last name that was found, and its object: the elements of an object usually come one after another.
-  std::string last_name_;
-  kernel::InputObject last_object_ = kernel::InputObject::kNone;
+  std::map<std::string, kernel::InputObject, std::less<>> objects_;  ///< By client name.
   std::size_t tidy_elements_at_ = 256;
   std::size_t tidy_objects_at_ = 64;
 };
