@@ -19,7 +19,7 @@ inline std::uint32_t PairKey(std::uint32_t id, std::uint32_t value) {
   return (id * 0x85EBCA6Bu) ^ (value * 0xC2B2AE35u);
 }
 
-/// Memories up to this size have no hash tables.
+/// Nodes with up to this number of tokens have no hash tables.
 inline constexpr std::uint32_t kTinyMemory = 8;
 
 /// An element in an alpha memory.
@@ -39,7 +39,7 @@ struct AlphaState {
   std::uint32_t count = 0;
   std::uint32_t first_node = kNil, last_node = kNil;  ///< Right-linked nodes; descendants are before ancestors.
   std::uint32_t id_table = 0, pair_table = 0;
-  std::uint8_t id_bits = 0, pair_bits = 0, value_bits = 0;  ///< 0: no table; the items are searched one by one.
+  std::uint8_t id_bits = 0, pair_bits = 0, value_bits = 0;  ///< 0: no table.
   bool has_tables = false;                                  ///< At least one of them is not 0.
   std::uint32_t sparse = 0;  ///< Number of joins that feed sparse memories, plus the flags kInPaths, kBusy, kPrimed.
 
@@ -143,17 +143,15 @@ class [[gnu::visibility("hidden")]] AlphaMemories {
   std::uint32_t PairBucket(const AlphaState& memory, std::uint32_t key) const {
     return tables_[memory.pair_table + TablePool::Hash(key, memory.pair_bits)];
   }
-  /// Calls visit(item) for the items whose element has this value. Creates an index if it is worthwhile.
+  /// Calls visit(item) for the items whose element has this value. Creates the index if there is none.
   template <typename Visit>
   void ForEachWithValue(std::uint32_t alpha, std::uint32_t value, Visit && visit) {
     const AlphaState& memory = states_[alpha];
-    if (memory.value_bits == 0 && memory.count > kTinyMemory) [[unlikely]] {
-      BuildValueTable(alpha, 5);
+    if (memory.value_bits == 0) [[unlikely]] {
+      BuildValueTable(alpha, 3);
     }
-    const bool has_table = memory.value_bits != 0;
-    std::uint32_t index =
-        has_table ? tables_[value_tables_[alpha] + TablePool::Hash(value, memory.value_bits)] : memory.first;
-    for (; index != kNil; index = has_table ? items_[index].next_in_value : items_[index].next) {
+    std::uint32_t index = tables_[value_tables_[alpha] + TablePool::Hash(value, memory.value_bits)];
+    for (; index != kNil; index = items_[index].next_in_value) {
       if (items_[index].value == value) {
         visit(items_[index]);
       }

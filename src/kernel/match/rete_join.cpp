@@ -45,7 +45,7 @@ namespace {
     return;
   }
   const std::uint32_t memory = node.only_memory;
-  if (memory != kNil && node.test_count == 0 && right.kind() == RightSide::kIdTable) {
+  if (memory != kNil && node.test_count == 0 && right.kind() == KeyKind::kId) {
     state.JoinBucket(memory, token, key.id, item);
     return;
   }

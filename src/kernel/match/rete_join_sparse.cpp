@@ -26,12 +26,12 @@ void ReteState::JoinSparsely(std::uint32_t index, std::uint32_t parent, std::uin
 
 /// Passes a token and the elements of a bucket, from `item` on, to a sparse memory that is a hop. Pairs that do not
 /// join are parked in runs.
-template <RightSide::Kind kind>
+template <KeyKind kind>
 [[gnu::always_inline]] inline void ReteState::JoinRuns(const RightSide& right, std::uint32_t index, std::uint32_t token,
                                                        std::uint32_t id, std::uint32_t item) {
   const Node& node = network->node(index);
   const Node& joined = network->node(node.first_child);
-  constexpr bool kWithValue = kind == RightSide::kPairTable || kind == RightSide::kPairList;
+  constexpr bool kWithValue = kind == KeyKind::kIdValue;
   NodeState& memory = nodes[index];
   SparseState& parked = sparse[memory.place];
   KeyParts key;
@@ -90,19 +90,13 @@ void ReteState::JoinHop(std::uint32_t index, std::uint32_t token, std::uint32_t 
   joins().LinkOnlyJoin(index, join);
   const RightSide right(alphas, network->node(join));
   switch (right.kind()) {
-    case RightSide::kIdTable:
-      JoinRuns<RightSide::kIdTable>(right, index, token, id, item);
+    case KeyKind::kId:
+      JoinRuns<KeyKind::kId>(right, index, token, id, item);
       break;
-    case RightSide::kPairTable:
-      JoinRuns<RightSide::kPairTable>(right, index, token, id, item);
+    case KeyKind::kIdValue:
+      JoinRuns<KeyKind::kIdValue>(right, index, token, id, item);
       break;
-    case RightSide::kIdList:
-      JoinRuns<RightSide::kIdList>(right, index, token, id, item);
-      break;
-    case RightSide::kPairList:
-      JoinRuns<RightSide::kPairList>(right, index, token, id, item);
-      break;
-    case RightSide::kAll:
+    case KeyKind::kNone:
       break;  // The memory has a key.
   }
 }
@@ -119,7 +113,7 @@ void ReteState::JoinSparse(const Node& node, const RightSide& right, std::uint32
   }
   if (next == kNil) {
     LeftSparse(node.only_memory, token, element);
-  } else if (right.kind() != RightSide::kIdTable) {
+  } else if (right.kind() != KeyKind::kId) {
     LeftSparse(node.only_memory, token, element);
     do {
       LeftSparse(node.only_memory, token, right.Element(next));

@@ -29,7 +29,7 @@ template <typename Source>
 /// Passes pairs to a sparse memory. Most pairs end here: they are parked after one look-up on the other side.
 /// Everything that is the same for all pairs is computed once. `source.Next(parent, wme)` returns the next pair, or
 /// false after the last one; there must be at least one.
-template <Differ differ, RightSide::Kind kind, bool with_value, typename Source>
+template <Differ differ, KeyKind kind, typename Source>
 [[gnu::always_inline]] inline void AddPairsOf(ReteState& state, std::uint32_t index, const RightSide& right,
                                               Source source) {
   const Network& net = *state.network;
@@ -62,7 +62,7 @@ template <Differ differ, RightSide::Kind kind, bool with_value, typename Source>
     } else if (id_levels < kDiffering || first) {
       key.id = BitsOf(wmes[ElementAt(state.tokens.read(), parent, id_levels - 1u)], id_field);
     }
-    if (!with_value) {
+    if (kind == KeyKind::kId) {
       key.key = key.id;
     } else {
       if (value_levels == 0) {
@@ -121,19 +121,13 @@ template <Differ differ, typename Source>
   state.joins().LinkOnlyJoin(index, join);
   const RightSide right(state.alphas, state.network->node(join));
   switch (right.kind()) {
-    case RightSide::kIdTable:
-      AddPairsOf<differ, RightSide::kIdTable, false>(state, index, right, source);
+    case KeyKind::kId:
+      AddPairsOf<differ, KeyKind::kId>(state, index, right, source);
       break;
-    case RightSide::kPairTable:
-      AddPairsOf<differ, RightSide::kPairTable, true>(state, index, right, source);
+    case KeyKind::kIdValue:
+      AddPairsOf<differ, KeyKind::kIdValue>(state, index, right, source);
       break;
-    case RightSide::kIdList:
-      AddPairsOf<differ, RightSide::kIdList, false>(state, index, right, source);
-      break;
-    case RightSide::kPairList:
-      AddPairsOf<differ, RightSide::kPairList, true>(state, index, right, source);
-      break;
-    case RightSide::kAll:
+    case KeyKind::kNone:
       break;  // The memory has a key.
   }
 }
