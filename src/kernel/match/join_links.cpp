@@ -39,7 +39,6 @@ void JoinLinks::NoteNodes(std::uint32_t alpha) {
   }
   memory.sparse |= AlphaState::kBusy;
   only_ids_.Begin(nodes_.size());
-  signatures_.Begin(nodes_.size());
   for (std::uint32_t node = memory.first_node; node != kNil; node = nodes_[node].next_right) {
     FindOnlyId(node);
   }

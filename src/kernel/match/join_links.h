@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "kernel/match/alpha_memories.h"
-#include "kernel/match/key_signatures.h"
 #include "kernel/match/network.h"
 #include "kernel/match/node_states.h"
 #include "kernel/match/only_ids.h"
@@ -18,14 +17,8 @@ namespace soarbox::kernel {
 class [[gnu::visibility("hidden")]] JoinLinks {
  public:
   [[gnu::always_inline]] JoinLinks(const Network& network, AlphaMemories& alphas, NodeStates& nodes, OnlyIds& only_ids,
-                                   KeySignatures& signatures, const TokenPool& tokens, const WmeTable& wmes)
-      : network_(network),
-        alphas_(alphas),
-        nodes_(nodes),
-        only_ids_(only_ids),
-        signatures_(signatures),
-        tokens_(tokens),
-        wmes_(wmes) {}
+                                   const TokenPool& tokens, const WmeTable& wmes)
+      : network_(network), alphas_(alphas), nodes_(nodes), only_ids_(only_ids), tokens_(tokens), wmes_(wmes) {}
 
   [[gnu::always_inline]] void LinkLeft(std::uint32_t join) {
     nodes_.LinkLeft(join, network_.node(join).parent);
@@ -95,7 +88,6 @@ class [[gnu::visibility("hidden")]] JoinLinks {
   AlphaMemories& alphas_;
   NodeStates& nodes_;
   OnlyIds& only_ids_;
-  KeySignatures& signatures_;
   const TokenPool& tokens_;
   const WmeTable& wmes_;
 };

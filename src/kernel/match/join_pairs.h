@@ -125,9 +125,6 @@ class [[gnu::visibility("hidden")]] BucketTokens {
       key_.key = PairKey(key_.id, key_.value);
     }
     state_.nodes.Insert(state_.tokens, memory_, index_, token_, key_.key, node_.key != KeyKind::kNone, memory_.count);
-    if (!state_.signatures.empty()) [[unlikely]] {
-      state_.signatures.Add(index_, key_.id, memory_.count);
-    }
     return true;
   }
   std::uint32_t token() const {

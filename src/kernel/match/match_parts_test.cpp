@@ -9,7 +9,6 @@
 
 #include "kernel/match/alpha_memories.h"
 #include "kernel/match/element_links.h"
-#include "kernel/match/key_signatures.h"
 #include "kernel/match/meeting_order.h"
 #include "kernel/match/node_states.h"
 #include "kernel/match/only_ids.h"
@@ -390,24 +389,6 @@ TEST(OnlyIds, ThereAreNoneUntilAMemoryIsBusyAndThenOnePerNode) {
   ids.MakeRoom(4);
   EXPECT_EQ(ids[2], 7u);
   EXPECT_EQ(ids[3], 0u);
-}
-
-TEST(KeySignatures, ASetHasAllThatWereAddedSinceItsNodeWasEmpty) {
-  KeySignatures signatures;
-  signatures.MakeRoom(10);
-  EXPECT_TRUE(signatures.empty());
-  signatures.Begin(2);
-  EXPECT_TRUE(signatures.MayHave(1, 7)) << "of tokens that were there before, nothing is known";
-  signatures.Add(1, 7, 1);
-  signatures.Add(1, 8, 2);
-  EXPECT_TRUE(signatures.MayHave(1, 7) && signatures.MayHave(1, 8));
-  EXPECT_FALSE(signatures.MayHave(1, 9));
-  signatures.Add(1, 9, 1);
-  EXPECT_FALSE(signatures.MayHave(1, 7));
-  signatures.MakeRoom(4);
-  EXPECT_TRUE(signatures.MayHave(1, 9));
-  signatures.AddAll(1);
-  EXPECT_TRUE(signatures.MayHave(1, 7));
 }
 
 TEST_F(MatchPartsTest, TheOwnerThatCameLastMeetsAPathFirst) {

@@ -70,9 +70,6 @@ class Checker {
       if ((memory.sparse & AlphaState::kBusy) != 0 && memory.count != 0 && s_.only_ids[node] != 0) {
         CheckOnlyId(node);
       }
-      if ((memory.sparse & AlphaState::kBusy) != 0) {
-        CheckSignature(node);
-      }
       for (std::uint32_t later = s_.nodes[node].next_right; later != kNil; later = s_.nodes[later].next_right) {
         for (std::uint32_t up = network_.node(later).ancestor; up != kNil; up = network_.node(up).ancestor) {
           Expect(up != node, "an ancestor is before its descendant", later);
@@ -91,21 +88,6 @@ class Checker {
     s_.nodes.ForEachToken(s_.tokens, network_.node(join).parent, [&](std::uint32_t token) {
       const Wme& element = s_.wmes[ElementAt(s_.tokens.records(), token, memory.key_id_levels)];
       Expect(BitsOf(element, memory.key_id_field) == s_.only_ids[join], "node that waits for another identifier", join);
-    });
-  }
-
-  void CheckSignature(std::uint32_t node) {
-    const std::uint32_t index = network_.node(node).kind == NodeKind::kJoin ? network_.node(node).parent : node;
-    const Node& memory = network_.node(index);
-    if (memory.key == KeyKind::kNone || s_.nodes.marks(index).Is(NodeMarks::kSparse)) {
-      return;
-    }
-    s_.nodes.ForEachToken(s_.tokens, index, [&](std::uint32_t token) {
-      const std::uint32_t id =
-          memory.kind == NodeKind::kAnchors
-              ? s_.tokens[token].key
-              : BitsOf(s_.wmes[ElementAt(s_.tokens.records(), token, memory.key_id_levels)], memory.key_id_field);
-      Expect(s_.signatures.MayHave(index, id), "token whose identifier is not in the node's signature", index);
     });
   }
 

@@ -13,20 +13,6 @@ namespace {
   state.joins().FindOnlyId(node);
 }
 
-/// Computes the set of identifiers that the tokens of a memory can join with.
-[[gnu::noinline]] void RenewSignature(ReteState& state, std::uint32_t index) {
-  const Node& node = state.network->node(index);
-  KeySignatures::Set set = 0;
-  state.nodes.ForEachToken(state.tokens, index, [&](std::uint32_t token) {
-    const std::uint32_t id =
-        node.kind == NodeKind::kAnchors
-            ? state.tokens[token].key
-            : BitsOf(state.wmes[ElementAt(state.tokens.read(), token, node.key_id_levels)], node.key_id_field);
-    set |= KeySignatures::Of(id);
-  });
-  state.signatures.Replace(index, set);
-}
-
 /// The part of ReteState::JoinFrom for joins with tests or several children, and for tokens that join with more than
 /// one element.
 [[gnu::noinline]] void JoinMany(ReteState& state, std::uint32_t join, const Node& node, std::uint32_t token,
@@ -175,9 +161,6 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
   const std::uint32_t token = MakeToken(*this, index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   nodes.Insert(tokens, state, index, token, key.key, node.key != KeyKind::kNone, state.count);
-  if (!signatures.empty()) [[unlikely]] {
-    signatures.Add(index, key.id, state.count);
-  }
   JoinAll(state, token, key);
   if (state.score != kNil) {
     sparse.AddToScore(state.score, index, tokens[token].first_child != kNil);
@@ -188,9 +171,6 @@ void ReteState::LeftPlain(std::uint32_t index, std::uint32_t parent, std::uint32
 std::uint32_t ReteState::MakeAnchor(std::uint32_t anchors, std::uint32_t id) {
   const std::uint32_t token = MakeToken(*this, anchors, kNil, kNil);
   nodes.Insert(tokens, anchors, token, id, true);
-  if (!signatures.empty()) {
-    signatures.Add(anchors, id, nodes[anchors].count);
-  }
   JoinAll(nodes[anchors], token, KeyParts{id, id, 0});
   return token;
 }
@@ -255,14 +235,13 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   }
 }
 
-/// Joins an element that has entered the alpha memory of a left-linked join with the tokens on the other side. Returns
-/// false if none of them has its key.
-[[gnu::always_inline]] inline bool ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
+/// Joins an element that has entered the alpha memory of a left-linked join with the tokens on the other side.
+[[gnu::always_inline]] inline void ReteState::RightJoin(std::uint32_t index, const Node& node, std::uint32_t wme,
                                                         const Wme& element) {
   const NodeMarks memory = nodes.marks(node.parent);
   if (memory.Is(NodeMarks::kSparse)) {
     RightSparse(index, wme);
-    return true;
+    return;
   }
   const std::uint32_t key = KeyOfElement(node, element);
   const Records<const Token> all = tokens.read();
@@ -270,11 +249,9 @@ void ReteState::RightSparse(std::uint32_t join, std::uint32_t wme) {
   while (token != kNil && all[token].key != key) {
     token = all[token].next_in_bucket;
   }
-  if (token == kNil) {
-    return false;
+  if (token != kNil) {
+    RightMatch(index, wme, token, key);
   }
-  RightMatch(index, wme, token, key);
-  return true;
 }
 
 /// Joins the element with the tokens of a bucket, from `token` on, that have its key and pass the tests.
@@ -396,24 +373,18 @@ void ReteState::RightBusy(std::uint32_t first, std::uint32_t wme) {
     if (((place - node.filter.lowest) & known) > node.filter.range) {
       continue;
     }
-    const bool is_join = node.kind == NodeKind::kJoin;
-    const std::uint32_t memory = is_join ? node.parent : index;
-    if (wanted == 0 && is_join && nodes[memory].count == 1) {
+    if (node.kind != NodeKind::kJoin) {
+      RightNegative(index, node, wme);
+      continue;
+    }
+    if (wanted == 0 && nodes[node.parent].count == 1) {
       FindOnlyId(*this, index);  // The memory had more than one token.
       wanted = ids[index];
       if (wanted != 0 && wanted != id) {
         continue;
       }
     }
-    const bool is_set = wanted == 0 && node.key != KeyKind::kNone && !nodes.marks(memory).Is(NodeMarks::kSparse);
-    if (is_set && !signatures.MayHave(memory, id)) {
-      continue;
-    }
-    if (!is_join) {
-      RightNegative(index, node, wme);
-    } else if (!RightJoin(index, node, wme, element) && is_set && signatures.IsStale(memory, nodes[memory].count)) {
-      RenewSignature(*this, memory);
-    }
+    RightJoin(index, node, wme, element);
   }
 }
 

@@ -66,9 +66,6 @@ void ReteState::LeftNegative(std::uint32_t node_index, std::uint32_t parent, std
   const std::uint32_t token = MakeToken(*this, node_index, parent, wme);
   const KeyParts key = KeyOfPair(*this, node, parent, wme);
   nodes.Insert(tokens, node_index, token, key.key, node.key != KeyKind::kNone);
-  if (!signatures.empty()) [[unlikely]] {
-    signatures.Add(node_index, key.id, nodes[node_index].count);
-  }
   if (nodes[node_index].count == 1) {
     joins().LinkRight(node_index);
   }

@@ -10,7 +10,6 @@ namespace soarbox::kernel {
 void ReteState::NodeAdded(std::uint32_t index) {
   nodes.MakeRoom(index + 1u);  // A reused index needs no initialization: RemoveNode has reset its state.
   only_ids.MakeRoom(nodes.size());
-  signatures.MakeRoom(nodes.size());
   ChildAdded(index);
   const Node& node = network->node(index);
   if (node.kind == NodeKind::kNegative) {

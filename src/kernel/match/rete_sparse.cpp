@@ -225,7 +225,6 @@ void ReteState::MakeSparse(std::uint32_t index) {
   nodes.marks(index).Set(NodeMarks::kSparse);
   if (!only_ids.empty()) {
     only_ids.SecondToken(nodes, state.first_linked);
-    signatures.AddAll(index);
   }
   const std::uint32_t join = network->node(index).parent;
   nodes.marks(join).Set(NodeMarks::kFeedsSparse);

@@ -13,7 +13,6 @@
 #include "kernel/match/element_links.h"
 #include "kernel/match/emissions.h"
 #include "kernel/match/join_links.h"
-#include "kernel/match/key_signatures.h"
 #include "kernel/match/match_set.h"
 #include "kernel/match/match_support.h"
 #include "kernel/match/network.h"
@@ -64,7 +63,6 @@ struct [[gnu::visibility("hidden")]] ReteState {
   SparseMemories sparse;
   SparseFeeders feeders;
   OnlyIds only_ids;
-  KeySignatures signatures;
   SharedConjunctions shared;
   MatchSupport support;
   PairTests pair_tests;
@@ -80,7 +78,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   std::vector<std::uint32_t> gathered;  ///< Scratch: tokens that an element joins with.
 
   [[gnu::always_inline]] JoinLinks joins() {
-    return {*network, alphas, nodes, only_ids, signatures, tokens, wmes};
+    return {*network, alphas, nodes, only_ids, tokens, wmes};
   }
 
   EmissionReader emissions() const {
@@ -113,7 +111,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void Abandon();
 
   // rete_join.cpp
-  bool RightJoin(std::uint32_t join, const Node& node, std::uint32_t wme, const Wme& element);
+  void RightJoin(std::uint32_t join, const Node& node, std::uint32_t wme, const Wme& element);
   void RightMatch(std::uint32_t join, std::uint32_t wme, std::uint32_t token, std::uint32_t key);
   void RightNegative(std::uint32_t index, const Node& node, std::uint32_t wme);
   void RightFirst(std::uint32_t first, std::uint32_t wme);
@@ -126,7 +124,7 @@ struct [[gnu::visibility("hidden")]] ReteState {
   void JoinSparse(const Node& join, const RightSide& right, std::uint32_t token, const KeyParts& key,
                   std::uint32_t item);
   void JoinHop(std::uint32_t node, std::uint32_t token, std::uint32_t id, std::uint32_t item);
-  template <RightSide::Kind kind>
+  template <KeyKind kind>
   void JoinRuns(const RightSide& right, std::uint32_t node, std::uint32_t token, std::uint32_t id, std::uint32_t item);
   void LeftSparse(std::uint32_t node, std::uint32_t parent, std::uint32_t wme);
   void JoinBucket(std::uint32_t memory, std::uint32_t token, std::uint32_t id, std::uint32_t item);
