@@ -46,7 +46,7 @@ ALLOWED = {
     "sim/soar_mind.h SoarMind": 28,
     "sml/client/local_agent_link.h LocalAgentLink": 26,
     "viewer/viewer_impl.h Impl": 28,
-    "kernel/learn/firing_reader.h FiringReader": 26,
+    "kernel/learn/firing_reader.h FiringReader": 25,
     "kernel/longterm/knowledge.h Knowledge": 25,
     "kernel/rules/functions/function_context.h FunctionContext": 24,
     "sml/server/hosted_agent.h HostedAgent": 25,

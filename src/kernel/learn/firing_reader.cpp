@@ -2,7 +2,6 @@
 #include "kernel/learn/firing_reader.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "kernel/base/known_symbols.h"
 #include "kernel/decide/goal_changes.h"
@@ -26,27 +25,17 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
   known.positives.clear();
   known.carries_tests = false;
   known.may_test_superstate.clear();
-  known.link_classes.clear();
-  known.terms.clear();
-  known.given.clear();
   known.plan = rule == nullptr ? nullptr : std::make_unique<IdentityPlan>(IdentityPlan::Of(*rule));
   if (rule == nullptr) return known;
-  const IdentityPlan& plan = *known.plan;
-  known.positives.reserve(plan.of_field.size() / 3u);
+  known.positives.reserve(known.plan->of_field.size() / 3u);
   for (const Condition& condition : rule->conditions) {
     if (condition.kind != ConditionKind::kPositive) continue;
     const std::size_t number = known.positives.size();
     const Symbol attribute = EqualitySymbol(condition.attribute);
     if (!attribute.IsConstant() || attribute == words::kSuperstate) {
       known.may_test_superstate.push_back(static_cast<std::uint16_t>(number));
-      for (const Field part : {Field::kId, Field::kValue}) known.link_classes.push_back(plan.ClassOf(number, part));
     }
     Tested& tested = known.positives.emplace_back();
-    for (std::size_t place = 3 * number; place < 3 * number + 3; ++place) {
-      if (plan.of_field[place] == IdentityPlan::kLiteral) continue;
-      const auto bit = static_cast<std::uint8_t>(1u << (place - 3 * number));
-      if (plan.first[plan.of_field[place]] == place) tested.first |= bit;
-    }
     tested.condition = &condition;
     std::uint8_t field = 1;
     for (const Test* test : {&condition.id, &condition.attribute, &condition.value}) {
@@ -56,21 +45,6 @@ const FiringReader::Known& FiringReader::LookAt(ProductionId production) {
       field = static_cast<std::uint8_t>(field << 1);
     }
     known.carries_tests = known.carries_tests || tested.carried != 0;
-  }
-  for (std::size_t place = 0; place < plan.of_field.size(); ++place) {
-    if (std::ranges::find(known.link_classes, plan.of_field[place]) != known.link_classes.end()) continue;
-    Tested& tested = known.positives[place / 3];
-    tested.follows = static_cast<std::uint8_t>(tested.follows | (tested.first & (1u << place % 3)));
-  }
-  for (const Action& action : rule->actions) {
-    for (const RhsValue* value : {&action.id, &action.attribute, &action.value, &action.referent}) {
-      known.terms.push_back(TermOf(*value, plan));
-    }
-    std::uint8_t given = 0;
-    for (std::size_t part = 0; part < 4; ++part) {
-      if (known.terms[known.terms.size() - 4 + part].kind == Term::Kind::kClass) given |= 1u << part;
-    }
-    known.given.push_back(given);
   }
   return known;
 }
@@ -93,6 +67,14 @@ FiringReader::Term FiringReader::TermOf(const RhsValue& value, const IdentityPla
       break;
   }
   return term;
+}
+
+const RhsValue* FiringReader::WrittenBy(const Preference& preference, Part part) {
+  const Production* const rule = Rule(preference.instantiation);
+  if (rule == nullptr || preference.action >= rule->actions.size()) return nullptr;
+  const Action& action = rule->actions[preference.action];
+  const RhsValue* const parts[] = {&action.id, &action.attribute, &action.value, &action.referent};
+  return parts[static_cast<std::size_t>(part)];
 }
 
 const Production* FiringReader::Rule(InstantiationId firing) {
@@ -132,16 +114,11 @@ IdentityPlan FiringReader::PlanOfArchitecture(InstantiationId firing) const {
   for (const ConditionTrace& trace : uses_.instantiations.Trace(firing)) {
     const Wme& wme = uses_.memory.wme(trace.wme);
     for (const Symbol symbol : {wme.id, wme.attribute, wme.value}) {
-      std::uint16_t known = IdentityPlan::kLiteral;
       if (symbol.IsIdentifier()) {
-        known = plan.ClassOf(symbol);
-        if (known == IdentityPlan::kLiteral) {
-          known = plan.bound();
-          plan.first.push_back(static_cast<std::uint16_t>(plan.of_field.size()));
-          plan.variables.push_back(symbol);
-        }
+        plan.AddField(symbol);
+      } else {
+        plan.of_field.push_back(IdentityPlan::kLiteral);
       }
-      plan.of_field.push_back(known);
     }
   }
   return plan;
@@ -192,15 +169,7 @@ FiringReader::Term FiringReader::TermOfCopier(const Preference& preference, Part
       break;
     }
   }
-  const Production* const rule = Rule(preference.instantiation);
-  if (rule != nullptr && preference.action < rule->actions.size()) {
-    const Action& action = rule->actions[preference.action];
-    return TermOf(part == Part::kId          ? action.id
-                  : part == Part::kAttribute ? action.attribute
-                  : part == Part::kValue     ? action.value
-                                             : action.referent,
-                  plan);
-  }
+  if (const RhsValue* const written = WrittenBy(preference, part)) return TermOf(*written, plan);
   if (symbol.IsIdentifier()) {
     term.kind = Term::Kind::kSymbol;
     term.symbol = symbol;
@@ -250,17 +219,17 @@ std::uint16_t FiringReader::ClassOf(const RhsValue& value, const IdentityPlan& p
 FiringReader::Term FiringReader::TermOf(PreferenceId preference_id, Part part) {
   const Preference& preference = uses_.memory.preference(preference_id);
   const Instantiation& instantiation = uses_.instantiations[preference.instantiation];
-  const std::size_t place = 4u * preference.action + static_cast<std::size_t>(part);
   if (instantiation.copied && instantiation.has_identities) [[unlikely]]
     return TermOfCopier(preference, part);
-  if (instantiation.has_identities && instantiation.production != ProductionId::kNone) [[likely]] {
-    const Known& known = KnownOf(instantiation.production);
-    if (place < known.terms.size()) return known.terms[place];
+  if (instantiation.has_identities) {
+    if (const RhsValue* const written = WrittenBy(preference, part)) {
+      return TermOf(*written, *KnownOf(instantiation.production).plan);
+    }
   }
-  return UncommonTermOf(preference, place, part);
+  return UncommonTermOf(preference, part);
 }
 
-FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, std::size_t place, Part part) {
+FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, Part part) {
   const InstantiationId firing = preference.instantiation;
   const Instantiation& instantiation = uses_.instantiations[firing];
   Term term;
@@ -274,7 +243,9 @@ FiringReader::Term FiringReader::UncommonTermOf(const Preference& preference, st
   const bool is_justification = !is_rule && instantiation.justification != Instantiation::kNoJustification;
   if (!is_justification && !symbol.IsIdentifier()) return term;
   if (!is_rule) {
-    term.identity_class = is_justification ? Plan(firing).of_action[place] : Plan(firing).ClassOf(symbol);
+    term.identity_class = is_justification
+                              ? Plan(firing).of_action[4u * preference.action + static_cast<std::size_t>(part)]
+                              : Plan(firing).ClassOf(symbol);
     if (term.identity_class != IdentityPlan::kLiteral) {
       term.kind = Term::Kind::kClass;
       return term;
@@ -344,52 +315,9 @@ bool FiringReader::IsOfSuperstateLink(InstantiationId firing, std::uint16_t iden
   return false;
 }
 
-std::uint8_t FiringReader::GivenBy(PreferenceId preference_id) {
-  const Preference& preference = uses_.memory.preference(preference_id);
-  const Instantiation& maker = uses_.instantiations[preference.instantiation];
-  if (maker.has_identities && !maker.copied && maker.production != ProductionId::kNone) [[likely]] {
-    const Known& known = KnownOf(maker.production);
-    if (preference.action < known.given.size()) return known.given[preference.action];
-  }
-  std::uint8_t given = 0;
-  for (const Part part : {Part::kId, Part::kAttribute, Part::kValue}) {
-    const Term::Kind kind = TermOf(preference_id, part).kind;
-    if (kind == Term::Kind::kClass || kind == Term::Kind::kSymbol) given |= 1u << static_cast<unsigned>(part);
-  }
-  return given;
-}
-
 std::uint32_t FiringReader::CountIdentities(InstantiationId firing) {
-  const Instantiation& instantiation = uses_.instantiations[firing];
-  std::uint32_t count = 0;
-  if (instantiation.production == ProductionId::kNone) {
-    for (const std::uint16_t place : Plan(firing).first) count += SourceOf(firing, place) == Source::kOwn;
-    return count;
-  }
-  const GoalLevel level = instantiation.level;
-  const Symbol state = level >= 2 && level <= uses_.goals.depth() && uses_.goals.at(level).has_identities
-                           ? uses_.goals.at(level).id
-                           : Symbol();
-  const std::span<const ConditionTrace> traces = uses_.instantiations.Trace(firing);
-  const std::span<const Tested> tested = KnownOf(instantiation.production).positives;  // The reference stays valid.
-  for (std::size_t n = 0; n < tested.size(); ++n) {
-    const ConditionTrace& trace = traces[n];
-    const unsigned first = tested[n].first;
-    if (first == 0) continue;
-    if (trace.preference != PreferenceId::kNone) {
-      const unsigned given = trace.inherits ? GivenBy(trace.preference) : 0;
-      count += static_cast<std::uint32_t>(std::popcount(first & ~given));
-    } else if (!state || uses_.memory.wme(trace.wme).id != state) {
-      count += static_cast<std::uint32_t>(std::popcount(first));
-    } else {
-      // Elements of the state itself that the architecture created.
-      for (unsigned bits = first; bits != 0; bits &= bits - 1) {
-        const auto place = static_cast<std::uint16_t>(3 * n + static_cast<unsigned>(std::countr_zero(bits)));
-        count += SourceOf(firing, place) == Source::kOwn;
-      }
-    }
-  }
-  return count;
+  return static_cast<std::uint32_t>(std::ranges::count_if(
+      Plan(firing).first, [&](std::uint16_t place) { return SourceOf(firing, place) == Source::kOwn; }));
 }
 
 FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_t place) {
@@ -412,25 +340,13 @@ FiringReader::Source FiringReader::SourceOf(InstantiationId firing, std::uint16_
   return Source::kOwn;
 }
 
-inline bool FiringReader::MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class) {
-  if (instantiation.production == ProductionId::kNone || instantiation.copied) [[unlikely]]
-    return true;
-  for (const std::uint16_t link : KnownOf(instantiation.production).link_classes) {
-    if (link == identity_class) return true;
-  }
-  return false;
-}
-
 IdentityGraph::Key FiringReader::Origin(InstantiationId& firing, std::uint16_t identity_class) {
   for (;;) {
     const Instantiation& instantiation = uses_.instantiations[firing];
     const IdentityGraph::Key own{instantiation.serial, identity_class};
     const IdentityPlan& plan = Plan(firing);
     if (identity_class >= plan.bound()) return own;
-    if (IdentityGraph::Key link;
-        MayBeOfLink(instantiation, identity_class) && IsOfSuperstateLink(firing, identity_class, link)) {
-      return link;
-    }
+    if (IdentityGraph::Key link; IsOfSuperstateLink(firing, identity_class, link)) return link;
     const std::uint16_t place = plan.first[identity_class];
     const ConditionTrace& trace = uses_.instantiations.Trace(firing)[place / 3u];
     const Part part = static_cast<Part>(place % 3u);

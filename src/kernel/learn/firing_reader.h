@@ -52,9 +52,6 @@ class FiringReader {
   struct Tested {
     const Condition* condition = nullptr;
     std::uint8_t carried = 0;  ///< Bit n: field n has tests other than equality.
-    std::uint8_t first = 0;    ///< Bit n: field n is the first field of its class.
-    std::uint8_t follows = 0;  ///< Bit n: field n is the first field of its class, and no field of a superstate link
-                               ///< belongs to the class.
 
     bool Carries(Field field) const { return (carried >> static_cast<unsigned>(field) & 1u) != 0; }
   };
@@ -102,14 +99,6 @@ class FiringReader {
   /// these names, sets `key` to its identity and returns true.
   bool IsOfSuperstateLink(InstantiationId firing, std::uint16_t identity_class, IdentityGraph::Key& key);
 
-  /// Bit n: the class of field n of a condition has the identity that the element's creator gave it.
-  std::uint8_t FollowsMaker(InstantiationId firing, std::uint16_t condition) {
-    const Instantiation& instantiation = uses_.instantiations[firing];
-    if (instantiation.production == ProductionId::kNone || instantiation.copied) return 0;
-    if (!uses_.instantiations.Trace(firing)[condition].inherits) return 0;
-    return KnownOf(instantiation.production).positives[condition].follows;
-  }
-
   /// How the first field of a class gets its identity.
   enum class Source : std::uint8_t { kOwn, kMaker, kSuperstate, kItem };
   Source SourceOf(InstantiationId firing, std::uint16_t place);
@@ -151,10 +140,8 @@ class FiringReader {
   [[gnu::noinline]] IdentityPlan PlanWithCopied(InstantiationId firing);
   [[gnu::noinline]] Term TermOfCopier(const Preference& preference, Part part);
   [[gnu::noinline]] const IdentityPlan& UncommonPlan(InstantiationId firing);
-  /// Whether IsOfSuperstateLink needs to be called.
-  bool MayBeOfLink(const Instantiation& instantiation, std::uint16_t identity_class);
-  /// Which fields of the action that created a preference have an identity: bit n for field n.
-  std::uint8_t GivenBy(PreferenceId preference);
+  /// The term in the rule's action that created a preference; null if no action of a rule did.
+  const RhsValue* WrittenBy(const Preference& preference, Part part);
 
   Uses uses_;
   struct Known {
@@ -163,9 +150,6 @@ class FiringReader {
     std::vector<Tested> positives;
     bool carries_tests = false;                      ///< At least one of them carries tests.
     std::vector<std::uint16_t> may_test_superstate;  ///< Conditions that may match the superstate link.
-    std::vector<std::uint16_t> link_classes;         ///< The classes of their identifiers and values.
-    std::vector<Term> terms;                         ///< The terms of its actions, four per action.
-    std::vector<std::uint8_t> given;                 ///< Per action: bit n if field n has a class.
     std::uint32_t analysis = 0;                      ///< The last analysis that used this record.
   };
   const Known& KnownOf(ProductionId production) {
@@ -178,7 +162,7 @@ class FiringReader {
   static std::uint16_t ClassOf(const RhsValue& value, const IdentityPlan& plan);
   static Term TermOf(const RhsValue& value, const IdentityPlan& plan);
   /// The term of a preference that no action of a rule created.
-  [[gnu::noinline]] Term UncommonTermOf(const Preference& preference, std::size_t place, Part part);
+  [[gnu::noinline]] Term UncommonTermOf(const Preference& preference, Part part);
 
   std::vector<Known> rules_;  ///< By ProductionId, for rules that learning has used.
   std::uint32_t analysis_ = 1;

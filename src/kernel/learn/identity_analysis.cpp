@@ -115,7 +115,6 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
   if (!uses_.instantiations[link.firing].has_identities) return;
   const InstantiationId maker = uses_.memory.preference(link.maker).instantiation;
   const IdentityPlan& plan = reader_.Plan(link.firing);
-  const unsigned follows = reader_.FollowsMaker(link.firing, link.condition);
   for (const Field field : kFields) {
     const Said made = reader_.TermOf(link.maker, static_cast<Part>(field));
     if (made.kind == Said::Kind::kUnknown) return;
@@ -124,7 +123,6 @@ void IdentityAnalysis::FollowLink(const Explanation::Link& link) {
     switch (made.kind) {
       case Said::Kind::kClass:
       case Said::Kind::kSymbol:
-        if ((follows >> static_cast<unsigned>(field) & 1u) != 0) break;  // They were one identity from the beginning.
         if (tests_constant) {
           Literalize(link.firing, OfTerm(made, maker), JoinReason::kConstantTested);
         } else {

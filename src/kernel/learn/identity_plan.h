@@ -41,6 +41,10 @@ struct IdentityPlan {
   /// The class of a variable of the conditions; kLiteral if no positive condition binds it.
   std::uint16_t ClassOf(Symbol variable) const;
 
+  /// Adds a field with the class of a variable or an identifier. It is a new class if no field has the symbol, or if
+  /// `symbol` is none.
+  void AddField(Symbol symbol);
+
   static IdentityPlan Of(const Production& rule);
 };
 
