@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -18,37 +17,6 @@ struct PoolMarks {
   bool Pinned() const { return (bits & kPinned) != 0; }
 };
 
-/// a == b, inlined: fast for short texts that are usually equal.
-inline bool SameText(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) {
-    return false;
-  }
-  const auto differ = [&](std::size_t at, auto word) {
-    auto other = word;
-    std::memcpy(&word, a.data() + at, sizeof(word));
-    std::memcpy(&other, b.data() + at, sizeof(other));
-    return word != other;
-  };
-  const std::size_t size = a.size();
-  if (size >= 8) {
-    for (std::size_t at = 0; at + 8 < size; at += 8) {
-      if (differ(at, std::uint64_t{0})) {
-        return false;
-      }
-    }
-    return !differ(size - 8, std::uint64_t{0});
-  }
-  if (size >= 4) {
-    return !differ(0, std::uint32_t{0}) && !differ(size - 4, std::uint32_t{0});
-  }
-  for (std::size_t at = 0; at < size; ++at) {
-    if (a[at] != b[at]) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// An interned text. A TextArena owns the characters.
 struct TextEntry {
   const char* text = nullptr;
@@ -58,7 +26,7 @@ struct TextEntry {
   PoolMarks marks;
 
   std::string_view View() const { return {text, length}; }
-  bool Is(std::uint32_t other_hash, std::string_view key) const { return hash == other_hash && SameText(View(), key); }
+  bool Is(std::uint32_t other_hash, std::string_view key) const { return hash == other_hash && View() == key; }
   std::uint32_t Hash() const { return hash; }
 };
 

@@ -11,8 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/copy_text.h"
-
 namespace soarbox::kernel {
 
 /// Storage for short texts in size classes (powers of two from 8 bytes) with free lists. Once the free lists have
@@ -23,7 +21,7 @@ class TextArena {
   const char* Store(std::string_view text) {
     const int size_class = ClassOf(text.size());
     char* place = Take(size_class);
-    CopyText(place, text);
+    text.copy(place, text.size());
     return place;
   }
 

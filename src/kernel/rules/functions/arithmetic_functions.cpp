@@ -40,20 +40,6 @@ bool AllIntegers(Arguments arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsInteger(); });
 }
 
-bool AllSmallIntegers(Arguments arguments) {
-  return std::all_of(arguments.begin(), arguments.end(), [](Symbol argument) { return argument.IsSmallInteger(); });
-}
-
-/// The fast path for small integers, whose values are in their handles.
-template <typename Step>
-Symbol FoldSmall(FunctionContext& context, Arguments arguments, std::int64_t start, Step step) {
-  std::int64_t result = start;
-  for (const Symbol argument : arguments) {
-    result = step(result, argument.SmallValue());
-  }
-  return context.symbols().Integer(result);
-}
-
 /// Folds numbers: as integers if all of them are integers, else as floats.
 template <typename IntegerStep, typename FloatStep>
 Symbol Fold(FunctionContext& context, Arguments arguments, std::int64_t start, IntegerStep integer_step,
@@ -161,9 +147,6 @@ bool ReadFloat(std::string_view text, double& value) {
 }  // namespace
 
 Symbol Plus(FunctionContext& context, Arguments arguments) {
-  if (AllSmallIntegers(arguments)) {
-    return FoldSmall(context, arguments, 0, WrappingAdd);
-  }
   if (!AllNumbers(context, arguments, "+")) {
     return {};
   }
@@ -171,9 +154,6 @@ Symbol Plus(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol Times(FunctionContext& context, Arguments arguments) {
-  if (AllSmallIntegers(arguments)) {
-    return FoldSmall(context, arguments, 1, WrappingMultiply);
-  }
   if (!AllNumbers(context, arguments, "*")) {
     return {};
   }
@@ -181,9 +161,6 @@ Symbol Times(FunctionContext& context, Arguments arguments) {
 }
 
 Symbol Minus(FunctionContext& context, Arguments arguments) {
-  if (arguments.size() > 1 && AllSmallIntegers(arguments)) {
-    return FoldSmall(context, arguments.subspan(1), arguments[0].SmallValue(), WrappingSubtract);
-  }
   if (arguments.empty()) {
     context.PrintError("Error: '-' function called with no arguments\n");
     return {};

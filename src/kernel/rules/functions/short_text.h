@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/copy_text.h"
 #include "kernel/base/symbol_table.h"
 
 namespace soarbox::kernel::function_bodies {
@@ -25,7 +24,7 @@ class ShortText {
       AppendLong(piece);
       return;
     }
-    CopyText(room_ + size_, piece);
+    piece.copy(room_ + size_, piece.size());
     size_ += piece.size();
   }
 
