@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "world/media_catalog.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "world/body_meshes.h"
 #include "world/modular_meshes.h"
@@ -11,7 +14,7 @@ namespace soarbox::world {
 namespace {
 
 // The names that the sandbox's scripts can use without loading resources (lua_api.md 11).
-constexpr const char* kMaterials[] = {
+constexpr std::string_view kMaterials[] = {
     "White", "Red", "Green", "Blue", "RedGlow", "GreenGlow", "BlueGlow", "TransparentRed", "TransparentGreen",
     "TransparentBlue", "TransparentYellow", "TransparentWhite", "Ground", "Ground2", "NobiaxModular", "base_material",
     "base_animated_material", "SF_Soldier_Body", "SF_Soldier_Body_Dark", "SF_Soldier_HelmetVisor",
@@ -24,10 +27,13 @@ constexpr const char* kMaterials[] = {
     "Soarbox/Silver", "Soarbox/Bronze", "Soarbox/RedFlower", "Soarbox/BlueFlower", "Soarbox/WhiteFlower",
     "Soarbox/Hedge", "Soarbox/Cook", "Soarbox/Yellow", "Soarbox/Purple", "Soarbox/Orange", "Soarbox/Black",
     "Soarbox/BoardLight", "Soarbox/BoardDark"};
-constexpr const char* kSkies[] = {"ThickCloudsWaterSkyBox"};
-constexpr const char* kParticles[] = {"Bullet", "BulletImpact"};
+constexpr std::string_view kSkies[] = {"ThickCloudsWaterSkyBox"};
+constexpr std::string_view kParticles[] = {"Bullet", "BulletImpact"};
 
-std::string Hint(std::string_view name, const std::vector<std::string_view>& known, std::string_view otherwise) {
+using Names = std::vector<std::string_view>;
+
+std::string Hint(std::string_view name, Names known, std::string_view otherwise) {
+  std::ranges::sort(known);
   const std::string_view meant = Suggest(name, known);
   if (meant.empty()) {
     constexpr std::size_t kMostNamed = 100;  // A list of hundreds of meshes would not help.
@@ -39,21 +45,12 @@ std::string Hint(std::string_view name, const std::vector<std::string_view>& kno
   return "did you mean \"" + std::string(meant) + "\"? " + std::string(otherwise);
 }
 
-template <typename Names>
-std::vector<std::string_view> Views(const Names& names) {
-  std::vector<std::string_view> views;
-  for (const auto& name : names) {
-    if constexpr (requires { name.first; }) {
-      views.emplace_back(name.first);
-    } else {
-      views.emplace_back(name);
-    }
-  }
-  return views;
-}
-
 std::string UnknownName(std::string_view what, std::string_view name) {
   return "unknown " + std::string(what) + " \"" + std::string(name) + "\"";
+}
+
+bool IsIn(std::string_view name, std::span<const std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
 }
 
 }  // namespace
@@ -64,63 +61,49 @@ MediaCatalog::MediaCatalog() {
   }
   for (const BodyMesh& mesh : kBodyMeshes) AddMesh(std::string(mesh.name), mesh.bounds);
   for (const SceneryMesh& mesh : kSceneryMeshes) AddMesh(std::string(mesh.name), mesh.bounds);
-  for (const char* name : kMaterials) AddMaterial(name);
-  for (const char* name : kSkies) AddSky(name);
-  for (const char* name : kParticles) AddParticle(name);
 }
 
 void MediaCatalog::AddMesh(std::string name, MeshBounds bounds) {
   meshes_[std::move(name)] = bounds;
 }
-void MediaCatalog::AddMaterial(std::string name) {
-  materials_.insert(std::move(name));
-}
-void MediaCatalog::AddSky(std::string name) {
-  skies_.insert(std::move(name));
-}
-void MediaCatalog::AddParticle(std::string name) {
-  particles_.insert(std::move(name));
-}
-
-bool MediaCatalog::HasMesh(std::string_view name) const {
-  return meshes_.find(name) != meshes_.end();
-}
-bool MediaCatalog::HasMaterial(std::string_view name) const {
-  return materials_.find(name) != materials_.end();
-}
 
 MeshBounds MediaCatalog::LookUpMesh(std::string_view name) {
   const auto found = meshes_.find(name);
   if (found != meshes_.end()) return found->second;
-  Warn(UnknownName("mesh", name), Hint(name, Views(meshes_), "a box of 1 m is shown instead"));
+  WarnOfMesh("mesh", name, "a box of 1 m is shown instead");
   return {};
 }
 
 std::string MediaCatalog::LookUpMaterial(std::string_view name) {
-  if (HasMaterial(name)) return std::string(name);
-  Warn(UnknownName("material", name), Hint(name, Views(materials_), "\"White\" is used instead"));
+  if (IsIn(name, kMaterials)) return std::string(name);
+  Warn(UnknownName("material", name),
+       Hint(name, {std::begin(kMaterials), std::end(kMaterials)}, "\"White\" is used instead"));
   return "White";
 }
 
 std::string MediaCatalog::LookUpSky(std::string_view name) {
-  if (skies_.find(name) != skies_.end()) return std::string(name);
-  Warn(UnknownName("sky", name), Hint(name, Views(skies_), "the sky stays plain"));
+  if (IsIn(name, kSkies)) return std::string(name);
+  Warn(UnknownName("sky", name), Hint(name, {std::begin(kSkies), std::end(kSkies)}, "the sky stays plain"));
   return {};
 }
 
 std::string MediaCatalog::LookUpParticle(std::string_view name) {
-  if (particles_.find(name) != particles_.end()) return std::string(name);
-  Warn(UnknownName("particle effect", name), Hint(name, Views(particles_), "nothing is drawn in its place"));
+  if (IsIn(name, kParticles)) return std::string(name);
+  Warn(UnknownName("particle effect", name),
+       Hint(name, {std::begin(kParticles), std::end(kParticles)}, "nothing is drawn in its place"));
   return {};
 }
 
 bool MediaCatalog::CheckResource(std::string_view name) {
-  if (HasMesh(name) || HasMaterial(name) || skies_.find(name) != skies_.end() ||
-      particles_.find(name) != particles_.end()) {
-    return true;
-  }
-  Warn(UnknownName("resource", name), Hint(name, Views(meshes_), "it is not loaded"));
+  if (HasMesh(name) || IsIn(name, kMaterials) || IsIn(name, kSkies) || IsIn(name, kParticles)) return true;
+  WarnOfMesh("resource", name, "it is not loaded");
   return false;
+}
+
+void MediaCatalog::WarnOfMesh(std::string_view what, std::string_view name, std::string_view otherwise) {
+  Names known;
+  for (const auto& [mesh, bounds] : meshes_) known.emplace_back(mesh);
+  Warn(UnknownName(what, name), Hint(name, std::move(known), otherwise));
 }
 
 void MediaCatalog::Warn(std::string message, std::string hint) {

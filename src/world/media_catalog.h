@@ -20,7 +20,7 @@ struct MeshBounds {
 
 /// The names of meshes, materials, skies and particle templates that scripts may use, and the size of each mesh.
 ///
-/// A new catalog contains the names of the sandbox's scripts; an application adds its own. Looking up an unknown name
+/// A new catalog contains the names of the sandbox's scripts; files of a world add meshes. Looking up an unknown name
 /// queues one warning per name, with a suggestion, and returns a replacement: a box of 1 m for meshes, "White" for
 /// materials, nothing for skies and particle templates.
 class MediaCatalog {
@@ -28,12 +28,7 @@ class MediaCatalog {
   MediaCatalog();
 
   void AddMesh(std::string name, MeshBounds bounds);
-  void AddMaterial(std::string name);
-  void AddSky(std::string name);
-  void AddParticle(std::string name);
-
-  bool HasMesh(std::string_view name) const;
-  bool HasMaterial(std::string_view name) const;
+  bool HasMesh(std::string_view name) const { return meshes_.contains(name); }
 
   MeshBounds LookUpMesh(std::string_view name);
   std::string LookUpMaterial(std::string_view name);
@@ -49,8 +44,10 @@ class MediaCatalog {
   bool HasWarnings() const { return !warnings_.empty(); }
 
  private:
+  /// Warns of an unknown name, and suggests one of a mesh.
+  void WarnOfMesh(std::string_view what, std::string_view name, std::string_view otherwise);
+
   std::map<std::string, MeshBounds, std::less<>> meshes_;
-  std::set<std::string, std::less<>> materials_, skies_, particles_;
   std::set<std::string> warned_;
   std::vector<Diagnostic> warnings_;
 };
