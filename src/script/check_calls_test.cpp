@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-2-Clause
-#include "script/check_calls.h"
-
 #include <gtest/gtest.h>
 
 #include "script/check_names.h"

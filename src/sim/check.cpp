@@ -18,7 +18,6 @@
 #include "explain/reasons.h"
 #include "explain/rule_slips.h"
 #include "explain/rule_surroundings.h"
-#include "script/check_calls.h"
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "script/lua_hints.h"
