@@ -26,9 +26,11 @@ template <class Type>
 inline constexpr bool kIsOptional<std::optional<Type>> = true;
 
 /// Reads a parameter of this type from argument `index` on, and advances the index. lua_State*, Ui and Scene belong to
-/// the call and use no argument. World and Camera use the argument that is the sandbox.
-template <class Type>
+/// the call and use no argument. World and Camera use the argument that is the sandbox. A component of the user
+/// interface counts as changed unless the parameter is const.
+template <class Parameter>
 decltype(auto) ReadParameter(lua_State* state, int& index) {
+  using Type = std::remove_const_t<Parameter>;
   const int at = index;
   const auto context = [&]() -> ScriptContext& { return ContextOf(state); };
   if constexpr (std::same_as<Type, lua_State*>) {
@@ -51,6 +53,10 @@ decltype(auto) ReadParameter(lua_State* state, int& index) {
       return NodeArgument(state, at);
     } else if constexpr (std::same_as<Type, world::UiId>) {
       return UiArgument(state, at);
+    } else if constexpr (std::same_as<Parameter, const world::UiComponent>) {
+      return (*context().world.ui().Find(UiArgument(state, at)));
+    } else if constexpr (std::same_as<Type, world::UiComponent>) {
+      return (*context().world.ui().Edit(UiArgument(state, at)));
     } else if constexpr (std::same_as<Type, Body>) {
       return BodyArgument(state, at);
     } else if constexpr (std::same_as<Type, world::Scene::FoundAnimation>) {
@@ -128,8 +134,8 @@ int RunCall(lua_State* state) {
   [[maybe_unused]] int index = 1;
   const auto call = [&]() -> Result {
     // Braces: the arguments are read from left to right.
-    std::tuple<decltype(ReadParameter<std::remove_cvref_t<Parameters>>(state, index))...> arguments{
-        ReadParameter<std::remove_cvref_t<Parameters>>(state, index)...};
+    std::tuple<decltype(ReadParameter<std::remove_reference_t<Parameters>>(state, index))...> arguments{
+        ReadParameter<std::remove_reference_t<Parameters>>(state, index)...};
     return std::apply(kFunction, std::move(arguments));
   };
   if constexpr (std::same_as<Result, void>) {

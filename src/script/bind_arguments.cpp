@@ -55,7 +55,7 @@ world::NodeId NodeArgument(lua_State* state, int index) {
 
 world::UiId UiArgument(lua_State* state, int index) {
   const world::UiId id{CheckHandle(state, index, ValueKind::kUi)};
-  if (!ContextOf(state).world.ui().Contains(id)) RaiseGone(state, index, "UI component");
+  if (!ContextOf(state).world.ui().Find(id)) RaiseGone(state, index, "UI component");
   return id;
 }
 

@@ -21,7 +21,7 @@ void ButtonCallbacks::Remove(world::UiId panel) {
 
 void ButtonCallbacks::RemoveGone(const world::Ui& panels) {
   std::erase_if(callbacks_, [&](const auto& each) {
-    if (panels.Contains(each.first)) return false;
+    if (panels.Find(each.first)) return false;
     each.second.machine->Release(each.second.function);
     return true;
   });

@@ -270,7 +270,7 @@ void ScriptHost::HandleInput(const InputEvent& event) {
 bool ScriptHost::PressButton(std::string_view name) {
   const world::UiId panel = world_.ui().FindButton(name);
   if (panel == world::UiId::kNone) return false;
-  if (!world_.ui().IsVisible(panel)) return true;
+  if (!world_.ui().Find(panel)->view.visible) return true;
   context_.buttons.Press(panel, [this](LuaMachine& machine, const std::optional<ScriptError>& error) {
     NoteResult(EntityId{machine.owner()}, "the function of a button", error);
   });

@@ -135,14 +135,17 @@ void ClientScene::ShowText(const Shape& shape, world::World& world) {
   constexpr float kLetter_px = 14, kHeight_px = 34, kPixel_m = 0.005f;
   const std::string said = shape.Text("text");
   const float width_px = kLetter_px * (static_cast<float>(said.size()) + 2);
-  ui.SetDimensions(text, width_px, kHeight_px);
-  ui.SetText(text, said);
-  ui.SetFont(text, world::UiFont::kMedium);
+  world::UiComponent& panel = *ui.Edit(text);
+  panel.caption = said;
+  panel.view.width = width_px;
+  panel.view.height = kHeight_px;
+  panel.view.font = world::UiFont::kMedium;
+  panel.view.visible = true;
   const world::Vec3 color = shape.Color();
-  ui.SetFontColor(text, {color.x, color.y, color.z, 1});
+  panel.view.text_color = {color.x, color.y, color.z, 1};
   // The position is that of the panel's left corner, so half of the width is subtracted to centre the text.
-  ui.SetWorldPosition(text, shape.At("x", "y", kTextHeight_m) - world::Vec3{width_px * kPixel_m / 2, 0, 0});
-  ui.SetVisible(text, true);
+  const world::Vec3 place = shape.At("x", "y", kTextHeight_m) - world::Vec3{width_px * kPixel_m / 2, 0, 0};
+  if (world::IsFinite(place)) panel.view.world_position = place;
 }
 
 void ClientScene::Show(world::World& world) {
@@ -157,7 +160,7 @@ void ClientScene::Show(world::World& world) {
     else if (shape.kind == "text")
       ShowText(shape, world);
   }
-  for (std::size_t i = texts_shown_; i < texts_.size(); ++i) world.ui().SetVisible(texts_[i], false);
+  for (std::size_t i = texts_shown_; i < texts_.size(); ++i) world.ui().Edit(texts_[i])->view.visible = false;
 }
 
 }  // namespace soarbox::sim

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "world/refill.h"
-#include "world/rotation.h"
 
 namespace soarbox::world {
 namespace {
@@ -28,8 +27,6 @@ constexpr std::array<std::array<int, 3>, 10> kPalette{{{255, 255, 255},
                                                        {254, 254, 254},
                                                        {13, 13, 13}}};
 
-const std::string kNoText;
-
 float Channel(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.0f;
 }
@@ -46,19 +43,17 @@ Ui::Ui() {
   }
 }
 
-/// For changes of the component.
-Ui::Component* Ui::Find(UiId id) {
+const UiComponent* Ui::Find(UiId id) const {
+  const auto found = components_.find(id);
+  return found == components_.end() ? nullptr : &found->second;
+}
+
+UiComponent* Ui::Edit(UiId id) {
   ++changes_;
-  const auto found = components_.find(id);
-  return found == components_.end() ? nullptr : &found->second;
+  return const_cast<UiComponent*>(Find(id));
 }
 
-const Ui::Component* Ui::Find(UiId id) const {
-  const auto found = components_.find(id);
-  return found == components_.end() ? nullptr : &found->second;
-}
-
-UiId Ui::Add(Component component) {
+UiId Ui::Add(UiComponent component) {
   const UiId id{next_++};
   component.view.id = Number(id);
   component.view.width = 100;
@@ -70,23 +65,23 @@ UiId Ui::Add(Component component) {
 
 UiId Ui::Create(int layer) {
   if (layer < 0 || layer >= kLayers) return UiId::kNone;
-  Component component;
+  UiComponent component;
   component.view.layer = layer;
   return Add(std::move(component));
 }
 
 UiId Ui::CreateInWorld(Vec3 position) {
   if (!IsFinite(position)) return UiId::kNone;
-  Component component;
+  UiComponent component;
   component.view.in_world = true;
   component.view.world_position = position;
   return Add(std::move(component));
 }
 
 UiId Ui::CreateChild(UiId parent) {
-  const Component* above = std::as_const(*this).Find(parent);
+  const UiComponent* above = Find(parent);
   if (!above) return UiId::kNone;
-  Component component;
+  UiComponent component;
   component.view.parent_id = Number(parent);
   component.view.layer = above->view.layer;
   component.view.in_world = above->view.in_world;
@@ -99,169 +94,28 @@ bool Ui::Remove(UiId id) {
   // Ids ascend from parents to children, so one pass finds all descendants.
   for (auto next = components_.begin(); next != components_.end();) {
     const UiId parent{next->second.view.parent_id};
-    next = parent != UiId::kNone && !Contains(parent) ? components_.erase(next) : std::next(next);
+    next = parent != UiId::kNone && !Find(parent) ? components_.erase(next) : std::next(next);
   }
   return true;
 }
 
-UiPoint Ui::Position(UiId id) const {
-  const Component* found = Find(id);
-  return found ? UiPoint{found->view.x, found->view.y} : UiPoint{};
-}
-
 UiPoint Ui::OffsetPosition(UiId id) const {
-  const Component* found = Find(id);
+  const UiComponent* found = Find(id);
   return found && found->view.parent_id != 0 ? ScreenPosition(UiId{found->view.parent_id}) : UiPoint{};
 }
 
 UiPoint Ui::ScreenPosition(UiId id) const {
   UiPoint sum;
   // Parents are older than their children, so this terminates.
-  for (const Component* at = Find(id); at; at = Find(UiId{at->view.parent_id})) {
+  for (const UiComponent* at = Find(id); at; at = Find(UiId{at->view.parent_id})) {
     sum.x += at->view.x;
     sum.y += at->view.y;
   }
   return sum;
 }
 
-UiPoint Ui::Dimensions(UiId id) const {
-  const Component* found = Find(id);
-  return found ? UiPoint{found->view.width, found->view.height} : UiPoint{};
-}
-
-UiPoint Ui::TextMargin(UiId id) const {
-  const Component* found = Find(id);
-  return found ? UiPoint{found->view.margin_left, found->view.margin_top} : UiPoint{};
-}
-
-const std::string& Ui::Text(UiId id) const {
-  const Component* found = Find(id);
-  return found ? found->caption : kNoText;
-}
-
-const std::string& Ui::MarkupText(UiId id) const {
-  const Component* found = Find(id);
-  return found ? found->markup : kNoText;
-}
-
-UiFont Ui::Font(UiId id) const {
-  const Component* found = Find(id);
-  return found ? found->view.font : UiFont::kSmall;
-}
-
-bool Ui::IsVisible(UiId id) const {
-  const Component* found = Find(id);
-  return found && found->view.visible;
-}
-
-bool Ui::SetPosition(UiId id, float x, float y) {
-  Component* found = Find(id);
-  if (!found || !IsFinite(x) || !IsFinite(y)) return false;
-  found->view.x = x;
-  found->view.y = y;
-  return true;
-}
-
-bool Ui::SetDimensions(UiId id, float width, float height) {
-  Component* found = Find(id);
-  if (!found || !IsFinite(width) || !IsFinite(height)) return false;
-  found->view.width = std::max(0.0f, width);
-  found->view.height = std::max(0.0f, height);
-  return true;
-}
-
-bool Ui::SetTextMargin(UiId id, float top, float left) {
-  Component* found = Find(id);
-  if (!found || !IsFinite(top) || !IsFinite(left)) return false;
-  found->view.margin_top = top;
-  found->view.margin_left = left;
-  return true;
-}
-
-bool Ui::SetText(UiId id, std::string_view text) {
-  Component* found = Find(id);
-  if (found) found->caption = text;
-  return found != nullptr;
-}
-
-bool Ui::SetMarkupText(UiId id, std::string_view text) {
-  Component* found = Find(id);
-  if (found) found->markup = text;
-  return found != nullptr;
-}
-
-bool Ui::SetFont(UiId id, UiFont font) {
-  Component* found = Find(id);
-  if (found) found->view.font = font;
-  return found != nullptr;
-}
-
-bool Ui::SetFontColor(UiId id, Color color) {
-  Component* found = Find(id);
-  if (found) found->view.text_color = Clamped(color);
-  return found != nullptr;
-}
-
-bool Ui::SetBackgroundColor(UiId id, Color color) {
-  Component* found = Find(id);
-  if (!found) return false;
-  found->view.has_gradient = true;
-  found->view.gradient_is_vertical = true;
-  found->view.gradient_is_diagonal = false;
-  found->view.gradient_from = found->view.gradient_to = Clamped(color);
-  return true;
-}
-
-bool Ui::SetGradientColor(UiId id, UiGradient direction, Color from, Color to) {
-  Component* found = Find(id);
-  if (!found) return false;
-  found->view.has_gradient = true;
-  found->view.gradient_is_vertical = direction == UiGradient::kNorthSouth;
-  found->view.gradient_is_diagonal = direction == UiGradient::kDiagonal;
-  found->view.gradient_from = Clamped(from);
-  found->view.gradient_to = Clamped(to);
-  return true;
-}
-
-bool Ui::SetVisible(UiId id, bool visible) {
-  Component* found = Find(id);
-  if (found) found->view.visible = visible;
-  return found != nullptr;
-}
-
-bool Ui::SetBar(UiId id, float fraction, Color color) {
-  Component* found = Find(id);
-  if (!found || !std::isfinite(fraction)) return false;
-  found->view.has_bar = true;
-  found->view.bar = std::clamp(fraction, 0.0f, 1.0f);
-  found->view.bar_color = Clamped(color);
-  return true;
-}
-
-bool Ui::RemoveBar(UiId id) {
-  Component* found = Find(id);
-  if (found) found->view.has_bar = false;
-  return found != nullptr;
-}
-
-std::optional<float> Ui::Bar(UiId id) const {
-  const Component* found = Find(id);
-  return found && found->view.has_bar ? std::optional(found->view.bar) : std::nullopt;
-}
-
-const std::string& Ui::Button(UiId id) const {
-  const Component* found = Find(id);
-  return found ? found->view.button : kNoText;
-}
-
-bool Ui::SetImage(UiId id, std::string_view key) {
-  Component* found = Find(id);
-  if (found) found->view.material = key;
-  return found != nullptr;
-}
-
 bool Ui::SetButton(UiId id, std::string_view name) {
-  Component* found = Find(id);
+  UiComponent* found = Edit(id);
   if (!found) return false;
   const UiId other = name.empty() ? UiId::kNone : FindButton(name);
   if (other != UiId::kNone && other != id) return false;
@@ -280,20 +134,6 @@ std::vector<std::string> Ui::ButtonNames() const {
   for (const auto& [id, component] : components_)
     if (!component.view.button.empty()) names.push_back(component.view.button);
   return names;
-}
-
-bool Ui::SetWorldPosition(UiId id, Vec3 position) {
-  Component* found = Find(id);
-  if (!found || !found->view.in_world || !IsFinite(position)) return false;
-  found->view.world_position = position;
-  return true;
-}
-
-bool Ui::SetWorldOrientation(UiId id, Quat orientation) {
-  Component* found = Find(id);
-  if (!found || !found->view.in_world || !IsFinite(orientation)) return false;
-  found->view.world_orientation = Normalized(orientation);
-  return true;
 }
 
 void Ui::SetMarkupColor(int index, Color color) {

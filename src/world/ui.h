@@ -18,10 +18,15 @@ struct UiPoint {
   float x = 0, y = 0;
 };
 
-enum class UiGradient : std::uint8_t { kNorthSouth, kWestEast, kDiagonal };
+/// A user-interface component: a box with a background, a plain caption and a markup text. Only data; renderers lay out
+/// the text.
+struct UiComponent {
+  UiSnapshot view;  ///< Except for its texts.
+  std::string caption;
+  std::string markup;
+};
 
-/// The user-interface components of scripts (lua_api.md 10): boxes with a background, a plain caption and a markup
-/// text. They are data only; renderers lay out the text. Calls with an unknown component return false or nothing.
+/// The user-interface components of scripts (lua_api.md 10).
 class Ui {
  public:
   Ui();
@@ -34,52 +39,22 @@ class Ui {
   UiId CreateChild(UiId parent);
   /// Removes the component and all its children. False if there is no such component.
   bool Remove(UiId id);
-  bool Contains(UiId id) const { return components_.count(id) != 0; }
+  std::size_t size() const { return components_.size(); }
 
-  /// Relative to the parent.
-  UiPoint Position(UiId id) const;
+  /// Null for unknown components.
+  const UiComponent* Find(UiId id) const;
+  /// The same, to change the component. The caller passes finite numbers, and channels of colours in 0..1.
+  UiComponent* Edit(UiId id);
   /// The parent's screen position; (0, 0) at the top level.
   UiPoint OffsetPosition(UiId id) const;
-  std::size_t size() const { return components_.size(); }
   UiPoint ScreenPosition(UiId id) const;
-  UiPoint Dimensions(UiId id) const;
-  /// x = left, y = top.
-  UiPoint TextMargin(UiId id) const;
-  const std::string& Text(UiId id) const;
-  const std::string& MarkupText(UiId id) const;
-  UiFont Font(UiId id) const;
-  bool IsVisible(UiId id) const;
 
-  bool SetPosition(UiId id, float x, float y);
-  bool SetDimensions(UiId id, float width, float height);
-  bool SetTextMargin(UiId id, float top, float left);
-  bool SetText(UiId id, std::string_view text);
-  bool SetMarkupText(UiId id, std::string_view text);
-  bool SetFont(UiId id, UiFont font);
-  bool SetFontColor(UiId id, Color color);
-  /// Sets a flat background, which replaces a gradient. Channels are clamped to 0..1.
-  bool SetBackgroundColor(UiId id, Color color);
-  /// Sets a gradient, which replaces a flat background.
-  bool SetGradientColor(UiId id, UiGradient direction, Color from, Color to);
-  bool SetVisible(UiId id, bool visible);
-  /// A bar that fills this fraction of the width, clamped to 0..1.
-  bool SetBar(UiId id, float fraction, Color color);
-  bool RemoveBar(UiId id);
-  /// The fraction of its bar; nothing if it has none.
-  std::optional<float> Bar(UiId id) const;
-  /// The button's name; empty if this is not a button.
-  const std::string& Button(UiId id) const;
-  /// The key of an image that fills it (asset_store.h); empty: none.
-  bool SetImage(UiId id, std::string_view key);
   /// Makes it a button with this name; an empty name makes it a plain component again. Returns false if another
   /// component has the name.
   bool SetButton(UiId id, std::string_view name);
   /// The button with this name; kNone if there is none.
   UiId FindButton(std::string_view name) const;
   std::vector<std::string> ButtonNames() const;
-  /// Only for components in the world; returns false for others.
-  bool SetWorldPosition(UiId id, Vec3 position);
-  bool SetWorldOrientation(UiId id, Quat orientation);
 
   /// The palette of the markup's colours 0..9. Setting another index is ignored; reading one returns white.
   void SetMarkupColor(int index, Color color);
@@ -93,16 +68,9 @@ class Ui {
   void FillSnapshot(SceneSnapshot& snapshot, bool is_known) const;
 
  private:
-  struct Component {
-    UiSnapshot view;
-    std::string caption;
-    std::string markup;
-  };
-  Component* Find(UiId id);
-  const Component* Find(UiId id) const;
-  UiId Add(Component component);
+  UiId Add(UiComponent component);
 
-  std::map<UiId, Component> components_;
+  std::map<UiId, UiComponent> components_;
   std::uint64_t changes_ = 0;
   std::array<Color, 10> palette_;
   std::uint32_t next_ = 1;

@@ -56,7 +56,7 @@ class Stage {
     if (tick % 17 == 8) scene.ResetParticle(nodes_.back());
     if (tick == 30) scene.Remove(lamp_);
     if (tick == 33) scene.SetAmbient({1, 0, 0});
-    if (tick % 9 == 4) world_.ui().SetText(panels_[tick % panels_.size()], std::to_string(tick));
+    if (tick % 9 == 4) world_.ui().Edit(panels_[tick % panels_.size()])->caption = std::to_string(tick);
     if (tick % 6 == 2) world_.RemoveObject(world_.ObjectIds()[tick % world_.ObjectIds().size()]);
     if (tick % 8 == 7) world_.FindObject(world_.CreatePhysicsSphere(0.2f))->SetPosition({3, 4, 5});
     if (tick % 10 == 9) world_.FindObject(world_.ObjectIds().back())->ApplyImpulse({300, 900, 0});
