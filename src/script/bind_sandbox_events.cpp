@@ -20,7 +20,7 @@ int RaiseFull(lua_State* state) {
 
 void CheckCallbacks(lua_State* state) {
   const ScriptContext& context = ContextOf(state);
-  CheckRoom(state, context.events.callbacks() + context.collisions.size(), context.budget.limits().callbacks,
+  CheckRoom(state, context.listeners.size() + context.collisions.size(), context.budget.limits().callbacks,
             "callbacks");
 }
 
@@ -49,17 +49,14 @@ int AddEventCallback(lua_State* state) {
   if (target->kind == ValueKind::kObject) ObjectArgument(state, 2);
   if (target->kind == ValueKind::kAgent) AgentArgument(state, 2);
   CheckCallbacks(state);
-  lua_pushvalue(state, 3);
-  ContextOf(state).events.SetCallback(*target, LuaMachine::Of(state), luaL_ref(state, LUA_REGISTRYINDEX));
+  ContextOf(state).listeners.Set(*target, state, 3);
   return 0;
 }
 
-int AddCollisionCallback(lua_State* state) {
-  const world::EntityId object = ObjectArgument(state, 2).id();
+/// (sandbox, object, callback)
+void AddCollisionCallback(lua_State* state, const world::World&, const world::Object& object) {
   CheckCallbacks(state);
-  lua_pushvalue(state, 3);
-  ContextOf(state).collisions.Add(object, LuaMachine::Of(state), luaL_ref(state, LUA_REGISTRYINDEX));
-  return 0;
+  ContextOf(state).collisions.Add({ValueKind::kObject, Number(object.id())}, state, 3);
 }
 
 void End(lua_State* state, const world::World&, std::string_view end) {
@@ -88,7 +85,7 @@ int ReadTextOrRaise(lua_State* state) {
 }
 
 constexpr ApiFunction kSandboxEventsFunctions[] = {
-    {"Sandbox.AddCollisionCallback", AddCollisionCallback, kIgnored,
+    {"Sandbox.AddCollisionCallback", kCall<AddCollisionCallback>, kIgnored,
      "sandbox: Sandbox, object: Object, callback: function", "",
      "Calls callback(sandbox, collision) after each step in which an agent or another body touches the object. The "
      "collision has the fields objectA (this object), objectB (the other object or agent), pointA, pointB and "

@@ -102,7 +102,7 @@ void SetVisible(UiComponent& panel, bool visible) {
 
 void Remove(lua_State* state, Ui& ui, UiId id) {
   ui.Remove(id);
-  ContextOf(state).buttons.RemoveGone(ui);
+  ContextOf(state).buttons.RemoveIf([&](std::uint32_t panel) { return !ui.Find(UiId{panel}); });
 }
 
 /// Warns if the panel is on the screen, because it then has no position in the world.
@@ -138,7 +138,7 @@ void RemoveBar(UiComponent& panel) {
 
 void RemoveButton(lua_State* state, Ui& ui, UiId id) {
   ui.SetButton(id, {});
-  ContextOf(state).buttons.Remove(id);
+  ContextOf(state).buttons.Remove(Number(id));
 }
 
 void RemoveImage(UiComponent& panel) {
@@ -167,8 +167,7 @@ int SetButton(lua_State* state) {
     return ArgumentError(state, 2, "a button's name has 1 to 100 letters");
   ScriptContext& context = ContextOf(state);
   if (!context.world.ui().SetButton(id, name)) return ArgumentError(state, 2, "another button has this name");
-  lua_pushvalue(state, 3);
-  context.buttons.Set(id, LuaMachine::Of(state), luaL_ref(state, LUA_REGISTRYINDEX));
+  context.buttons.Set({ValueKind::kUi, Number(id)}, state, 3);
   return 0;
 }
 

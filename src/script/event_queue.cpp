@@ -91,47 +91,18 @@ void EventQueue::Add(ScriptEvent event) {
   waiting_.push_back(std::move(event));
 }
 
-void EventQueue::SetCallback(Handle target, LuaMachine& machine, int function) {
-  RemoveTarget(target.number);
-  callbacks_[target.number] = {target, &machine, function};
-}
-
-void EventQueue::RemoveTarget(std::uint32_t number) {
-  const auto it = callbacks_.find(number);
-  if (it == callbacks_.end()) return;
-  it->second.machine->Release(it->second.function);
-  callbacks_.erase(it);
-}
-
-void EventQueue::RemoveMachine(LuaMachine& machine) {
-  std::erase_if(callbacks_, [&](const auto& entry) {
-    if (entry.second.machine != &machine) return false;
-    machine.Release(entry.second.function);
-    return true;
-  });
-}
-
-void EventQueue::Deliver(const std::function<bool(const LuaMachine&)>& may_run, const OnResult& on_result) {
+void EventQueue::Deliver(const Callbacks& listeners, const Callbacks::MayRun& may_run,
+                         const Callbacks::OnResult& on_result) {
   const std::vector<ScriptEvent> events = std::exchange(waiting_, {});
   waiting_bytes_ = 0;
   for (const ScriptEvent& event : events) {
-    // Callbacks may set and replace callbacks: iterate by number, not by the map's nodes.
-    auto it = callbacks_.begin();
-    while (it != callbacks_.end()) {
-      const std::uint32_t number = it->first;
-      const Callback callback = it->second;
-      if (may_run(*callback.machine)) {
-        const auto error = callback.machine->CallKept(callback.function, [&](lua_State* state) {
-          PushSandbox(state);
-          PushHandle(state, callback.target);
-          lua_pushlstring(state, event.type.data(), event.type.size());
-          PushEvent(state, event);
-          return 4;
-        });
-        on_result(*callback.machine, error ? &*error : nullptr);
-      }
-      it = callbacks_.upper_bound(number);
-    }
+    listeners.CallAll(may_run, on_result, [&](lua_State* state, Handle listener) {
+      PushSandbox(state);
+      PushHandle(state, listener);
+      lua_pushlstring(state, event.type.data(), event.type.size());
+      PushEvent(state, event);
+      return 4;
+    });
   }
 }
 

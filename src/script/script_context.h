@@ -6,8 +6,7 @@
 #include <string>
 
 #include "diagnostics/result.h"
-#include "script/button_callbacks.h"
-#include "script/collision_callbacks.h"
+#include "script/callbacks.h"
 #include "script/event_queue.h"
 #include "script/mind_factory.h"
 #include "script/script_reporter.h"
@@ -29,8 +28,9 @@ struct ScriptContext {
   AgentMaker& agents;
   WorldBudget& budget;
   EventQueue events{};
-  CollisionCallbacks collisions{};
-  ButtonCallbacks buttons{};
+  Callbacks listeners{};   ///< Of events: callback(sandbox, listener, type, event). One per listener.
+  Callbacks collisions{};  ///< Of objects: callback(sandbox, collision).
+  Callbacks buttons{};     ///< Of panels: callback(sandbox, panel). One per panel.
   std::map<std::string, std::string, std::less<>>
       assets{};  ///< Keys of files, by the names of the files (script_asset.h).
 };

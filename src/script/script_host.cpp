@@ -7,6 +7,7 @@
 #include "model/model.h"
 #include "script/bind_api.h"
 #include "script/check_names.h"
+#include "script/collision_callbacks.h"
 #include "script/keep_state.h"
 #include "script/lua_library.h"
 #include "script/lua_text.h"
@@ -218,8 +219,8 @@ std::vector<EntityId> ScriptHost::BeginTick() {
     if (const AgentScript* script = Find(agent)) CleanUpAgent(*script);
   });
   for (const EntityId id : removed) {
-    context_.events.RemoveTarget(Number(id));
-    context_.collisions.RemoveObject(id);
+    context_.listeners.Remove(Number(id));
+    context_.collisions.Remove(Number(id));
     EndScript(id);
   }
   return removed;
@@ -238,7 +239,7 @@ void ScriptHost::EndScript(EntityId agent) {
   AgentScript* script = Find(agent);
   if (!script) return;
   LuaMachine& machine = *script->machine;
-  context_.events.RemoveMachine(machine);
+  context_.listeners.RemoveMachine(machine);
   context_.collisions.RemoveMachine(machine);
   if (machine.observer() != nullptr) machine.observer()->OnGone(machine);
   by_id_[Number(agent)] = nullptr;
@@ -271,9 +272,13 @@ bool ScriptHost::PressButton(std::string_view name) {
   const world::UiId panel = world_.ui().FindButton(name);
   if (panel == world::UiId::kNone) return false;
   if (!world_.ui().Find(panel)->view.visible) return true;
-  context_.buttons.Press(panel, [this](LuaMachine& machine, const std::optional<ScriptError>& error) {
-    NoteResult(EntityId{machine.owner()}, "the function of a button", error);
-  });
+  const auto push = [](lua_State* state, Handle button) {
+    PushSandbox(state);
+    PushHandle(state, button);
+    return 2;
+  };
+  context_.buttons.Call(
+      Number(panel), [](const LuaMachine&) { return true; }, NoteResultsOf("the function of a button"), push);
   return true;
 }
 
@@ -285,10 +290,9 @@ void ScriptHost::AddOrder(EntityId agent, const std::string& order) {
 }
 
 void ScriptHost::DeliverEvents() {
-  context_.events.Deliver([this](const LuaMachine& machine) { return MayRun(machine); },
-                          [this](LuaMachine& machine, const ScriptError* error) {
-                            NoteResult(EntityId{machine.owner()}, "the event callback", error);
-                          });
+  context_.events.Deliver(
+      context_.listeners, [this](const LuaMachine& machine) { return MayRun(machine); },
+      NoteResultsOf("the event callback"));
 }
 
 bool ScriptHost::UpdateAgent(EntityId agent, std::optional<std::string_view> command, const Table& parameters) {
@@ -473,17 +477,14 @@ GameAnswer ScriptHost::CommandBySandbox(EntityId agent, std::string_view command
 }
 
 void ScriptHost::HandleCollisions() {
-  context_.collisions.Deliver(
-      world_.Collisions(), [this](EntityId id) { return world_.FindAgent(id) != nullptr; },
-      [this](const LuaMachine& machine) { return MayRun(machine); },
-      [this](LuaMachine& machine, const ScriptError* error) {
-        NoteResult(EntityId{machine.owner()}, "the collision callback", error);
-      });
+  DeliverCollisions(
+      context_.collisions, world_.Collisions(), [this](EntityId id) { return world_.FindAgent(id) != nullptr; },
+      [this](const LuaMachine& machine) { return MayRun(machine); }, NoteResultsOf("the collision callback"));
   FileSensorEvents();
 }
 
 void ScriptHost::FileSensorEvents() {
-  if (context_.events.callbacks() == 0) return;
+  if (context_.listeners.size() == 0) return;
   for (const world::SensorChange& change : world_.SensorChanges()) {
     if (context_.events.waiting() >= settings_.world_limits.waiting_events) return;
     ScriptEvent event{change.entered ? "SensorEntered" : "SensorLeft", {}};
@@ -658,7 +659,13 @@ bool ScriptHost::MayRun(const LuaMachine& machine) const {
   return !script || script->runs;
 }
 
-bool ScriptHost::NoteResult(EntityId agent, const char* callback, const ScriptError* error) {
+Callbacks::OnResult ScriptHost::NoteResultsOf(const char* callback) {
+  return [this, callback](LuaMachine& machine, const std::optional<ScriptError>& error) {
+    NoteResult(EntityId{machine.owner()}, callback, error);
+  };
+}
+
+bool ScriptHost::NoteResult(EntityId agent, const char* callback, const std::optional<ScriptError>& error) {
   if (error) {
     reporter_.Failed(agent, callback, *error);
   } else {

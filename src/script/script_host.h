@@ -156,11 +156,10 @@ class ScriptHost final : private AgentMaker {
   /// Warns of functions whose names are nearly those that a sandbox calls; once for each script.
   void WarnOfSlips(std::string_view script);
   bool MayRun(const LuaMachine& machine) const;
-  /// Notes the result of a call; `error` may be null. False if it failed.
-  bool NoteResult(world::EntityId agent, const char* callback, const ScriptError* error);
-  bool NoteResult(world::EntityId agent, const char* callback, const std::optional<ScriptError>& error) {
-    return NoteResult(agent, callback, error ? &*error : nullptr);
-  }
+  /// Notes the result of a call. False if it failed.
+  bool NoteResult(world::EntityId agent, const char* callback, const std::optional<ScriptError>& error);
+  /// Does the same for functions that scripts registered.
+  Callbacks::OnResult NoteResultsOf(const char* callback);
   void StopAgent(AgentScript& script, const ScriptError& error);
   std::unique_ptr<LuaMachine> MakeMachine(std::string_view script, world::EntityId owner, MachineLimits limits,
                                           RandomSource& random);
