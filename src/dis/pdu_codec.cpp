@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
 
 #include "diagnostics/name_table.h"
 
@@ -15,38 +17,150 @@ constexpr std::size_t kHeaderBytes = 12, kMarkingBytes = 11, kMostTexts = 16, kM
 /// Maximum distance from the centre of the earth, and maximum of other values such as speeds.
 constexpr double kMostCoordinate = 1e8, kMostOther = 1e6;
 
+/// The fields of the standard's records, in their order. An archive is a Writer, which appends the fields to a PDU, or
+/// a Reader, which sets them. Called with a PDU that is not const in both cases.
+template <class Archive>
+void Fields(Archive& archive, EntityId& id) {
+  archive.Numbers(id.site, id.application, id.entity);
+}
+template <class Archive>
+void Fields(Archive& archive, EventId& id) {
+  archive.Numbers(id.site, id.application, id.number);
+}
+template <class Archive>
+void Fields(Archive& archive, EntityType& type) {
+  archive.Numbers(type.kind, type.domain, type.country, type.category, type.subcategory, type.specific, type.extra);
+}
+template <class Archive>
+void Fields(Archive& archive, Burst& burst) {
+  Fields(archive, burst.munition);
+  archive.Numbers(burst.warhead, burst.fuse, burst.quantity, burst.rate);
+}
+
+template <class Archive>
+void Fields(Archive& archive, EntityState& state) {
+  Fields(archive, state.id);
+  archive.Numbers(state.force);
+  archive.Zeros(1);  // No articulated parts; those of others follow everything that is read.
+  Fields(archive, state.type);
+  Fields(archive, state.alternative);
+  archive.Floats(state.velocity);
+  archive.Doubles(state.position);
+  archive.Float(state.orientation.psi);
+  archive.Float(state.orientation.theta);
+  archive.Float(state.orientation.phi);
+  archive.Numbers(state.appearance);
+  archive.Enum(state.algorithm);
+  archive.Zeros(15);
+  archive.Floats(state.acceleration);
+  archive.Floats(state.turn);
+  std::uint8_t ascii = 1;
+  archive.Numbers(ascii);
+  archive.Text(state.marking, kMarkingBytes);
+  archive.Numbers(state.capabilities);
+}
+
+template <class Archive>
+void Fields(Archive& archive, Fire& fire) {
+  for (EntityId* id : {&fire.shooter, &fire.target, &fire.munition}) Fields(archive, *id);
+  Fields(archive, fire.event);
+  archive.Numbers(fire.mission);
+  archive.Doubles(fire.position);
+  Fields(archive, fire.burst);
+  archive.Floats(fire.velocity);
+  archive.Float(fire.range_m);
+}
+
+template <class Archive>
+void Fields(Archive& archive, Detonation& hit) {
+  for (EntityId* id : {&hit.shooter, &hit.target, &hit.munition}) Fields(archive, *id);
+  Fields(archive, hit.event);
+  archive.Floats(hit.velocity);
+  archive.Doubles(hit.position);
+  Fields(archive, hit.burst);
+  archive.Floats(hit.position_in_target);
+  archive.Numbers(hit.result);
+  archive.Zeros(3);  // No articulated parts.
+}
+
+template <class Archive>
+void Fields(Archive& archive, Collision& collision) {
+  Fields(archive, collision.issuer);
+  Fields(archive, collision.other);
+  Fields(archive, collision.event);
+  archive.Numbers(collision.type);
+  archive.Zeros(1);
+  archive.Floats(collision.velocity);
+  archive.Float(collision.mass_kg);
+  archive.Floats(collision.position_in_issuer);
+}
+
+template <class Archive>
+void Fields(Archive& archive, Comment& comment) {
+  Fields(archive, comment.from);
+  Fields(archive, comment.to);
+  archive.Texts(comment.texts);
+}
+
+/// Whether the receiver of an order can comply with it.
+constexpr std::uint16_t kAble = 1, kUnable = 2;
+
+template <class Archive>
+void Fields(Archive& archive, Management& order) {
+  Fields(archive, order.from);
+  Fields(archive, order.to);
+  if (order.type == PduType::kStartResume) archive.Zeros(16);
+  if (order.type == PduType::kStopFreeze) {
+    archive.Zeros(8);
+    archive.Numbers(order.reason);
+    archive.Zeros(3);
+  }
+  if (order.type == PduType::kAcknowledge) {
+    std::uint16_t answer = order.is_able ? kAble : kUnable;
+    archive.Numbers(order.flag, answer);
+    order.is_able = answer != kUnable;
+  }
+  archive.Numbers(order.request);
+}
+
 class Writer {
  public:
-  template <class Number>
-  void Unsigned(Number value) {
-    for (int shift = static_cast<int>(sizeof(Number)) * 8 - 8; shift >= 0; shift -= 8)
-      bytes_.push_back(static_cast<std::byte>(value >> shift & 0xFF));
+  template <class... Number>
+  void Numbers(Number... values) {
+    (Unsigned(values), ...);
   }
-  void Byte(std::uint8_t value) { bytes_.push_back(static_cast<std::byte>(value)); }
-  void Float(double value) { Unsigned(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
-  void Double(double value) { Unsigned(std::bit_cast<std::uint64_t>(value)); }
+  template <class Number>
+  void Enum(Number value) {
+    Unsigned(static_cast<std::underlying_type_t<Number>>(value));
+  }
+  template <class Real>
+  void Float(Real value) {
+    Unsigned(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  }
   void Zeros(std::size_t count) { bytes_.resize(bytes_.size() + count); }
   void Floats(const Vector& v) {
     for (const double part : {v.x, v.y, v.z}) Float(part);
   }
   void Doubles(const Vector& v) {
-    for (const double part : {v.x, v.y, v.z}) Double(part);
+    for (const double part : {v.x, v.y, v.z}) Unsigned(std::bit_cast<std::uint64_t>(part));
   }
-  void Id(const EntityId& id) {
-    for (const std::uint16_t part : {id.site, id.application, id.entity}) Unsigned(part);
+  /// Adds zeros or cuts the text so that it has this size.
+  void Text(std::string_view text, std::size_t size) {
+    text = text.substr(0, size);
+    for (const char c : text) Unsigned(static_cast<std::uint8_t>(c));
+    Zeros(size - text.size());
   }
-  void Event(const EventId& id) {
-    for (const std::uint16_t part : {id.site, id.application, id.number}) Unsigned(part);
-  }
-  void Type(const EntityType& type) {
-    Byte(type.kind);
-    Byte(type.domain);
-    Unsigned(type.country);
-    for (const std::uint8_t part : {type.category, type.subcategory, type.specific, type.extra}) Byte(part);
-  }
-  void BurstOf(const Burst& burst) {
-    Type(burst.munition);
-    for (const std::uint16_t part : {burst.warhead, burst.fuse, burst.quantity, burst.rate}) Unsigned(part);
+  void Texts(const std::vector<std::string>& texts) {
+    Unsigned(std::uint32_t{0});  // No fixed data.
+    const std::size_t count = std::min(texts.size(), kMostTexts);
+    Unsigned(static_cast<std::uint32_t>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t size = std::min(texts[i].size(), kMostTextBytes);
+      Unsigned(std::uint32_t{0});  // Not one of the standard's kinds.
+      Unsigned(static_cast<std::uint32_t>(size * 8));
+      Text(texts[i], size);
+      Zeros((8 - size % 8) % 8);
+    }
   }
 
   std::vector<std::byte> Take() {
@@ -56,110 +170,13 @@ class Writer {
   }
 
  private:
+  template <class Number>
+  void Unsigned(Number value) {
+    for (int shift = static_cast<int>(sizeof(Number)) * 8 - 8; shift >= 0; shift -= 8)
+      bytes_.push_back(static_cast<std::byte>(value >> shift & 0xFF));
+  }
+
   std::vector<std::byte> bytes_;
-};
-
-/// Whether the receiver of an order can comply with it.
-constexpr std::uint16_t kAble = 1, kUnable = 2;
-/// Protocol families of the kinds of PDUs.
-constexpr std::uint8_t kEntityFamily = 1, kWarfareFamily = 2, kManagementFamily = 5;
-
-std::pair<PduType, std::uint8_t> KindOf(const Body& body) {
-  if (std::holds_alternative<EntityState>(body)) return {PduType::kEntityState, kEntityFamily};
-  if (std::holds_alternative<Collision>(body)) return {PduType::kCollision, kEntityFamily};
-  if (std::holds_alternative<Fire>(body)) return {PduType::kFire, kWarfareFamily};
-  if (std::holds_alternative<Detonation>(body)) return {PduType::kDetonation, kWarfareFamily};
-  if (std::holds_alternative<Comment>(body)) return {PduType::kComment, kManagementFamily};
-  return {std::get<Management>(body).type, kManagementFamily};
-}
-
-struct BodyWriter {
-  Writer& out;
-
-  void operator()(const EntityState& state) const {
-    out.Id(state.id);
-    out.Byte(state.force);
-    out.Byte(0);  // No articulated parts.
-    out.Type(state.type);
-    out.Type(state.alternative);
-    out.Floats(state.velocity);
-    out.Doubles(state.position);
-    for (const double angle : {state.orientation.psi, state.orientation.theta, state.orientation.phi}) out.Float(angle);
-    out.Unsigned(state.appearance);
-    out.Byte(static_cast<std::uint8_t>(state.algorithm));
-    out.Zeros(15);
-    out.Floats(state.acceleration);
-    out.Floats(state.turn);
-    out.Byte(1);  // The marking is ASCII.
-    for (std::size_t i = 0; i < kMarkingBytes; ++i)
-      out.Byte(i < state.marking.size() ? static_cast<std::uint8_t>(state.marking[i]) : 0);
-    out.Unsigned(state.capabilities);
-  }
-  void operator()(const Fire& fire) const {
-    for (const EntityId& id : {fire.shooter, fire.target, fire.munition}) out.Id(id);
-    out.Event(fire.event);
-    out.Unsigned(fire.mission);
-    out.Doubles(fire.position);
-    out.BurstOf(fire.burst);
-    out.Floats(fire.velocity);
-    out.Float(static_cast<double>(fire.range_m));
-  }
-  void operator()(const Detonation& hit) const {
-    for (const EntityId& id : {hit.shooter, hit.target, hit.munition}) out.Id(id);
-    out.Event(hit.event);
-    out.Floats(hit.velocity);
-    out.Doubles(hit.position);
-    out.BurstOf(hit.burst);
-    out.Floats(hit.position_in_target);
-    out.Byte(hit.result);
-    out.Byte(0);  // No articulated parts.
-    out.Zeros(2);
-  }
-  void operator()(const Collision& collision) const {
-    out.Id(collision.issuer);
-    out.Id(collision.other);
-    out.Event(collision.event);
-    out.Byte(collision.type);
-    out.Zeros(1);
-    out.Floats(collision.velocity);
-    out.Float(static_cast<double>(collision.mass_kg));
-    out.Floats(collision.position_in_issuer);
-  }
-  void operator()(const Comment& comment) const {
-    out.Id(comment.from);
-    out.Id(comment.to);
-    out.Unsigned(std::uint32_t{0});  // No fixed data.
-    const std::size_t count = std::min(comment.texts.size(), kMostTexts);
-    out.Unsigned(static_cast<std::uint32_t>(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::string_view text = std::string_view(comment.texts[i]).substr(0, kMostTextBytes);
-      out.Unsigned(std::uint32_t{0});  // Not one of the standard's kinds.
-      out.Unsigned(static_cast<std::uint32_t>(text.size() * 8));
-      for (const char c : text) out.Byte(static_cast<std::uint8_t>(c));
-      out.Zeros((8 - text.size() % 8) % 8);
-    }
-  }
-  void operator()(const Management& order) const {
-    out.Id(order.from);
-    out.Id(order.to);
-    switch (order.type) {
-      case PduType::kStartResume:
-        out.Zeros(16);
-        break;
-      case PduType::kStopFreeze:
-        out.Zeros(8);
-        out.Byte(order.reason);
-        out.Zeros(3);
-        break;
-      case PduType::kAcknowledge:
-        out.Unsigned(order.flag);
-        out.Unsigned(order.is_able ? kAble : kUnable);
-        break;
-      default:
-        break;
-    }
-    out.Unsigned(order.request);
-  }
 };
 
 /// Reads fields; keeps the first error.
@@ -168,7 +185,58 @@ class Reader {
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   bool ok() const { return ok_; }
-  void Fail() { ok_ = false; }
+
+  template <class... Number>
+  void Numbers(Number&... values) {
+    ((values = Unsigned<Number>()), ...);
+  }
+  template <class Number>
+  void Enum(Number& value) {
+    value = static_cast<Number>(Unsigned<std::underlying_type_t<Number>>());
+  }
+  template <class Real>
+  void Float(Real& value) {
+    const auto number = std::bit_cast<float>(Unsigned<std::uint32_t>());
+    value = static_cast<Real>(Checked(static_cast<double>(number), kMostOther));
+  }
+  /// Bytes that are not needed; others may put something there.
+  void Zeros(std::size_t count) {
+    ok_ = ok_ && count <= left();
+    if (ok_) at_ += count;
+  }
+  void Floats(Vector& v) {
+    for (double* part : {&v.x, &v.y, &v.z}) Float(*part);
+  }
+  void Doubles(Vector& v) {
+    for (double* part : {&v.x, &v.y, &v.z})
+      *part = Checked(std::bit_cast<double>(Unsigned<std::uint64_t>()), kMostCoordinate);
+  }
+  /// The printable part of this number of bytes, up to the first zero.
+  void Text(std::string& text, std::size_t size) {
+    bool ended = false;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto c = Unsigned<std::uint8_t>();
+      ended |= c == 0;
+      if (!ended) text += c >= 0x20 && c < 0x7F ? static_cast<char>(c) : '?';
+    }
+  }
+  void Texts(std::vector<std::string>& texts) {
+    std::uint32_t fixed = 0, variable = 0;
+    Numbers(fixed, variable);
+    ok_ = ok_ && fixed <= left() / 8 && variable <= kMostTexts;
+    Zeros(std::size_t{fixed} * 8);
+    for (std::uint32_t i = 0; ok_ && i < variable; ++i) {
+      std::uint32_t kind = 0, bits = 0;
+      Numbers(kind, bits);
+      const std::size_t size = (std::size_t{bits} + 7) / 8;
+      ok_ = ok_ && size <= kMostTextBytes && size <= left();
+      if (!ok_) break;
+      Text(texts.emplace_back(), size);
+      Zeros(std::min((8 - size % 8) % 8, left()));
+    }
+  }
+
+ private:
   std::size_t left() const { return bytes_.size() - at_; }
 
   template <class Number>
@@ -182,69 +250,6 @@ class Reader {
       value = static_cast<Number>(value << 8 | std::to_integer<Number>(bytes_[at_++]));
     return value;
   }
-  std::uint8_t Byte() {
-    if (left() == 0) {
-      ok_ = false;
-      return 0;
-    }
-    return std::to_integer<std::uint8_t>(bytes_[at_++]);
-  }
-  double Float(double most = kMostOther) {
-    return Checked(static_cast<double>(std::bit_cast<float>(Unsigned<std::uint32_t>())), most);
-  }
-  double Double() { return Checked(std::bit_cast<double>(Unsigned<std::uint64_t>()), kMostCoordinate); }
-  void Skip(std::size_t count) {
-    ok_ = ok_ && count <= left();
-    if (ok_) at_ += count;
-  }
-  Vector Floats() {
-    Vector v;
-    for (double* part : {&v.x, &v.y, &v.z}) *part = Float();
-    return v;
-  }
-  Vector Doubles() {
-    Vector v;
-    for (double* part : {&v.x, &v.y, &v.z}) *part = Double();
-    return v;
-  }
-  EntityId Id() {
-    EntityId id;
-    for (std::uint16_t* part : {&id.site, &id.application, &id.entity}) *part = Unsigned<std::uint16_t>();
-    return id;
-  }
-  EventId Event() {
-    EventId id;
-    for (std::uint16_t* part : {&id.site, &id.application, &id.number}) *part = Unsigned<std::uint16_t>();
-    return id;
-  }
-  EntityType Type() {
-    EntityType type;
-    type.kind = Byte();
-    type.domain = Byte();
-    type.country = Unsigned<std::uint16_t>();
-    for (std::uint8_t* part : {&type.category, &type.subcategory, &type.specific, &type.extra}) *part = Byte();
-    return type;
-  }
-  Burst BurstOf() {
-    Burst burst;
-    burst.munition = Type();
-    for (std::uint16_t* part : {&burst.warhead, &burst.fuse, &burst.quantity, &burst.rate})
-      *part = Unsigned<std::uint16_t>();
-    return burst;
-  }
-  /// The printable part of this number of bytes, up to the first zero.
-  std::string Text(std::size_t size) {
-    std::string text;
-    bool ended = false;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::uint8_t c = Byte();
-      ended |= c == 0;
-      if (!ended) text += c >= 0x20 && c < 0x7F ? static_cast<char>(c) : '?';
-    }
-    return text;
-  }
-
- private:
   double Checked(double value, double most) {
     if (std::isfinite(value) && std::abs(value) <= most) return value;
     ok_ = false;
@@ -256,100 +261,38 @@ class Reader {
   bool ok_ = true;
 };
 
-EntityState ReadEntityState(Reader& in) {
-  EntityState state;
-  state.id = in.Id();
-  state.force = in.Byte();
-  in.Byte();  // Articulated parts follow everything that is read.
-  state.type = in.Type();
-  state.alternative = in.Type();
-  state.velocity = in.Floats();
-  state.position = in.Doubles();
-  for (double* angle : {&state.orientation.psi, &state.orientation.theta, &state.orientation.phi}) *angle = in.Float();
-  state.appearance = in.Unsigned<std::uint32_t>();
-  state.algorithm = static_cast<DeadReckoning>(in.Byte());
-  in.Skip(15);
-  state.acceleration = in.Floats();
-  state.turn = in.Floats();
-  in.Byte();  // The character set.
-  state.marking = in.Text(kMarkingBytes);
-  state.capabilities = in.Unsigned<std::uint32_t>();
-  return state;
+/// The PDUs that are read, with their protocol family and minimum size in bytes.
+struct Kind {
+  PduType type;
+  std::uint8_t family;
+  std::size_t least_bytes;
+  Body (*make)(PduType type);
+};
+constexpr std::uint8_t kEntityFamily = 1, kWarfareFamily = 2, kManagementFamily = 5;
+template <class Part>
+Body Make(PduType type) {
+  Part part;
+  if constexpr (std::is_same_v<Part, Management>) part.type = type;
+  return part;
 }
+constexpr Kind kKinds[] = {
+    {PduType::kEntityState, kEntityFamily, 144, Make<EntityState>},
+    {PduType::kCollision, kEntityFamily, 60, Make<Collision>},
+    {PduType::kFire, kWarfareFamily, 96, Make<Fire>},
+    {PduType::kDetonation, kWarfareFamily, 104, Make<Detonation>},
+    {PduType::kComment, kManagementFamily, 32, Make<Comment>},
+    {PduType::kStartResume, kManagementFamily, 44, Make<Management>},
+    {PduType::kStopFreeze, kManagementFamily, 40, Make<Management>},
+    {PduType::kAcknowledge, kManagementFamily, 32, Make<Management>},
+    {PduType::kCreateEntity, kManagementFamily, 28, Make<Management>},
+    {PduType::kRemoveEntity, kManagementFamily, 28, Make<Management>},
+};
 
-Fire ReadFire(Reader& in) {
-  Fire fire;
-  for (EntityId* id : {&fire.shooter, &fire.target, &fire.munition}) *id = in.Id();
-  fire.event = in.Event();
-  fire.mission = in.Unsigned<std::uint32_t>();
-  fire.position = in.Doubles();
-  fire.burst = in.BurstOf();
-  fire.velocity = in.Floats();
-  fire.range_m = static_cast<float>(in.Float());
-  return fire;
-}
-
-Detonation ReadDetonation(Reader& in) {
-  Detonation hit;
-  for (EntityId* id : {&hit.shooter, &hit.target, &hit.munition}) *id = in.Id();
-  hit.event = in.Event();
-  hit.velocity = in.Floats();
-  hit.position = in.Doubles();
-  hit.burst = in.BurstOf();
-  hit.position_in_target = in.Floats();
-  hit.result = in.Byte();
-  in.Skip(3);
-  return hit;
-}
-
-Collision ReadCollision(Reader& in) {
-  Collision collision;
-  collision.issuer = in.Id();
-  collision.other = in.Id();
-  collision.event = in.Event();
-  collision.type = in.Byte();
-  in.Skip(1);
-  collision.velocity = in.Floats();
-  collision.mass_kg = static_cast<float>(in.Float());
-  collision.position_in_issuer = in.Floats();
-  return collision;
-}
-
-Comment ReadComment(Reader& in) {
-  Comment comment;
-  comment.from = in.Id();
-  comment.to = in.Id();
-  const auto fixed = in.Unsigned<std::uint32_t>(), variable = in.Unsigned<std::uint32_t>();
-  if (fixed > in.left() / 8 || variable > kMostTexts) in.Fail();
-  if (in.ok()) in.Skip(std::size_t{fixed} * 8);
-  for (std::uint32_t i = 0; in.ok() && i < variable; ++i) {
-    in.Unsigned<std::uint32_t>();  // The kind of text.
-    const std::size_t size = (std::size_t{in.Unsigned<std::uint32_t>()} + 7) / 8;
-    if (size > kMostTextBytes || size > in.left()) in.Fail();
-    if (!in.ok()) break;
-    comment.texts.push_back(in.Text(size));
-    in.Skip(std::min((8 - size % 8) % 8, in.left()));
-  }
-  return comment;
-}
-
-Management ReadManagement(Reader& in, PduType type) {
-  Management order;
-  order.type = type;
-  order.from = in.Id();
-  order.to = in.Id();
-  if (type == PduType::kStartResume) in.Skip(16);
-  if (type == PduType::kStopFreeze) {
-    in.Skip(8);
-    order.reason = in.Byte();
-    in.Skip(3);
-  }
-  if (type == PduType::kAcknowledge) {
-    order.flag = in.Unsigned<std::uint16_t>();
-    order.is_able = in.Unsigned<std::uint16_t>() != kUnable;
-  }
-  order.request = in.Unsigned<std::uint32_t>();
-  return order;
+const Kind& KindOf(const Body& body) {
+  const auto* const order = std::get_if<Management>(&body);
+  return *std::ranges::find_if(kKinds, [&](const Kind& kind) {
+    return order != nullptr ? kind.type == order->type : kind.make(kind.type).index() == body.index();
+  });
 }
 
 }  // namespace
@@ -371,16 +314,12 @@ std::string_view Name(Refusal refusal) {
   return NameIn(kNames, refusal);
 }
 
-std::vector<std::byte> Encode(const Pdu& pdu) {
+std::vector<std::byte> Encode(Pdu pdu) {
   Writer out;
-  const auto [type, family] = KindOf(pdu.body);
-  out.Byte(pdu.version);
-  out.Byte(pdu.exercise);
-  out.Byte(static_cast<std::uint8_t>(type));
-  out.Byte(family);
-  out.Unsigned(pdu.timestamp);
+  const Kind& kind = KindOf(pdu.body);
+  out.Numbers(pdu.version, pdu.exercise, static_cast<std::uint8_t>(kind.type), kind.family, pdu.timestamp);
   out.Zeros(4);  // The length, which Take() sets, and the status or padding.
-  std::visit(BodyWriter{out}, pdu.body);
+  std::visit([&](auto& body) { Fields(out, body); }, pdu.body);
   return out.Take();
 }
 
@@ -395,51 +334,15 @@ std::variant<Pdu, Refusal> Decode(std::span<const std::byte> bytes) {
   if (length == 0) return Refusal::kTooShort;
   Reader in(bytes.first(length));
   Pdu pdu;
-  pdu.version = in.Byte();
+  std::uint8_t type = 0, family = 0;  // The family follows from the type.
+  in.Numbers(pdu.version, pdu.exercise, type, family, pdu.timestamp);
+  in.Zeros(4);
   if (pdu.version != 6 && pdu.version != 7) return Refusal::kVersion;
-  pdu.exercise = in.Byte();
-  const auto type = static_cast<PduType>(in.Byte());
-  in.Byte();  // The family follows from the type.
-  pdu.timestamp = in.Unsigned<std::uint32_t>();
-  in.Skip(4);
-  std::size_t least = 0;
-  const auto wants = [&](std::size_t size) {
-    least = size;
-    return length >= size;
-  };
-  switch (type) {
-    case PduType::kEntityState:
-      if (wants(144)) pdu.body = ReadEntityState(in);
-      break;
-    case PduType::kFire:
-      if (wants(96)) pdu.body = ReadFire(in);
-      break;
-    case PduType::kDetonation:
-      if (wants(104)) pdu.body = ReadDetonation(in);
-      break;
-    case PduType::kCollision:
-      if (wants(60)) pdu.body = ReadCollision(in);
-      break;
-    case PduType::kComment:
-      if (wants(32)) pdu.body = ReadComment(in);
-      break;
-    case PduType::kStartResume:
-      if (wants(44)) pdu.body = ReadManagement(in, type);
-      break;
-    case PduType::kStopFreeze:
-      if (wants(40)) pdu.body = ReadManagement(in, type);
-      break;
-    case PduType::kAcknowledge:
-      if (wants(32)) pdu.body = ReadManagement(in, type);
-      break;
-    case PduType::kCreateEntity:
-    case PduType::kRemoveEntity:
-      if (wants(28)) pdu.body = ReadManagement(in, type);
-      break;
-    default:
-      return Refusal::kOtherKind;
-  }
-  if (length < least) return Refusal::kBadLength;
+  const auto* const kind = std::ranges::find(kKinds, static_cast<PduType>(type), &Kind::type);
+  if (kind == std::end(kKinds)) return Refusal::kOtherKind;
+  if (length < kind->least_bytes) return Refusal::kBadLength;
+  pdu.body = kind->make(kind->type);
+  std::visit([&](auto& body) { Fields(in, body); }, pdu.body);
   if (!in.ok()) return Refusal::kBadContents;
   return pdu;
 }

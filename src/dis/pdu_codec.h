@@ -24,7 +24,7 @@ enum class Refusal : std::uint8_t {
 std::string_view Name(Refusal refusal);
 
 /// Encodes a PDU in network byte order, with the layout of IEEE 1278.1.
-std::vector<std::byte> Encode(const Pdu& pdu);
+std::vector<std::byte> Encode(Pdu pdu);
 /// Decodes one PDU at the beginning of a datagram. Ignores the bytes after it: `LengthOf` returns where the next one
 /// begins.
 std::variant<Pdu, Refusal> Decode(std::span<const std::byte> bytes);
