@@ -9,11 +9,13 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "app/data_folders.h"
 #include "app/exit_codes.h"
+#include "app/lesson.h"
 #include "app/refuse.h"
-#include "app/starter_files.h"
-#include "diagnostics/diagnostic.h"
+#include "diagnostics/read_text.h"
 
 namespace soarbox::app {
 namespace {
@@ -26,28 +28,31 @@ bool IsGoodName(const std::string& name) {
                      [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
 }
 
-/// The text with the scenario's name instead of NAME.
-std::string WithName(std::string_view text, const std::string& name) {
-  std::string filled(text);
-  for (std::size_t at = 0; (at = filled.find("NAME", at)) != std::string::npos; at += name.size())
-    filled.replace(at, 4, name);
-  return filled;
+/// A scenario that is copied, and the name in its files that the new scenario's name replaces.
+struct Starter {
+  fs::path folder;
+  std::string name;
+
+  std::string Renamed(std::string text, const std::string& to) const {
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += to.size())
+      text.replace(at, name.size(), to);
+    return text;
+  }
+};
+
+Starter StarterFor(const NewOptions& options, const sim::DataFolders& data) {
+  if (options.lua) return {data.media / "starters" / "stroller", "stroller"};
+  if (options.team) return {data.media / "starters" / "two_teams", "two_teams"};
+  // This lesson begins with the same files.
+  return {ShippedLessons(data) / "24-own-world", "keeper"};
 }
 
-/// Prints the next commands; `dev` says how the program was called. A starter with checks is tested by `soarbox test`,
-/// all others by their script.
-void TellNextSteps(const fs::path& folder, bool has_checks) {
+/// Prints the next commands. SOARBOX_CALLED_AS is the command by which the program was called.
+void TellNextSteps(const fs::path& folder) {
   const char* called = std::getenv("SOARBOX_CALLED_AS");
   const std::string command = called != nullptr && *called != '\0' ? called : "soarbox";
-  std::string tester = "sh " + (folder / "test.sh").string();
-  if (has_checks) {
-    tester = command + " test " + folder.string();
-  } else if (command != "soarbox") {
-    std::error_code error;
-    tester = "SOARBOX=" + fs::read_symlink("/proc/self/exe", error).string() + " " + tester;
-  }
   std::cout << "\nrun it:   " << command << " run " << folder.string() << "\ncheck it: " << command << " check "
-            << folder.string() << "\ntest it:  " << tester << '\n';
+            << folder.string() << "\ntest it:  " << command << " test " << folder.string() << '\n';
 }
 
 }  // namespace
@@ -58,29 +63,27 @@ int NewScenario(const NewOptions& options) {
   if (!IsGoodName(name))
     return Refuse("'" + name + "' is not a name for a scenario",
                   "use letters, digits, - and _, and begin with a letter");
+  const Result<sim::DataFolders> data = FindDataFolders();
+  if (!data) return Refuse(data.error());
   std::error_code error;
   if (fs::exists(folder, error)) return Refuse("this is there already", "choose another name", folder.string());
   fs::create_directories(folder, error);
   if (error) return Refuse("this folder cannot be made: " + error.message(), "check the path", folder.string());
 
-  std::vector<StarterFile> files;
-  if (options.lua) {
-    files = LuaStarter();
-  } else if (options.team) {
-    files = TeamStarter();
-  } else {
-    files = SoarStarter();
-  }
-  for (const StarterFile& file : files) {
-    const fs::path path = folder / WithName(file.name, name);
+  const Starter starter = StarterFor(options, *data);
+  std::vector<fs::path> files;
+  for (fs::directory_iterator it(starter.folder, error), end; !error && it != end; it.increment(error))
+    if (it->is_regular_file(error) && it->path().filename() != "lesson.toml") files.push_back(it->path());
+  if (error) return Refuse("this folder cannot be read: " + error.message(), {}, starter.folder.string());
+  std::ranges::sort(files);
+  for (const fs::path& file : files) {
+    const fs::path path = folder / starter.Renamed(file.filename().string(), name);
     std::ofstream out(path, std::ios::binary);
-    out << WithName(file.text, name);
+    out << starter.Renamed(ReadText(file).value_or(""), name);
     if (!out) return Refuse("this file cannot be written", "check that the folder may be written to", path.string());
-    std::cout << path.string() << ": " << file.meaning << '\n';
+    std::cout << path.string() << '\n';
   }
-  TellNextSteps(folder, std::ranges::any_of(files, [](const StarterFile& file) {
-                  return file.text.find("[[check]]") != std::string::npos;
-                }));
+  TellNextSteps(folder);
   return kOk;
 }
 
