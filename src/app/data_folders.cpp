@@ -6,6 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "diagnostics/problem.h"
+
 namespace soarbox::app {
 namespace fs = std::filesystem;
 namespace {
@@ -40,11 +42,9 @@ Result<sim::DataFolders> FindDataFolders() {
       return sim::DataFolders{place / "scenarios", place / "media"};
     }
   }
-  Diagnostic problem;
-  problem.message = "the program's scenarios and media are not in";
-  for (const fs::path& place : places) problem.message += " " + place.string();
-  problem.hint = "set SOARBOX_DATA to the folder that holds scenarios/ and media/";
-  return problem;
+  std::string message = "the program's scenarios and media are not in";
+  for (const fs::path& place : places) message += " " + place.string();
+  return NewProblem(std::move(message), "set SOARBOX_DATA to the folder that holds scenarios/ and media/");
 }
 
 fs::path PageFolder(const sim::DataFolders& data) {

@@ -6,10 +6,8 @@ namespace soarbox::app {
 namespace {
 
 int RefuseEditors() {
-  Diagnostic problem;
-  problem.message = "this build reads rules with an official Soar and serves no editors";
-  problem.hint = "build without SOARBOX_SOAR_ROOT";
-  return Refuse(problem);
+  return Refuse("this build reads rules with an official Soar and serves no editors",
+                "build without SOARBOX_SOAR_ROOT");
 }
 
 }  // namespace

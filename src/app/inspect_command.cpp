@@ -11,6 +11,7 @@
 #include "app/exit_codes.h"
 #include "app/kernel_address.h"
 #include "app/panel_view.h"
+#include "app/refuse.h"
 #include "debugger/breakpoints.h"
 #include "debugger/views.h"
 #include "diagnostics/problem.h"
@@ -140,29 +141,21 @@ Result<void> ReadRecording(const InspectOptions& options, const sim::DataFolders
 }  // namespace
 
 int Inspect(const InspectOptions& options) {
-  const auto refuse = [](const Diagnostic& problem) {
-    std::cerr << Format(problem);
-    return static_cast<int>(kCannotStart);
-  };
   const Result<sim::DataFolders> data = FindDataFolders();
-  if (!data) return refuse(data.error());
+  if (!data) return Refuse(data.error());
   if (const auto [view, of] = SplitView(options.view); view == "panel") {
     const Result<std::string> shown = ShowPanel(options, of, *data);
-    if (!shown) return refuse(shown.error());
+    if (!shown) return Refuse(shown.error());
     std::cout << *shown;
     return kOk;
   }
   Inspected run;
-  if (options.recorded && !record::IsRecording(options.source)) {
-    Diagnostic problem;
-    problem.file = options.source;
-    problem.message = "--recorded is about recordings, and this is none";
-    problem.hint = "`soarbox run " + options.source + " --record FILE` makes one";
-    return refuse(problem);
-  }
+  if (options.recorded && !record::IsRecording(options.source))
+    return Refuse("--recorded is about recordings, and this is none",
+                  "`soarbox run " + options.source + " --record FILE` makes one", options.source);
   const Result<void> brought =
       record::IsRecording(options.source) ? ReadRecording(options, *data, run) : RunScenario(options, *data, run);
-  if (!brought) return refuse(brought.error());
+  if (!brought) return Refuse(brought.error());
   for (const Diagnostic& warning : run.warnings) std::cerr << Format(warning);
   debugger::ViewRequest request;
   std::tie(request.view, request.of) = SplitView(options.view);
@@ -171,7 +164,7 @@ int Inspect(const InspectOptions& options) {
   request.last_tick = run.last.tick;
   const Result<debugger::ViewText> shown =
       debugger::ShowView({run.simulation.get(), &run.models, &run.last, &run.recorded}, request);
-  if (!shown) return refuse(shown.error());
+  if (!shown) return Refuse(shown.error());
   std::cout << (options.json ? shown->json : shown->text);
   return kOk;
 }

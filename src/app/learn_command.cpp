@@ -126,27 +126,19 @@ class Learner {
     std::error_code error;
     if (!fs::exists(folder / lesson.rules, error))
       return Refuse("this lesson has not begun", command_ + lesson.name + " puts its files there", folder.string());
-    if (lesson.own) return CheckWorld(lesson, folder);
+    if (lesson.own) {
+      // A learner's own world is graded by the errors that its checks detect.
+      const OwnWorldGrade graded = GradeOwnWorld(*lesson.own, folder, data_, ShowProgress());
+      return Note(lesson, graded, graded.passed());
+    }
     const Result<Grade> graded = GradeRules(lesson, folder, 0, ShowProgress());
     if (!graded) return Refuse(graded.error());
-    if (graded->cancelled) {
-      std::cout << "Grading was cancelled. There is no verdict.\n";
-      return kInterrupted;
-    }
-    if (!graded->problems.empty()) {
-      for (const Diagnostic& problem : graded->problems) std::cout << Format(problem);
-      std::cout << "Fix this first. It does not count as an attempt.\n";
-      return kProblems;
-    }
-    progress_.Set(lesson.name, "attempts", progress_.Get(lesson.name, "attempts") + 1);
-    Print(lesson, *graded);
-    if (graded->passed) progress_.Set(lesson.name, "passed", 1);
-    return graded->passed ? kOk : kProblems;
+    return Note(lesson, *graded, graded->passed);
   }
 
-  /// Grades a learner's own world by the errors that its checks detect.
-  int CheckWorld(const Lesson& lesson, const fs::path& folder) {
-    const OwnWorldGrade graded = GradeOwnWorld(*lesson.own, folder, data_, ShowProgress());
+  /// Notes a grade in the learner's progress, and prints it. Returns an exit code.
+  template <typename Graded>
+  int Note(const Lesson& lesson, const Graded& graded, bool passed) {
     if (graded.cancelled) {
       std::cout << "Grading was cancelled. There is no verdict.\n";
       return kInterrupted;
@@ -157,9 +149,9 @@ class Learner {
       return kProblems;
     }
     progress_.Set(lesson.name, "attempts", progress_.Get(lesson.name, "attempts") + 1);
-    Print(graded);
-    if (graded.passed()) progress_.Set(lesson.name, "passed", 1);
-    return graded.passed() ? kOk : kProblems;
+    Print(lesson, graded);
+    if (passed) progress_.Set(lesson.name, "passed", 1);
+    return passed ? kOk : kProblems;
   }
 
   /// Prints "seed 3 of 10": with --progress a line each; else on a terminal one line that is overwritten.
@@ -195,7 +187,7 @@ class Learner {
     for (std::size_t i = 1; i < count; ++i) std::cout << "- " << grade.findings[i].text << '\n';
   }
 
-  static void Print(const OwnWorldGrade& grade) {
+  static void Print(const Lesson&, const OwnWorldGrade& grade) {
     const OwnWorldPoint* missing = grade.Missing();
     std::cout << (missing == nullptr ? "Passed: your checks notice when rules are left out.\n"
                                      : missing->advice + "\n\n");

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/run_session.h"
+#include "diagnostics/nearest_hint.h"
 #include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "explain/rule_text.h"
@@ -21,6 +22,7 @@
 #include "mission/scenario_names.h"
 #include "sim/check.h"
 #include "sim/scenario_file.h"
+#include "sim/table_reader.h"
 #include "workbench/panel_id.h"
 
 namespace soarbox::app {
@@ -105,18 +107,13 @@ struct LearnersRules {
 std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnostic>& problems) {
   std::vector<fs::path> folders;
   const fs::path file = folder / "course.toml";
-  const auto problem = [&](const toml::source_position& at, std::string message) {
-    Diagnostic wrong =
-        ProblemIn(file, std::move(message), "write lessons = [\"../01-a-rule\", \"1-mine\"]: folders of lessons");
-    wrong.line = static_cast<int>(at.line);
-    problems.push_back(std::move(wrong));
-  };
+  constexpr const char* kHint = "write lessons = [\"../01-a-rule\", \"1-mine\"]: folders of lessons";
+  sim::TableReader reader(file.string(), "docs/teach.md", problems);
   try {
     const toml::table root = toml::parse(ReadText(file).value_or(""));
-    for (const auto& [key, value] : root)
-      if (key != "lessons") problem(value.source().begin, "a course has no '" + std::string(key.str()) + "'");
+    reader.CheckKeys(root, "a course", {"lessons"});
     const toml::array* lessons = root["lessons"].as_array();
-    if (lessons == nullptr) problem({}, "this course lists no lessons");
+    if (lessons == nullptr) reader.Problem(root, "this course lists no lessons", kHint);
     for (std::size_t i = 0; lessons != nullptr && i < lessons->size(); ++i) {
       const toml::node& node = (*lessons)[i];
       const fs::path lesson = (folder / node.value_or(std::string())).lexically_normal();
@@ -124,10 +121,11 @@ std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnost
       if (node.is_string() && fs::is_regular_file(lesson / "lesson.toml", error))
         folders.push_back(lesson);
       else
-        problem(node.source().begin, "'" + node.value_or(std::string()) + "' is not a folder of a lesson");
+        reader.Problem(node, "'" + node.value_or(std::string()) + "' is not a folder of a lesson", kHint);
     }
   } catch (const toml::parse_error& error) {
-    problem(error.source().begin, std::string(error.description()));
+    problems.push_back(ProblemIn(file, std::string(error.description()), kHint));
+    problems.back().line = static_cast<int>(error.source().begin.line);
   }
   return folders;
 }
@@ -137,19 +135,16 @@ std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::
                                         std::vector<Diagnostic>& problems) {
   const toml::node* node = root.get("own");
   if (node == nullptr) return std::nullopt;
-  const auto problem = [&](const toml::node& at, std::string message, std::string hint) {
-    Diagnostic wrong = ProblemIn(mission.file, std::move(message), std::move(hint));
-    wrong.line = static_cast<int>(at.source().begin.line);
-    problems.push_back(std::move(wrong));
-  };
+  sim::TableReader reader(mission.file.string(), "docs/teach.md", problems);
   OwnWorldRules rules;
   const toml::table* own = node->as_table();
   if (own == nullptr) {
-    problem(*node, "'own' is a table", "write [own], and below it agents = 2");
+    reader.Problem(*node, "'own' is a table", "write [own], and below it agents = 2");
     return rules;
   }
   if (!mission.checks.empty() || !mission.mistakes.empty())
-    problem(*node, "a lesson with [own] has no [[check]] and no [[mistake]]", "the learner's world has checks");
+    reader.Problem(*node, "a lesson with [own] has no [[check]] and no [[mistake]]", "the learner's world has checks");
+  reader.CheckKeys(*own, "[own]", {"agents", "obstacles", "checks", "noticed"});
   for (const auto& [key, value] : *own) {
     const std::optional<double> number = value.value<double>();
     std::size_t* const count = key == "agents"      ? &rules.agents
@@ -159,27 +154,13 @@ std::optional<OwnWorldRules> OwnWorldOf(const toml::table& root, const mission::
     if (count != nullptr && value.is_integer() && *number >= 1 && *number <= 100)
       *count = static_cast<std::size_t>(*number);
     else if (count != nullptr)
-      problem(value, "'" + std::string(key.str()) + "' is a whole number from 1 to 100", "write agents = 2");
+      reader.Problem(value, "'" + std::string(key.str()) + "' is a whole number from 1 to 100", "write agents = 2");
     else if (key == "noticed" && number && *number >= 0 && *number <= 1)
       rules.noticed = *number;
     else if (key == "noticed")
-      problem(value, "'noticed' is a share from 0 to 1", "write noticed = 0.5 for half of the rules");
-    else
-      problem(value, "[own] has no key '" + std::string(key.str()) + "'", "it has agents, obstacles, checks, noticed");
+      reader.Problem(value, "'noticed' is a share from 0 to 1", "write noticed = 0.5 for half of the rules");
   }
   return rules;
-}
-
-Diagnostic UnknownPanel(const std::string& title, const fs::path& file, const toml::node& at) {
-  std::vector<std::string_view> titles;
-  for (const workbench::PanelInfo& info : workbench::kPanelInfos) titles.push_back(info.title);
-  const std::string_view near = Suggest(title, titles);
-  Diagnostic problem = ProblemIn(file.string(), "there is no panel '" + title + "'",
-                                 near.empty() ? "write a title of docs/window.md, such as panel = \"Mind\""
-                                              : "did you mean '" + std::string(near) + "'?");
-  problem.line = static_cast<int>(at.source().begin.line);
-  problem.column = static_cast<int>(at.source().begin.column);
-  return problem;
 }
 
 /// The rank of a known mistake among the causes. A mistake that something never happened, or lasted long, has a low
@@ -367,8 +348,12 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   lesson.task = root["task"].value_or(std::string());
   const auto panel_named = [&](const toml::node& node) {
     const std::string title = node.value_or(std::string());
-    if (workbench::FindPanelByTitle(title) == nullptr)
-      problems.push_back(UnknownPanel(title, folder / "lesson.toml", node));
+    if (workbench::FindPanelByTitle(title) != nullptr) return title;
+    std::vector<std::string_view> titles;
+    for (const workbench::PanelInfo& info : workbench::kPanelInfos) titles.push_back(info.title);
+    sim::TableReader(lesson.loaded.mission.file.string(), "docs/window.md", problems)
+        .Problem(node, "there is no panel '" + title + "'",
+                 NearestHint(title, titles, "write a title of docs/window.md, such as panel = \"Mind\""));
     return title;
   };
   if (const toml::node* panel = root.get("panel")) lesson.panel = panel_named(*panel);
@@ -382,18 +367,14 @@ std::optional<Lesson> ReadLesson(const fs::path& folder, const sim::DataFolders&
   mission::Mission& mission = lesson.loaded.mission;
   mission.name = lesson.name;
   Result<sim::Scenario> scenario = sim::FindScenario(folder.string(), data);
-  Diagnostic problem;
-  problem.file = (folder / "lesson.toml").string();
   std::error_code error;
   if (!scenario || scenario->definition.empty()) {
-    problem.message = "this lesson has no scenario.toml beside it";
-    problems.push_back(std::move(problem));
+    problems.push_back(ProblemIn(folder / "lesson.toml", "this lesson has no scenario.toml beside it"));
     return std::nullopt;
   }
   if (lesson.rules.empty() || !fs::is_regular_file(folder / lesson.rules, error)) {
-    problem.message = "'rules' names no file of this lesson";
-    problem.hint = "write rules = \"porter.soar\": the file that the learner edits";
-    problems.push_back(std::move(problem));
+    problems.push_back(ProblemIn(folder / "lesson.toml", "'rules' names no file of this lesson",
+                                 "write rules = \"porter.soar\": the file that the learner edits"));
     return std::nullopt;
   }
   lesson.loaded.scenario = std::move(*scenario);
@@ -426,11 +407,8 @@ Result<Grade> GradeRules(const Lesson& lesson, const fs::path& rules_folder, std
   std::error_code error;
   if (const fs::path real = fs::canonical(rules, error);
       !error && real.parent_path() != fs::canonical(rules_folder, error)) {
-    Diagnostic problem;
-    problem.file = lesson.rules;
-    problem.message = "this is a link to a file outside the lesson's folder";
-    problem.hint = "put the file itself there";
-    grade.problems.push_back(std::move(problem));
+    grade.problems.push_back(
+        ProblemIn(lesson.rules, "this is a link to a file outside the lesson's folder", "put the file itself there"));
     return grade;
   }
   const LearnersRules written(lesson, rules);

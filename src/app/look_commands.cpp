@@ -19,6 +19,7 @@
 #include "debugger/json.h"
 #include "debugger/learned_rule.h"
 #include "debugger/why.h"
+#include "diagnostics/nearest_hint.h"
 #include "diagnostics/read_text.h"
 #include "explain/learning_facts.h"
 #include "mission/scenario_names.h"
@@ -158,21 +159,13 @@ int Why(const WhyOptions& options) {
     if (world.Why(names[i])) agent = names[i];
   const std::optional<explain::WhyNode> account = world.Why(agent);
   if (!account) {
-    Diagnostic problem;
-    problem.message =
-        agent.empty() ? "no agent of this scenario has a Soar mind" : "there is no agent '" + agent + "' with a mind";
-    if (agent.empty()) {
-      problem.hint = "scripts alone move these agents: soarbox run shows what they print";
-      return Refuse(problem);
-    }
-    const std::vector<std::string_view> candidates(names.begin(), names.end());
-    if (const std::string_view near = Suggest(agent, candidates); !near.empty()) {
-      problem.hint = "did you mean '" + std::string(near) + "'?";
-    } else {
-      problem.hint = "there are:";
-      for (const std::string& name : names) problem.hint += " " + name;
-    }
-    return Refuse(problem);
+    if (agent.empty())
+      return Refuse("no agent of this scenario has a Soar mind",
+                    "scripts alone move these agents: soarbox run shows what they print");
+    std::string all = "there are:";
+    for (const std::string& name : names) all += " " + name;
+    return Refuse("there is no agent '" + agent + "' with a mind",
+                  NearestHint(agent, {names.begin(), names.end()}, std::move(all)));
   }
   if (options.topic.empty()) {
     if (options.json) {

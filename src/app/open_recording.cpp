@@ -5,22 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
-#include "diagnostics/diagnostic.h"
+#include "app/refuse.h"
+#include "diagnostics/problem.h"
 
 namespace soarbox::app {
 
 Result<std::unique_ptr<record::Reader>> OpenRecording(const std::filesystem::path& file) {
   Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(file);
-  if (reader && !(*reader)->ending().empty()) {
-    Diagnostic note;
-    note.severity = Severity::kWarning;
-    note.file = file.string();
-    note.message = (*reader)->ending();
-    note.hint = fmt::format("the recording is used up to tick {}", (*reader)->last_tick());
-    std::cerr << Format(note);
-  }
+  if (reader && !(*reader)->ending().empty())
+    Remark(Severity::kWarning, ProblemIn(file, (*reader)->ending(),
+                                         fmt::format("the recording is used up to tick {}", (*reader)->last_tick())));
   return reader;
 }
 

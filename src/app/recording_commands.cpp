@@ -115,13 +115,7 @@ int Export(const RecordingOptions& options) {
   std::ofstream file;
   if (!options.output.empty()) {
     file.open(options.output, std::ios::binary);
-    if (!file) {
-      Diagnostic problem;
-      problem.file = options.output.string();
-      problem.message = "this file cannot be written";
-      problem.hint = "check the folder and its permissions";
-      return Refuse(problem);
-    }
+    if (!file) return Refuse("this file cannot be written", "check the folder and its permissions", options.output);
   }
   std::ostream& out = options.output.empty() ? std::cout : file;
   const Result<void> written =
@@ -129,10 +123,7 @@ int Export(const RecordingOptions& options) {
   if (!written) return Refuse(written.error());
   out.flush();
   if (out) return kOk;
-  Diagnostic problem;
-  problem.file = options.output.string();
-  problem.message = "writing failed; is the disk full?";
-  return Refuse(problem);
+  return Refuse("writing failed; is the disk full?", {}, options.output);
 }
 
 namespace {
@@ -249,13 +240,7 @@ int Resume(const RecordingOptions& options) {
   std::string rules;
   for (const std::filesystem::path& file : options.rules) {
     const std::optional<std::string> text = ReadText(file);
-    if (!text) {
-      Diagnostic problem;
-      problem.file = file.string();
-      problem.message = "these rules cannot be read";
-      problem.hint = "check the name";
-      return Refuse(problem);
-    }
+    if (!text) return Refuse("these rules cannot be read", "check the name", file);
     rules.append(*text).append("\n");
   }
   CatchInterrupts();
@@ -266,10 +251,7 @@ int Resume(const RecordingOptions& options) {
   sim::Simulation& simulation = *rerun->simulation;
   std::cout << fmt::format("tick {} reached, its state is the recorded one: {:016x}\n", at, simulation.StateHash());
   for (const std::string& agent : options.agents) {
-    if (simulation.HasMind(agent)) continue;
-    Diagnostic problem;
-    problem.message = "there is no agent '" + agent + "' with a Soar mind at that time";
-    return Refuse(problem);
+    if (!simulation.HasMind(agent)) return Refuse("there is no agent '" + agent + "' with a Soar mind at that time");
   }
   if (!rules.empty()) {
     for (std::size_t i = 0; i < simulation.soar_agents(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "diagnostics/diagnostic.h"
@@ -12,5 +13,11 @@ int Refuse(const Diagnostic& problem);
 
 /// The same for an error with this message, with advice and a file name if they are known.
 int Refuse(std::string message, std::string hint = {}, std::string file = {});
+
+/// Also passes the errors of Refuse to a function, until it is called with {}.
+void OnRefusal(std::function<void(const Diagnostic& problem)> told);
+
+/// Prints a note or a warning on stderr.
+void Remark(Severity severity, Diagnostic remark);
 
 }  // namespace soarbox::app

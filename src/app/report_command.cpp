@@ -82,13 +82,8 @@ int Report(const ReportOptions& options) {
   std::error_code error;
   // Renaming a file to a device's path would replace the device.
   const std::filesystem::file_status there = std::filesystem::status(options.output, error);
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
-    Diagnostic problem;
-    problem.file = options.output.string();
-    problem.message = "this is not a plain file, so no page is written to it";
-    problem.hint = "name a file with -o";
-    return Refuse(problem);
-  }
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    return Refuse("this is not a plain file, so no page is written to it", "name a file with -o", options.output);
   // An existing page is kept until the new one is complete.
   std::filesystem::path making = options.output;
   making += ".part";
@@ -96,12 +91,8 @@ int Report(const ReportOptions& options) {
   const bool written = static_cast<bool>((std::ofstream(making, std::ios::binary) << *page).flush());
   if (written) std::filesystem::rename(making, options.output, error);
   if (!written || error) {
-    Diagnostic problem;
-    problem.file = options.output.string();
-    problem.message = "this page cannot be written";
-    problem.hint = "is the disk full, or the folder not yours?";
     std::filesystem::remove(making, error);
-    return Refuse(problem);
+    return Refuse("this page cannot be written", "is the disk full, or the folder not yours?", options.output);
   }
   std::cout << options.output.string() << ": " << (page->size() + 1023) / 1024 << " KB\n";
   return kOk;

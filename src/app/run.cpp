@@ -23,6 +23,7 @@
 #include "app/run_session.h"
 #include "app/run_setup.h"
 #include "app/window.h"
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "dis/gateway.h"
 #include "record/header.h"
@@ -51,11 +52,9 @@ void NoteOwnScenario(const sim::Scenario& scenario) {
         return agent.rules == scenario.rules.filename().string();
       }))
     return;
-  Diagnostic note;
-  note.severity = Severity::kNote;
-  note.message = scenario.rules.filename().string() + " runs alone, in a world that comes with the program";
-  note.hint = "soarbox run " + folder.string() + " runs it in the scenario beside it";
-  std::cerr << Format(note);
+  Remark(Severity::kNote,
+         NewProblem(scenario.rules.filename().string() + " runs alone, in a world that comes with the program",
+                    "soarbox run " + folder.string() + " runs it in the scenario beside it"));
 }
 
 /// Reads the file of inputs. Returns false, after printing the errors, if it cannot be read or any line is wrong.
@@ -63,10 +62,7 @@ bool SubmitInputs(const std::string& file, sim::Simulation& simulation) {
   if (file.empty()) return true;
   const std::optional<std::string> text = ReadText(file, ReadFrom::kAnything);
   if (!text) {
-    Diagnostic problem;
-    problem.file = file;
-    problem.message = "this file of inputs cannot be read";
-    std::cerr << Format(problem);
+    Refuse("this file of inputs cannot be read", {}, file);
     return false;
   }
   const sim::InputText read = sim::ReadInputs(*text, file);
@@ -162,26 +158,18 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   // Opens a window by default; without a display the same world runs headless, with a note.
   const bool wants_screenshot = !options.screenshot.empty();
   if (options.headless && wants_screenshot) {
-    Diagnostic problem;
-    problem.message = "a headless run draws nothing, so no picture can be taken";
-    problem.hint =
-        "leave --headless out: with --screenshot no window is shown; on a machine without a screen, xvfb-run "
-        "gives a virtual one";
-    std::cerr << Format(problem);
+    Refuse("a headless run draws nothing, so no picture can be taken",
+           "leave --headless out: with --screenshot no window is shown; on a machine without a screen, xvfb-run "
+           "gives a virtual one");
     return kUsage;
   }
   if (!options.headless && !CanOpenWindow()) {
-    Diagnostic note;
-    note.message = HasDisplay() ? "this build has no window" : "there is no display (DISPLAY is not set)";
-    note.hint = HasDisplay() ? "build with -DSOARBOX_VIEWER=ON, which puts soarbox-window beside this program"
-                             : "on a machine without a screen, xvfb-run gives a virtual one";
-    if (wants_screenshot) {
-      note.message += ", so no picture can be taken";
-      return Refuse(note);
-    }
-    note.severity = Severity::kWarning;
-    note.message += ": the world runs headless";
-    std::cerr << Format(note);
+    const std::string why = HasDisplay() ? "this build has no window" : "there is no display (DISPLAY is not set)";
+    const std::string hint = HasDisplay()
+                                 ? "build with -DSOARBOX_VIEWER=ON, which puts soarbox-window beside this program"
+                                 : "on a machine without a screen, xvfb-run gives a virtual one";
+    if (wants_screenshot) return Refuse(why + ", so no picture can be taken", hint);
+    Remark(Severity::kWarning, NewProblem(why + ": the world runs headless", hint));
     options.headless = true;
   }
   if (options.headless && !options.seconds) options.seconds = headless_s;
@@ -251,9 +239,8 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
     Result<std::unique_ptr<sim::Simulation>> again = sim::Simulation::Create(scenario.value(), settings);
     if (again) {
       Diagnostic note = simulation.error();
-      note.severity = Severity::kWarning;
       note.hint = "debuggers cannot attach to this run; choose another port with --port N";
-      std::cerr << Format(note);
+      Remark(Severity::kWarning, std::move(note));
       simulation = std::move(again);
     }
   }

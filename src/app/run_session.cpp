@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "app/refuse.h"
+#include "diagnostics/problem.h"
 #include "sim/foreign_bodies.h"
 #include "world/world.h"
 
@@ -255,11 +257,8 @@ void RunSession::GoOnWith(std::unique_ptr<sim::Simulation> simulation, const rec
                           const std::vector<record::TickInputs>& inputs) {
   const bool was_recorded = recorder_ != nullptr;
   if (was_recorded) {
-    Diagnostic note;
-    note.severity = Severity::kNote;
-    note.message = "the recording ends at tick " + std::to_string(simulation_->tick()) +
-                   ": the run continues from tick " + std::to_string(simulation->tick());
-    std::cerr << Format(note);
+    Remark(Severity::kNote, NewProblem("the recording ends at tick " + std::to_string(simulation_->tick()) +
+                                       ": the run continues from tick " + std::to_string(simulation->tick())));
     if (const Result<void> written = recorder_->Finish(); !written) std::cerr << Format(written.error());
     recorder_.reset();
   }
@@ -281,13 +280,10 @@ bool RunSession::IsOver() const {
 }
 
 int RunSession::Finish() {
-  if (expects_inputs_ && simulation_->waiting_inputs() > 0 && !WasInterrupted()) {
-    Diagnostic warning;
-    warning.severity = Severity::kWarning;
-    warning.message = "the run ended before " + std::to_string(simulation_->waiting_inputs()) + " of its inputs";
-    warning.hint = "let it run longer with --seconds";
-    std::cerr << Format(warning);
-  }
+  if (expects_inputs_ && simulation_->waiting_inputs() > 0 && !WasInterrupted())
+    Remark(Severity::kWarning,
+           NewProblem("the run ended before " + std::to_string(simulation_->waiting_inputs()) + " of its inputs",
+                      "let it run longer with --seconds"));
   sim::ObserveScripts(*simulation_, nullptr);
   simulation_->Finish();
   PrintEvents();

@@ -213,9 +213,7 @@ bool JoinsAnExercise(const fs::path& scenario) {
 }
 
 void TellOfExercise(const fs::path& file, std::string_view said) {
-  Diagnostic note = ProblemIn(file, std::string(said), "docs/dis.md says how to check a run that takes part");
-  note.severity = Severity::kNote;
-  std::cerr << Format(note);
+  Remark(Severity::kNote, ProblemIn(file, std::string(said), "docs/dis.md says how to check a run that takes part"));
 }
 
 class Tester {

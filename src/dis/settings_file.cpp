@@ -33,12 +33,12 @@ class SettingsReader : public sim::TableReader {
     Whole(table, "exercise", 1, 255, settings_.exercise);
     Whole(table, "version", 6, 7, settings_.version);
     Whole(table, "most_entities", 0, 10'000, settings_.most_entities);
-    Number(table, "heartbeat", 0.1, 3600, settings_.heartbeat_s);
+    Measure(table, "heartbeat", 0.1, 3600, settings_.heartbeat_s);
     settings_.timeout_s = 2.4 * settings_.heartbeat_s;
-    Number(table, "timeout", 0.1, 36000, settings_.timeout_s);
-    Number(table, "threshold", 0.01, 100, settings_.threshold_m);
-    Flag(table, "takes_orders", settings_.takes_orders);
-    Flag(table, "listens_only", settings_.listens_only);
+    Measure(table, "timeout", 0.1, 36000, settings_.timeout_s);
+    Measure(table, "threshold", 0.01, 100, settings_.threshold_m);
+    settings_.takes_orders = Truth(table, "takes_orders", settings_.takes_orders);
+    settings_.listens_only = Truth(table, "listens_only", settings_.listens_only);
     Anchor(table);
     Forces(table);
     Rows(table);
@@ -55,32 +55,12 @@ class SettingsReader : public sim::TableReader {
   }
 
   template <class Integer>
-  void Whole(const toml::table& table, const char* key, std::int64_t least, std::int64_t most, Integer& value) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return;
-    const auto number = node->value_exact<std::int64_t>();
-    if (!number || *number < least || *number > most)
-      return Problem(*node, "'" + std::string(key) + "' takes a whole number from " + std::to_string(least) + " to " +
-                                std::to_string(most));
-    value = static_cast<Integer>(*number);
+  void Whole(const toml::table& table, const char* key, int least, int most, Integer& value) {
+    if (const std::optional<int> number = WholeNumber(table, key, least, most)) value = static_cast<Integer>(*number);
   }
-
   template <class Real>
-  void Number(const toml::table& table, const char* key, double least, double most, Real& value) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return;
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!number || !(*number >= least && *number <= most))
-      return Problem(*node, "'" + std::string(key) + "' takes a number of that size: more than 0, and not too large");
-    value = static_cast<Real>(*number);
-  }
-
-  void Flag(const toml::table& table, const char* key, bool& value) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return;
-    const auto flag = node->value_exact<bool>();
-    if (!flag) return Problem(*node, "'" + std::string(key) + "' takes true or false");
-    value = *flag;
+  void Measure(const toml::table& table, const char* key, double least, double most, Real& value) {
+    if (const std::optional<double> number = Number(table, key, least, most)) value = static_cast<Real>(*number);
   }
 
   void Anchor(const toml::table& table) {
@@ -143,14 +123,10 @@ class SettingsReader : public sim::TableReader {
     for (const toml::table* row : Tables(table, "munition", kMostRows, "dis.")) {
       CheckKeys(*row, "[[dis.munition]]", {"type", "damage", "radius"});
       MunitionRow& made = munitions.emplace_back(MunitionRow{Type(*row)});
-      Number(*row, "damage", 0, 1e6, made.damage);
-      Number(*row, "radius", 0, 1000, made.radius_m);
+      Measure(*row, "damage", 0, 1e6, made.damage);
+      Measure(*row, "radius", 0, 1000, made.radius_m);
     }
     settings_.munitions.insert(settings_.munitions.begin(), munitions.begin(), munitions.end());
-  }
-
-  std::string HintFor(std::string_view, const std::vector<std::string_view>&) const override {
-    return "docs/dis.md lists what it has";
   }
 
   Settings& settings_;
@@ -165,10 +141,8 @@ Result<std::optional<Settings>> ReadFile(const std::filesystem::path& file, Sett
   try {
     root = toml::parse(*text, file.string());
   } catch (const toml::parse_error& error) {
-    Diagnostic problem;
-    problem.file = file.string();
+    Diagnostic problem = ProblemIn(file, std::string(error.description()));
     problem.line = static_cast<int>(error.source().begin.line);
-    problem.message = std::string(error.description());
     return problem;
   }
   const toml::node* node = root.get("dis");

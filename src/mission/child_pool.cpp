@@ -17,6 +17,7 @@
 #include <exception>
 #include <vector>
 
+#include "diagnostics/problem.h"
 #include "world/shared_navigation.h"
 
 namespace soarbox::mission {
@@ -89,15 +90,12 @@ ChildPool::~ChildPool() {
 
 Result<void> ChildPool::Start(std::size_t id, const std::function<std::string()>& work, const ChildLimits& limits) {
   int ends[2];
-  Diagnostic problem;
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    problem.message = std::string("no pipe to another process: ") + std::strerror(errno);
-    return problem;
-  }
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    return NewProblem(std::string("no pipe to another process: ") + std::strerror(errno));
   const int pid = fork();
   if (pid < 0) {
-    problem.message = std::string("no other process can be started: ") + std::strerror(errno);
-    problem.hint = "try fewer at a time with --jobs";
+    const Diagnostic problem = NewProblem(std::string("no other process can be started: ") + std::strerror(errno),
+                                          "try fewer at a time with --jobs");
     close(ends[0]);
     close(ends[1]);
     return problem;

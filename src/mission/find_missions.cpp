@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/read_mission.h"
 #include "mission/scenario_names.h"
@@ -80,44 +81,28 @@ fs::path MissionFileOf(const sim::Scenario& scenario) {
 
 LoadedMission LoadMission(const fs::path& file, const sim::DataFolders& data, std::vector<Diagnostic>& problems) {
   LoadedMission loaded;
-  Diagnostic problem;
-  problem.file = file.string();
+  const auto refused = [&](std::string message, std::string hint = {}, int line = 0) {
+    problems.push_back(ProblemIn(file, std::move(message), std::move(hint)));
+    problems.back().line = line;
+    return std::move(loaded);
+  };
   const std::optional<std::string> text = ReadText(file);
-  if (!text) {
-    problem.message = "this mission cannot be read";
-    problems.push_back(std::move(problem));
-    return loaded;
-  }
-  if (IsSweepText(*text)) {
-    problem.message = "this is a sweep, not a mission";
-    problem.hint = "soarbox sweep " + file.string() + " runs it";
-    problems.push_back(std::move(problem));
-    return loaded;
-  }
+  if (!text) return refused("this mission cannot be read");
+  if (IsSweepText(*text))
+    return refused("this is a sweep, not a mission", "soarbox sweep " + file.string() + " runs it");
   const std::size_t before = problems.size();
   const bool is_mission = IsMissionText(*text);
   loaded.mission = ParseMission(*text, file, !is_mission, problems);
   Mission& mission = loaded.mission;
   if (problems.size() > before) return loaded;
   std::error_code error;
-  if (mission.checks.empty()) {
-    problem.message = "nothing is checked here";
-    problem.hint = "write [[check]] tables: docs/missions.md";
-    problems.push_back(std::move(problem));
-    return loaded;
-  }
+  if (mission.checks.empty()) return refused("nothing is checked here", "write [[check]] tables: docs/missions.md");
   if (!is_mission) mission.scenario = file.string();
   fs::path beside = file.parent_path() / mission.scenario;
   if (mission.scenario == ".") beside = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (is_mission && fs::exists(beside, error)) mission.scenario = beside.lexically_normal().string();
   Result<sim::Scenario> scenario = sim::FindScenario(mission.scenario, data);
-  if (!scenario) {
-    problem.line = mission.scenario_line;
-    problem.message = scenario.error().message;
-    problem.hint = scenario.error().hint;
-    problems.push_back(std::move(problem));
-    return loaded;
-  }
+  if (!scenario) return refused(scenario.error().message, scenario.error().hint, mission.scenario_line);
   loaded.scenario = std::move(*scenario);
   const bool is_plain = file.filename() == "mission.toml" || file.filename() == "scenario.toml";
   mission.name =

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "diagnostics/nearest_hint.h"
 #include "diagnostics/plain_text.h"
 #include "mission/check_sentences.h"
 #include "sim/table_reader.h"
@@ -55,32 +56,6 @@ class MissionReader : public sim::TableReader {
       Problem(*node, "'" + std::string(key) + "' takes a text in quotes, or a list of them");
     }
     return words;
-  }
-
-  std::optional<double> Number(const toml::table& table, std::string_view key, double min, double max) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return std::nullopt;
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (number && *number >= min && *number <= max) return number;
-    Problem(*node, "'" + std::string(key) + "' takes a number from " + NumberText(min) + " to " + NumberText(max));
-    return std::nullopt;
-  }
-
-  std::optional<int> WholeNumber(const toml::table& table, std::string_view key, int min, int max) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return std::nullopt;
-    const auto number = node->value_exact<std::int64_t>();
-    if (number && *number >= min && *number <= max) return static_cast<int>(*number);
-    Problem(*node, "'" + std::string(key) + "' takes a whole number from " + std::to_string(min) + " to " +
-                       std::to_string(max));
-    return std::nullopt;
-  }
-
-  bool Truth(const toml::table& table, std::string_view key) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return false;
-    if (!node->is_boolean()) Problem(*node, "'" + std::string(key) + "' takes true or false");
-    return node->value_exact<bool>().value_or(false);
   }
 
   Bounds ReadBounds(const toml::node& node, std::string_view key, bool number_is_exact) {
@@ -196,9 +171,8 @@ class MissionReader : public sim::TableReader {
     }
     std::vector<std::string_view> known;
     for (const auto& [other, number] : names) known.push_back(other);
-    const std::string_view near = Suggest(name, known);
     Problem(*node, "there is no check '" + name + "'",
-            near.empty() ? "give the check that is meant this name" : "did you mean '" + std::string(near) + "'?");
+            NearestHint(name, known, "give the check that is meant this name"));
   }
 
   void ReadCheck(const toml::table& table, bool is_mistake, Check& check) {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "diagnostics/nearest_hint.h"
 #include "diagnostics/read_text.h"
 #include "mission/conditions.h"
 #include "mission/read_mission.h"
@@ -194,14 +195,9 @@ class NameChecker {
     if (IsAmong(known, word)) return;
     Diagnostic& problem = Tell(check, line, std::string("there is no ") + what + " '" + word + "'");
     const std::vector<std::string_view> candidates(known.begin(), known.end());
-    if (const std::string_view near = Suggest(word, candidates); !near.empty()) {
-      problem.hint = "did you mean '" + std::string(near) + "'?";
-    } else if (known.empty()) {
-      problem.hint = "the scenario has none";
-    } else if (known.size() <= 12) {
-      problem.hint = "there are:";
-      for (const std::string& name : known) problem.hint += " " + name;
-    }
+    std::string all = known.empty() ? "the scenario has none" : known.size() <= 12 ? "there are:" : "";
+    for (std::size_t i = 0; known.size() <= 12 && i < known.size(); ++i) all += " " + known[i];
+    problem.hint = NearestHint(word, candidates, std::move(all));
   }
 
   Diagnostic& Tell(const Check& check, int line, std::string message) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "diagnostics/problem.h"
 #include "mission/statistics.h"
 #include "report/page.h"
 #include "sweep/run_sweep.h"
@@ -67,8 +68,6 @@ Json StandingsOf(const sweep::Spec& spec, const std::vector<sweep::Row>& rows) {
 }  // namespace
 
 Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& data) {
-  Diagnostic problem;
-  problem.file = folder.string();
   fs::path place = folder;
   if (place.filename().empty()) place = place.parent_path();
   // The folder contains everything that its rows depend on, even if it was moved.
@@ -78,11 +77,7 @@ Result<std::string> SweepData(const fs::path& folder, const sim::DataFolders& da
   const Result<sweep::Plan> plan = sweep::MakePlan(spec, place, data, sweep::Sources::kTrust);
   if (!plan) return plan.error();
   const std::vector<sweep::Row> rows = sweep::RowsOf(spec, *plan, place, problems);
-  if (rows.empty()) {
-    problem.message = "this sweep has no runs yet";
-    problem.hint = "soarbox sweep makes them";
-    return problem;
-  }
+  if (rows.empty()) return ProblemIn(folder, "this sweep has no runs yet", "soarbox sweep makes them");
   Json made{{"kind", "sweep"},
             {"title", place.stem().string() + ": " + std::to_string(rows.size()) + " runs"},
             {"command", "soarbox run " + sweep::ShellWord(plan->variants.front().argument)}};

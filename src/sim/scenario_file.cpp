@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <system_error>
 
 #include "diagnostics/plain_text.h"
@@ -92,24 +90,6 @@ class Reader : public TableReader {
     if (name.size() > kLongestName)
       Problem(*table.get("name"), "this name has " + std::to_string(name.size()) + " characters: 100 at most");
     return name;
-  }
-
-  std::optional<int> WholeNumber(const toml::table& table, std::string_view key, int min, int max) {
-    const std::optional<double> number = Number(table, key, min, max);
-    if (!number) return std::nullopt;
-    if (*number != std::floor(*number)) Problem(*table.get(key), "'" + std::string(key) + "' takes a whole number");
-    return static_cast<int>(*number);
-  }
-
-  std::optional<double> Number(const toml::table& table, std::string_view key, double min, double max) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return std::nullopt;
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (number && std::isfinite(*number) && *number >= min && *number <= max) return number;
-    std::ostringstream range;
-    range << std::setprecision(10) << "'" << key << "' takes a number from " << min << " to " << max;
-    Problem(*node, range.str());
-    return std::nullopt;
   }
 
   /// [x, z] or [x, y, z]

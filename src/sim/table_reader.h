@@ -4,13 +4,16 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "diagnostics/diagnostic.h"
+#include "diagnostics/nearest_hint.h"
 
 namespace soarbox::sim {
 
@@ -35,9 +38,8 @@ class TableReader {
   void CheckKeys(const toml::table& table, std::string_view what, const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string_view near = Suggest(key.str(), known);
       Problem(value, std::string(what) + " has no '" + std::string(key.str()) + "'",
-              near.empty() ? HintFor(key.str(), known) : "did you mean '" + std::string(near) + "'?");
+              NearestHint(key.str(), known, HintFor(key.str(), known)));
     }
   }
 
@@ -47,6 +49,31 @@ class TableReader {
     if (const auto text = node->value_exact<std::string>()) return *text;
     Problem(*node, "'" + std::string(key) + "' takes a text in quotes");
     return otherwise;
+  }
+
+  /// A number between these limits; nothing if the key is absent, or after an error.
+  std::optional<double> Number(const toml::table& table, std::string_view key, double min, double max) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return std::nullopt;
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (number && *number >= min && *number <= max) return number;
+    char limits[80];
+    std::snprintf(limits, sizeof limits, "' takes a number from %.10g to %.10g", min, max);
+    Problem(*node, "'" + std::string(key) + limits);
+    return std::nullopt;
+  }
+  std::optional<int> WholeNumber(const toml::table& table, std::string_view key, int min, int max) {
+    const std::optional<double> number = Number(table, key, min, max);
+    if (!number) return std::nullopt;
+    if (*number == std::floor(*number)) return static_cast<int>(*number);
+    Problem(*table.get(key), "'" + std::string(key) + "' takes a whole number");
+    return std::nullopt;
+  }
+  bool Truth(const toml::table& table, std::string_view key, bool otherwise = false) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return otherwise;
+    if (!node->is_boolean()) Problem(*node, "'" + std::string(key) + "' takes true or false");
+    return node->value_exact<bool>().value_or(otherwise);
   }
 
   /// The tables of [[key]]; at most `most`. `above` is the prefix of the key in the file: "dis.".

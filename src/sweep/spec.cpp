@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "diagnostics/problem.h"
 #include "diagnostics/read_text.h"
 #include "mission/read_mission.h"
 #include "sim/table_reader.h"
@@ -408,15 +409,12 @@ void KeepWhole(toml::table root, Spec& spec) {
 Spec ReadSpec(const std::filesystem::path& file, std::vector<Diagnostic>& problems, bool is_copy) {
   Spec spec;
   spec.file = file;
-  Diagnostic problem;
-  problem.file = file.string();
   const std::optional<std::string> text = ReadText(file);
   if (!text) {
     std::error_code error;
     const bool is_there = std::filesystem::exists(file, error);
-    problem.message = is_there ? "this sweep cannot be read" : "there is no such file";
-    problem.hint = "a sweep is a .toml file that names a scenario and seeds: docs/sweeps.md shows one";
-    problems.push_back(std::move(problem));
+    problems.push_back(ProblemIn(file, is_there ? "this sweep cannot be read" : "there is no such file",
+                                 "a sweep is a .toml file that names a scenario and seeds: docs/sweeps.md shows one"));
     return spec;
   }
   // Checks and seeds are parsed like those of missions.

@@ -372,7 +372,7 @@ class OwnWorld(ScenarioCase):
         text = (lesson / "lesson.toml").read_text(encoding="utf-8")
         for old, new, told in (("agents = 2", "agents = 0", r"lesson\.toml:\d+.*'agents' is a whole number from 1 to 100"),
                                ("noticed = 0.5", "noticed = 5", "'noticed' is a share from 0 to 1"),
-                               ("checks = 3", "cheks = 3", r"\[own\] has no key 'cheks'"),
+                               ("checks = 3", "cheks = 3", r"\[own\] has no 'cheks'"),
                                ("[own]", '[[check]]\nname = "x"\nagent = "keeper"\nalive = true\n\n[own]', "has no \\[\\[check"),):
             self.assertEqual(text.count(old), 1, old)
             (lesson / "lesson.toml").write_text(text.replace(old, new), encoding="utf-8")

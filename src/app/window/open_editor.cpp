@@ -11,6 +11,8 @@
 #include <sstream>
 #include <thread>
 
+#include "diagnostics/problem.h"
+
 extern char** environ;
 
 namespace soarbox::app {
@@ -57,22 +59,16 @@ std::vector<std::string> EditorCommand(const std::string& file, int line) {
 }
 
 Result<void> OpenInEditor(const std::string& file, int line) {
-  Diagnostic problem;
-  problem.file = file;
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
-    problem.message = "there is no such file to open";
-    return problem;
-  }
+  if (!std::filesystem::exists(file, error)) return ProblemIn(file, "there is no such file to open");
   const std::vector<std::string> command = EditorCommand(std::filesystem::absolute(file, error).string(), line);
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t child = 0;
   if (const int failed = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); failed != 0) {
-    problem.message = "the editor '" + command.front() + "' cannot be started: " + std::strerror(failed);
-    problem.hint = "set the environment variable VISUAL to your editor";
-    return problem;
+    return ProblemIn(file, "the editor '" + command.front() + "' cannot be started: " + std::strerror(failed),
+                     "set the environment variable VISUAL to your editor");
   }
   // Waits for the child process, so that it does not stay a zombie.
   std::thread([child] { waitpid(child, nullptr, 0); }).detach();

@@ -140,11 +140,8 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
   if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   ReplayWindow replay(recording, range, data, viewer, !options.ui_script.empty());
-  if (!replay.Select(options.select)) {
-    Diagnostic problem;
-    problem.message = "there is no agent '" + options.select + "' to select at the beginning";
-    return Refuse(problem);
-  }
+  if (!replay.Select(options.select))
+    return Refuse("there is no agent '" + options.select + "' to select at the beginning");
   workbench::NoteRecentRun(recording.file().string());
   return AfterWindow(viewer, options, replay.Run());
 }

@@ -9,6 +9,8 @@
 #include "app/window/live_window.h"
 #include "app/window/window_desk.h"
 #include "app/window/window_options.h"
+#include "diagnostics/nearest_hint.h"
+#include "diagnostics/problem.h"
 #include "viewer/viewer.h"
 #include "workbench/recent.h"
 #include "world/world.h"
@@ -27,12 +29,10 @@ Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, 
       if (info.word == word) return info.command;
       words.push_back(info.word);
     }
-    Diagnostic problem;
-    problem.message = std::string(option) + " knows no '" + word + "'";
-    const std::string_view near = Suggest(word, words);
-    problem.hint = near.empty() ? "it is one of" : "did you mean '" + std::string(near) + "'? It is one of";
-    for (const std::string_view known : words) problem.hint += " " + std::string(known);
-    return problem;
+    const std::string near = NearestHint(word, words);
+    std::string hint = near.empty() ? "it is one of" : near + " It is one of";
+    for (const std::string_view known : words) hint += " " + std::string(known);
+    return NewProblem(std::string(option) + " knows no '" + word + "'", std::move(hint));
   };
   viewer.ShowOverlays(simulation.Overlays({}));
   const world::SceneSnapshot scene = simulation.Snapshot();
@@ -43,13 +43,8 @@ Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, 
       names.push_back(agent.name);
       if (agent.name == options.select) viewer.SelectAgent(agent.id);
     }
-    if (viewer.selected_agent() == 0) {
-      Diagnostic problem;
-      problem.message = "there is no agent '" + options.select + "' to select";
-      if (const std::string_view near = Suggest(options.select, names); !near.empty())
-        problem.hint = "did you mean '" + std::string(near) + "'?";
-      return problem;
-    }
+    if (viewer.selected_agent() == 0)
+      return NewProblem("there is no agent '" + options.select + "' to select", NearestHint(options.select, names));
   }
   for (const std::string& word : options.show) {
     const Result<viewer::ViewerCommand> overlay = find(word, viewer::CommandGroup::kOverlay, "--show");

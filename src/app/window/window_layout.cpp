@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/nearest_hint.h"
+#include "diagnostics/problem.h"
+
 namespace soarbox::app {
 
 Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
@@ -17,18 +20,13 @@ Result<viewer::Layout> LayoutNamed(const std::string& named, int text_percent) {
     for (std::string word; std::getline(words, word, ',');) {
       const auto panel = workbench::FindPanel(word);
       if (!panel) {
-        Diagnostic problem;
-        problem.message = "there is no panel '" + word + "'";
         std::vector<std::string_view> all;
-        for (const workbench::PanelInfo& info : workbench::kPanelInfos) all.push_back(info.word);
-        const std::string_view near = Suggest(word, all);
-        if (!near.empty()) {
-          problem.hint = "did you mean '" + std::string(near) + "'?";
-        } else {
-          problem.hint = "it is 'default', 'none', or a comma-separated list of:";
-          for (const std::string_view known : all) problem.hint += " " + std::string(known);
+        std::string list = "it is 'default', 'none', or a comma-separated list of:";
+        for (const workbench::PanelInfo& info : workbench::kPanelInfos) {
+          all.push_back(info.word);
+          list += " " + std::string(info.word);
         }
-        return problem;
+        return NewProblem("there is no panel '" + word + "'", NearestHint(word, all, std::move(list)));
       }
       panels.push_back(*panel);
     }
