@@ -417,7 +417,7 @@ void AddRecordings(CLI::App& program, RecordingOptions& options) {
   export_data
       ->add_flag("--tidy", options.tidy,
                  "Write tables in long form: agents, events and percepts. The output is a folder of CSV files, or a "
-                 ".sqlite or .jsonl file")
+                 ".sqlite file")
       ->excludes(csv)
       ->needs(output);
   export_data

@@ -52,10 +52,6 @@ std::string QuotedCsv(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string JsonText(const nlohmann::ordered_json& json, int indent = -1) {
-  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
 nlohmann::ordered_json ObjectOf(const Metadata& metadata) {
   nlohmann::ordered_json made = nlohmann::ordered_json::object();
   for (const auto& [name, value] : metadata) {
@@ -90,7 +86,7 @@ class CsvSink final : public TableSink {
     File& manifest = files_.emplace_back();
     manifest.path = folder_ / "manifest.json";
     manifest.out.open(Making(manifest.path), std::ios::binary);
-    manifest.out << JsonText(ObjectOf(metadata_), 1) << '\n';
+    manifest.out << ObjectOf(metadata_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
     for (File& file : files_) {
       if (!file.out.flush()) return CannotWrite(file.path, "writing failed");
       file.out.close();
@@ -107,40 +103,6 @@ class CsvSink final : public TableSink {
   fs::path folder_;
   Metadata metadata_;
   std::deque<File> files_;
-};
-
-class JsonLinesSink final : public TableSink {
- public:
-  JsonLinesSink(fs::path file, const Metadata& metadata)
-      : file_(std::move(file)), out_(Making(file_), std::ios::binary) {
-    out_ << JsonText({{"table", "metadata"}, {"manifest", ObjectOf(metadata)}}) << '\n';
-  }
-
-  Result<void> Begin(const std::string& table, const std::vector<Column>& columns) override {
-    tables_.push_back({table, columns});
-    if (out_) return {};
-    return CannotWrite(file_, "writing failed");
-  }
-
-  Result<void> Add(std::size_t table, const std::vector<Cell>& row) override {
-    const auto& [name, columns] = tables_[table];
-    out_ << "{\"table\":" << JsonOf(name);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i].index() != 0) out_ << ',' << JsonOf(columns[i].name) << ':' << JsonOf(row[i]);
-    if (out_ << "}\n") return {};
-    return CannotWrite(file_, "writing failed");
-  }
-
-  Result<void> Finish() override {
-    if (!out_.flush()) return CannotWrite(file_, "writing failed");
-    out_.close();
-    return PutInPlace(file_);
-  }
-
- private:
-  fs::path file_;
-  std::ofstream out_;
-  std::vector<std::pair<std::string, std::vector<Column>>> tables_;
 };
 
 struct CloseDatabase {
@@ -239,13 +201,6 @@ class SqliteSink final : public TableSink {
 
 }  // namespace
 
-std::string JsonOf(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return JsonText(*number);
-  if (const std::int64_t* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
-  if (const std::string* text = std::get_if<std::string>(&cell)) return JsonText(*text);
-  return "null";
-}
-
 std::string CsvOf(const Cell& cell) {
   if (const std::int64_t* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const std::string* text = std::get_if<std::string>(&cell)) return QuotedCsv(*text);
@@ -268,11 +223,6 @@ Result<std::unique_ptr<TableSink>> SqliteFile(const fs::path& file, Metadata met
   auto sink = std::make_unique<SqliteSink>(file, std::move(metadata));
   if (const Result<void> opened = sink->Open(); !opened) return opened.error();
   return std::unique_ptr<TableSink>(std::move(sink));
-}
-
-Result<std::unique_ptr<TableSink>> JsonLinesFile(const fs::path& file, Metadata metadata) {
-  if (const Result<void> checked = CheckPlace(file); !checked) return checked.error();
-  return std::unique_ptr<TableSink>(std::make_unique<JsonLinesSink>(file, metadata));
 }
 
 }  // namespace soarbox::sweep

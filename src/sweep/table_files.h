@@ -17,11 +17,7 @@ Result<std::unique_ptr<record::TableSink>> CsvFolder(const std::filesystem::path
 /// `metadata`.
 Result<std::unique_ptr<record::TableSink>> SqliteFile(const std::filesystem::path& file, record::Metadata metadata);
 
-/// Writes a line of JSON for each row, with the name of its table as `table`. The first line contains the metadata.
-Result<std::unique_ptr<record::TableSink>> JsonLinesFile(const std::filesystem::path& file, record::Metadata metadata);
-
-/// Formats a cell as JSON (null if empty), or as a CSV field.
-std::string JsonOf(const record::Cell& cell);
+/// Formats a cell as a CSV field.
 std::string CsvOf(const record::Cell& cell);
 
 }  // namespace soarbox::sweep

@@ -12,10 +12,8 @@ namespace {
 Result<std::unique_ptr<record::TableSink>> SinkFor(const std::filesystem::path& output, record::Metadata metadata) {
   const std::filesystem::path ending = output.extension();
   if (ending == ".sqlite" || ending == ".db") return SqliteFile(output, std::move(metadata));
-  if (ending == ".jsonl") return JsonLinesFile(output, std::move(metadata));
   if (ending.empty()) return CsvFolder(output, std::move(metadata));
-  return ProblemIn(output, "tables are not written in this form",
-                   "name a .sqlite or a .jsonl file, or a folder for .csv files");
+  return ProblemIn(output, "tables are not written in this form", "name a .sqlite file, or a folder for .csv files");
 }
 
 }  // namespace
