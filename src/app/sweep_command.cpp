@@ -45,7 +45,7 @@ void Show(const sweep::Progress& progress, bool is_terminal, std::chrono::steady
     std::cerr << ", " << mission::NumberText(rate) << " per second, "
               << static_cast<int>(static_cast<double>(progress.planned - all) / rate) << " s to go";
   }
-  if (progress.failed > 0) std::cerr << ", " << progress.failed << " crashed or hung";
+  if (progress.failed > 0) std::cerr << ", " << progress.failed << sweep::kCrashedOrHung;
   std::cerr << "   " << std::flush;
 }
 

@@ -16,6 +16,9 @@
 
 namespace soarbox::sweep {
 
+/// Text after a number of runs.
+inline constexpr std::string_view kCrashedOrHung = " crashed or hung";
+
 /// The result of one run.
 struct Row {
   std::string key;  ///< Identifies the run: the variant with its digest, and the seed.

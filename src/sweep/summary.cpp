@@ -221,7 +221,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
     const auto is_broken = [](const Row& row) { return row.result.outcome != "ok"; };
     out << TournamentTable(spec, rows);
     if (const auto broken = std::ranges::count_if(rows, is_broken); broken > 0)
-      out << broken << " games crashed or hung and do not count\n";
+      out << broken << " games" << kCrashedOrHung << " and do not count\n";
     return std::move(out).str();
   }
   std::vector<std::map<std::uint64_t, bool>> passed(plan.variants.size());
@@ -240,7 +240,7 @@ std::string Summary(const Spec& spec, const Plan& plan, const std::vector<Row>& 
     const auto good = static_cast<std::size_t>(
         std::count_if(passed[v].begin(), passed[v].end(), [](const auto& run) { return run.second; }));
     out << plan.variants[v].variant.name << ": " << hashes[v].size() << " runs";
-    if (broken[v] > 0) out << ", " << broken[v] << " crashed or hung";
+    if (broken[v] > 0) out << ", " << broken[v] << kCrashedOrHung;
     if (hashes[v].size() > passed[v].size())
       out << ", " << hashes[v].size() - passed[v].size()
           << " undecided: their kernel does not say what a check asks for";

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "diagnostics/plain_text.h"
+#include "sim/agent_words.h"
 #include "sim/foreign_kind.h"
 #include "viewer/draw_colors.h"
 #include "viewer/palette.h"
@@ -45,7 +46,7 @@ std::string Shortened(const std::string& text, std::size_t most) {
 
 /// The agent's activity in a word or two.
 std::string StateOf(const world::AgentSnapshot& agent, const world::AgentOverlay* overlay) {
-  if (agent.failed) return "stopped by an error";
+  if (agent.failed) return sim::kStoppedByError;
   if (!agent.alive) return "dead";
   const std::string mind = overlay != nullptr ? Shortened(overlay->operator_name, 24) : std::string();
   const std::string body = overlay != nullptr && !overlay->doing.empty() ? overlay->doing : agent.last_command;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "sim/agent_words.h"
 #include "viewer/draw_colors.h"
 #include "viewer/labels.h"
 #include "viewer/panels/widgets.h"
@@ -22,7 +23,7 @@ void DrawTooltip(const PanelHost& host, const world::AgentSnapshot& agent, const
   std::snprintf(text, sizeof text, "%.1f m/s",
                 static_cast<double>(world::Length(world::Vec3{agent.velocity.x, 0, agent.velocity.z})));
   rows.emplace_back("speed", text);
-  if (agent.failed) rows.emplace_back("state", "stopped by an error");
+  if (agent.failed) rows.emplace_back("state", sim::kStoppedByError);
   std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
 
   ImGui::BeginTooltip();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/agent_words.h"
 #include "workbench/document/build.h"
 #include "workbench/document/glossary.h"
 #include "workbench/document/panels.h"
@@ -20,7 +21,7 @@ bool IsInTrouble(const AgentRow& row) {
 }
 
 Cell Doing(const Contents& contents, const AgentRow& row) {
-  if (row.failed) return TextCell("stopped by an error", Role::kBad);
+  if (row.failed) return TextCell(sim::kStoppedByError, Role::kBad);
   if (!row.alive) return TextCell("dead", Role::kQuiet);
   if (IsInTrouble(row)) return {{Span{row.impasse, Role::kWarn, std::nullopt, std::string(MeaningOf(row.impasse))}}};
   const auto activity = contents.activities.find(row.id);
