@@ -331,12 +331,12 @@ void AddServe(CLI::App& program, ServeOptions& options, EngineOptions& engine) {
   serve->add_option("--idle", options.idle_min, "Minutes after which a run without viewers ends")
       ->capture_default_str()
       ->check(NumberIn(1, 100'000));
-  serve->add_option("--hang", options.hang_s, "Seconds of silence after which a run is ended")
+  serve->add_option("--hang", options.hang_s, "Seconds after which a run that sends no heartbeat is ended")
       ->capture_default_str()
       ->check(NumberIn(2, 100'000));
-  serve->add_flag(
-      "--no-wall", options.no_wall,
-      "Run worlds with all rights of the server's user; only the interpreters keep them away from its files");
+  serve->add_flag("--no-wall", options.no_wall,
+                  "Run worlds with all rights of the server's user; only the interpreters of Soar and Lua limit which "
+                  "files a world can use");
   serve->add_option("--state", options.state, "Keep the files, progress and recordings of all visitors in this folder");
   serve->add_option("--host", options.hosts, "A name by which browsers call the server (may be repeated)");
   serve->add_option("--proxy", options.proxies, "Believe X-Forwarded-For of this address (may be repeated)");
