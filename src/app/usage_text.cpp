@@ -81,6 +81,7 @@ constexpr StatusRow kStatuses[] = {
     {"test", {"1", "A check failed"}},
     {"learn", {"1", "The lesson is not passed"}},
     {"sweep", {"1", "Runs are missing, reported errors, or differ from their rows"}},
+    {"lsp", {"1", "The connection ended without the request shutdown"}},
     {"format", {"1", "A file cannot be read as rules, or with --check: one would change"}},
     {"", {"2", "The command line was wrong"}},
     {"", {"3", "A scenario, a file, a port or the display could not be used"}},

@@ -259,11 +259,12 @@ class LanguageServer(WithFolder):
                                            "end": {"line": 10 ** 9, "character": 10 ** 9}}, "text": "x"})
         self.assertEqual(0, self.editor.end())
 
-    def test_a_client_that_goes_away_ends_it(self):
+    def test_a_client_that_goes_away_ends_it_with_a_code_that_the_help_names(self):
         channel = Channel("lsp")
         self.addCleanup(channel.close)
         channel.process.stdin.close()
         self.assertEqual(1, channel.process.wait(30))
+        self.assertRegex(Run("lsp", "--help", code=0).out, r"\n  1 +The connection ended without the request shutdown\n")
         channel.process.stdin = open("/dev/null", "wb")
 
 
