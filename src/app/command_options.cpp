@@ -174,7 +174,8 @@ void AddLooks(CLI::App& program, CheckOptions& check, WhyOptions& why) {
                       "A command, an operator or a rule of the agent: explain why it happens, or does not");
   reasons->add_flag("--json", why.json, "Print the answer as JSON, as a tree");
   reasons->add_option("--agent", why.agent, "The agent's name (default: the first one with a mind)");
-  reasons->add_option("--at", why.at_s, "Simulated seconds")->capture_default_str()->check(NumberIn(0.0, 36000.0));
+  reasons->add_option("--at", why.at_s, "Simulated seconds (default: 5, or the end of a shorter recording)")
+      ->check(NumberIn(0.0, 36000.0));
   AddSeedAndPath(*reasons, why);
 }
 

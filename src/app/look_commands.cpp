@@ -92,6 +92,8 @@ int Check(const CheckOptions& options) {
 
 namespace {
 
+constexpr double kUsualMoment_s = 5;
+
 /// Runs the scenario from its beginning to the requested moment. Prints the errors of rules and scripts until then.
 Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<sim::Scenario> scenario = sim::FindScenario(options.scenario, data, options.extra_folders);
@@ -103,7 +105,8 @@ Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, 
   if (!simulation) return simulation;
   sim::EventFindings findings;
   findings.See((*simulation)->TakeEvents());
-  while (!WasInterrupted() && (*simulation)->time_s() < options.at_s) {
+  const double at_s = options.at_s.value_or(kUsualMoment_s);
+  while (!WasInterrupted() && (*simulation)->time_s() < at_s) {
     (*simulation)->Tick();
     findings.See((*simulation)->TakeEvents());
   }
@@ -117,7 +120,9 @@ Result<std::unique_ptr<sim::Simulation>> RunToMoment(const WhyOptions& options, 
 Result<std::unique_ptr<sim::Simulation>> RunRecording(const WhyOptions& options, const sim::DataFolders& data) {
   const Result<std::unique_ptr<record::Reader>> reader = record::Reader::Open(options.scenario);
   if (!reader) return reader.error();
-  const auto tick = static_cast<std::uint64_t>(std::llround(options.at_s / (*reader)->header().step_s));
+  const double at_s = options.at_s.value_or(kUsualMoment_s);
+  auto tick = static_cast<std::uint64_t>(std::llround(at_s / (*reader)->header().step_s));
+  if (!options.at_s) tick = std::clamp(tick, (*reader)->first_tick(), (*reader)->last_tick());
   Result<record::Rerun> rerun = record::GoTo(**reader, tick, data, [](std::uint64_t) { return !WasInterrupted(); });
   if (!rerun) return rerun.error();
   for (const Diagnostic& warning : rerun->warnings) std::cerr << Format(warning);

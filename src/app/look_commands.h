@@ -23,7 +23,7 @@ struct WhyOptions {
   std::string agent;     ///< Empty: the first one with a mind.
   std::string
       topic;  ///< A command, an operator or a rule; empty: explains what the agent does, or why it does nothing.
-  double at_s = 5;
+  std::optional<double> at_s;  ///< Simulated; none: 5, or the nearest recorded tick of a recording.
   bool json = false;
   std::optional<std::uint64_t> seed;
   std::vector<std::filesystem::path> extra_folders;

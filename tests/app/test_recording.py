@@ -281,6 +281,12 @@ class Why(Recorded):
         self.assertEqual(recorded.out, live.out)
         self.assertIn("operator", recorded.out)
 
+    def test_without_a_moment_a_short_recording_is_explained_at_its_end(self):
+        short = self.folder / "short.soarrec"
+        Run("run", "thesis/mixed.lua", "--headless", "--seconds", 2, "--seed", 5, "--record", short)
+        self.assertEqual(Run("why", short, code=0).out, Run("why", short, "--at", 2, code=0).out)
+        Run("why", short, "--at", 3, code=3)
+
     def test_a_moment_or_an_agent_that_is_not_there(self):
         done = Run("why", self.file, "--at", 1000, code=3)
         self.assertIn("is not in the recording", done.err)
