@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <streambuf>
 #include <string>
 #include <string_view>
 
@@ -188,6 +191,47 @@ void TellNoMemory() {
   std::abort();
 }
 
+/// Forwards all writes to the buffer of a stream, and stores errno of the first one that fails. Streams themselves do
+/// not report it. Has no buffer of its own, so several threads may write.
+class OutputErrors final : public std::streambuf {
+ public:
+  explicit OutputErrors(std::ostream& stream) : stream_(stream), buffer_(stream.rdbuf(this)) {}
+  ~OutputErrors() override { stream_.rdbuf(buffer_); }
+  OutputErrors(const OutputErrors&) = delete;
+  OutputErrors& operator=(const OutputErrors&) = delete;
+
+  /// 0 if no write failed.
+  int first_error() const { return first_error_; }
+
+ protected:
+  int_type overflow(int_type letter) override {
+    if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
+    const int_type written = buffer_->sputc(traits_type::to_char_type(letter));
+    if (traits_type::eq_int_type(written, traits_type::eof())) StoreError();
+    return written;
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    const std::streamsize written = buffer_->sputn(text, size);
+    if (written != size) StoreError();
+    return written;
+  }
+  int sync() override {
+    const int result = buffer_->pubsync();
+    if (result != 0) StoreError();
+    return result;
+  }
+
+ private:
+  void StoreError() {
+    int none = 0;
+    first_error_.compare_exchange_strong(none, errno);
+  }
+
+  std::ostream& stream_;
+  std::streambuf* buffer_;
+  std::atomic<int> first_error_ = 0;
+};
+
 }  // namespace
 
 int CommandLine(int argc, char** argv, const ProgramParts& parts) {
@@ -196,11 +240,14 @@ int CommandLine(int argc, char** argv, const ProgramParts& parts) {
   std::set_terminate(EndOnTerminate);
   // At the limit of a file's size, the write then fails with an error instead of a signal that ends the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  const OutputErrors output(std::cout);
   try {
     const int code = Main(argc, argv, parts);
     std::cout.flush();
     if (std::cout) return code;
-    if (WasInterrupted()) return 128 + SIGPIPE;
+    // The program that reads the output has ended, as after `| head`. Without signals (in WebAssembly, or if the parent
+    // process ignores SIGPIPE), only the error code shows it.
+    if (WasInterrupted() || output.first_error() == EPIPE) return 128 + SIGPIPE;
     std::cerr << "soarbox: error: standard output cannot be written; is the disk full?\n";
     return kCannotStart;
   } catch (const std::bad_alloc&) {

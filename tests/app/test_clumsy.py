@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Files, names and values that were passed by mistake: each is reported with a helpful message, and nothing else is affected."""
 import os
+import signal
 import subprocess
 
 from soarbox_command import COMMAND, WALKER, Run, ScenarioCase, run_json
@@ -207,6 +208,18 @@ class Scenarios(ScenarioCase):
             done = subprocess.run([COMMAND, "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 3)
         self.assertIn("standard output cannot be written", done.stderr)
+
+    def test_it_ends_quietly_if_nobody_reads_its_output(self):
+        for ignored in (False, True):  # Some parent processes ignore the signal, and WebAssembly has none.
+            for words in (["list"], ["help", "run"], ["check", self.write("hero.soar", RULES)]):
+                with self.subTest(ignored=ignored, words=words[0]):
+                    reader, writer = os.pipe()
+                    os.close(reader)
+                    done = subprocess.run([COMMAND, *words], stdout=writer, stderr=subprocess.PIPE, check=False, restore_signals=False,
+                                          preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN if ignored else signal.SIG_DFL))
+                    os.close(writer)
+                    self.assertEqual(done.stderr, b"")
+                    self.assertEqual(done.returncode, 128 + signal.SIGPIPE if ignored else -signal.SIGPIPE)
 
     def test_an_option_that_is_given_twice_is_told(self):
         run = Run("run", "thesis", "--headless", "--seed", 1, "--seed", 2, code=2)
