@@ -14,6 +14,7 @@
 #include "app/refuse.h"
 #include "app/run_session.h"
 #include "diagnostics/diagnostic.h"
+#include "sml/wire/channel.h"
 #include "sml/wire/secret.h"
 #include "sml_Client.h"
 #ifdef SOARBOX_OWN_KERNEL
@@ -72,6 +73,8 @@ std::string Record([[maybe_unused]] sml::Kernel& kernel, const KernelServerOptio
 }  // namespace
 
 int ServeKernel(const KernelServerOptions& options) {
+  if (!wire::HasSockets())
+    return Refuse("this build has no sockets", "use the native soarbox for connections to other programs");
   CatchInterrupts();
   if (!options.secret_file.empty()) {
     // The kernel's listener reads these variables.
@@ -92,8 +95,6 @@ int ServeKernel(const KernelServerOptions& options) {
                   "another program uses it; choose another with --port N, or any free one with --port 0");
   }
   if (const std::string problem = Record(*kernel, options); !problem.empty()) return Refuse(problem);
-  if (kernel->GetListenerPort() == 0)
-    return Refuse("this build has no sockets", "use the native soarbox for connections to other programs");
   std::set<std::string> names;
   for (const std::filesystem::path& file : options.agents) {
     if (!AddAgent(*kernel, file, names)) {

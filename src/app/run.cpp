@@ -35,6 +35,9 @@
 #include "sim/replaced_rules.h"
 #include "sim/scenario_file.h"
 #include "world/world.h"
+#ifdef SOARBOX_OWN_KERNEL
+#include "sml/wire/channel.h"
+#endif
 
 namespace soarbox::app {
 namespace {
@@ -192,6 +195,10 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
       return kUsage;
     }
   } else {
+#ifdef SOARBOX_OWN_KERNEL
+    if (options.port.value_or(0) != 0 && !wire::HasSockets())
+      return Refuse("this build has no sockets for debuggers", "use the native soarbox, or leave out --port");
+#endif
     settings.soar.port = options.port.value_or(options.headless ? 0 : kDefaultPort);
   }
 

@@ -104,6 +104,14 @@ class Commands(Package):
         self.assertEqual(self.npm("--version").stdout.split("\n")[0], self.native("--version").stdout.split("\n")[0])
         self.assert_same("chek", code=2, has="check")
 
+    def test_it_says_that_it_has_no_sockets(self):
+        for words in (("kernel",), ("kernel", "--port", 0), ("run", "soar_flee", "--headless", "--port", 4000)):
+            with self.subTest(words=words):
+                told = self.npm(*words, code=3).stderr
+                self.assertIn("this build has no sockets", told)
+                self.assertIn("use the native soarbox", told)
+                self.assertNotIn("another program", told)
+
     def test_npx_runs_it(self):
         done = subprocess.run(["npx", "--offline", "soarbox", "list"], cwd=self.installed, env=self.environment, capture_output=True,
                               text=True, check=False, timeout=LIMIT_S)
