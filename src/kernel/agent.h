@@ -90,8 +90,8 @@ class Agent {
   /// first, even if the new one has an error.
   LoadOutcome LoadProduction(std::string_view body, const SourcePlace& place = {});
   /// Loads a rule that was built with this agent's symbols, not read from text. With `ignore_number`, a rule of
-  /// reinforcement learning is a duplicate if it differs from a loaded one only in its number. The settings are ignored
-  /// then.
+  /// reinforcement learning is a duplicate if it differs from a loaded one only in its number, whatever
+  /// AgentSettings::ignore_numbers_of_duplicates is.
   LoadOutcome AddProduction(ProductionPtr production, bool ignore_number = false);
   /// Removes the rule, and everything that only its matches support.
   void Excise(ProductionId production);
@@ -194,7 +194,7 @@ class Agent {
   /// How rules were learned. The log has settings that select which explanations are kept (learn/explanation_log.h).
   const ExplanationLog& explanations() const;
   ExplanationLog& mutable_explanations();
-  /// The states that rules named by (force-learn <s>); below, those named by (dont-learn <s>).
+  /// The states that rules named in (force-learn <s>). StatesNotToLearn returns those named in (dont-learn <s>).
   std::vector<Symbol> StatesForcedToLearn() const;
   std::vector<Symbol> StatesNotToLearn() const;
 

@@ -26,8 +26,8 @@ struct HeapRoom {
 };
 
 /// A vector of trivially copyable records, for arrays that keep growing. It grows with realloc, which does not copy
-/// large arrays and never needs memory for two copies. It grows by a quarter below 8 KB and by an eighth above, not by
-/// a factor of two like std::vector. `Room` is the storage (HeapRoom, ForkableRoom).
+/// large arrays and never needs memory for two copies. It grows by a quarter below 8 KB and by an eighth above, plus
+/// 16 records, not by a factor of two like std::vector. `Room` is the storage (HeapRoom, ForkableRoom).
 template <typename T, typename Room = HeapRoom>
 class PlainVector {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));

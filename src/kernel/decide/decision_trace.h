@@ -52,7 +52,7 @@ struct DecisionTrace {
 struct DecisionReport {
   Symbol goal;
   GoalLevel level = 0;
-  ImpasseType impasse = ImpasseType::kNone;  ///< kNone without a selected operator: no candidate is left, a no-change.
+  ImpasseType impasse = ImpasseType::kNone;  ///< If kNone and `selected` is none: a no-change.
   /// None for an impasse. In Agent::ExplainDecision, the currently selected operator, even if it would lose now.
   Symbol selected;
   bool is_forced = false;

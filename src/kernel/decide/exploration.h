@@ -36,7 +36,7 @@ struct ExplorationParameter {
 /// The settings of `decide`. The Set functions refuse values out of range: they return false and change nothing.
 struct ExplorationSettings {
   ExplorationPolicy policy = ExplorationPolicy::kSoftmax;
-  bool average_numbers = false;  ///< The value of a candidate is the mean of its numeric preferences, else their sum.
+  bool average_numbers = false;  ///< A candidate's value is the mean of its numeric preferences, not their sum.
   bool auto_reduce = false;
   ExplorationParameter epsilon{.value = 0.1};
   ExplorationParameter temperature{.value = 25};

@@ -47,8 +47,9 @@ class PreferenceSemantics {
     /// candidate.
     ImpasseType impasse = ImpasseType::kNone;
     /// Without an impasse, one is the winner; several are mutually indifferent, and exploration selects one. Their
-    /// order is the reverse of the slot's list: those of lower goals first; of a goal, the preference that was added to
-    /// the slot first. An elaboration adds those of its newest firing first, and of a firing those of the last action.
+    /// order is the reverse of the slot's list: candidates of lower goals come first. Within a goal, they are in the
+    /// order in which their preferences entered the slot. An elaboration adds the preferences of its newest firing
+    /// first. Of one firing, it adds those of the last action first.
     std::span<const Candidate> candidates;
   };
 

@@ -69,8 +69,8 @@ class RunControl {
   /// Runs one elaboration, or an entire phase that has none. Returns true if a phase ended.
   bool Advance();
   void InputPhase();
-  /// Returns true if nothing can see a single element of the input: no observer, no module, and no match that waits for
-  /// its retraction.
+  /// Returns true if nothing needs the individual elements of the input: no observer, no module, and no match that
+  /// waits for its retraction.
   bool InputIsUnheard() const;
   void DecidePhase();
   void OutputPhase();

@@ -7,11 +7,12 @@
 
 namespace soarbox::kernel::imagery {
 
-/// A convex body in world coordinates: all points within `margin` of the convex hull of some points, or of an
-/// ellipsoid. (A ball is one point with a margin.) Refers to the points and the transform, which must outlive it.
+/// A convex body in world coordinates: all points within `margin` of its core. The core is the convex hull of some
+/// points, or an ellipsoid. (A ball is one point with a margin.) Refers to the points and the transform, which must
+/// outlive it.
 struct Solid {
   std::span<const Vec3> points;
-  const Transform* ellipsoid = nullptr;  ///< If not null: that of a ball of `radius` around 0, instead of points.
+  const Transform* ellipsoid = nullptr;  ///< If not null: maps the ball of `radius` around 0 to the core; no points.
   double radius = 0;
   double margin = 0;
 

@@ -42,8 +42,8 @@ double ScaleVolume(const Node& node);
 bool HullsTouch(const Node& a, const Node& b);
 /// The fraction of a's volume inside b, estimated with 200 points.
 double Overlap(const Node& a, const Node& b, PlainRandom& random);
-/// The position of a's centroid for gaps of `separation` to b, per axis. On an axis with 0, it is that of b's centroid.
-/// The axes are those of `reference`'s own rotation, or of the world.
+/// The position of a's centroid that leaves a gap of `separation` to b on each axis. Where `separation` is 0, it equals
+/// that of b's centroid on this axis. The axes are those of `reference`'s own rotation, or of the world.
 Vec3 Placement(const Node& a, const Node& b, const Node* reference, const Vec3& separation);
 
 /// Appends lines from the eye's centroid to the points of all hulls of a target.

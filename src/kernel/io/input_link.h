@@ -83,7 +83,7 @@ class InputLink {
   /// Discards the buffered changes. Handles of elements that they would have added become invalid.
   void DropPending();
 
-  /// For the core. Apply: applies the buffered changes (input phase). `unheard`: no observer or module needs single
+  /// For the core. Apply: applies the buffered changes (input phase). `unheard`: no observer or module needs individual
   /// elements, and no match waits for its retraction. Reset: forgets everything and uses the identifier of a new input
   /// link (init-soar). Forget, IdentifierGone: working memory removed an element or an identifier. Mark: calls `mark`
   /// for each symbol in use.

@@ -39,8 +39,8 @@ ValueDraft Constant(Symbol symbol) {
 
 // Support -------------------------------------------------------------------------------------------------------------
 
-/// Whether the actions of the rule that fired last propose an operator for a state. As in Soar 9.6.3, false for rules
-/// whose last condition is negated.
+/// Whether the actions of the rule that fired as `base` propose an operator for a state. As in Soar 9.6.3, false for
+/// rules whose last condition is negated.
 bool Justifier::Proposes(InstantiationId base) const {
   const WorkingMemory& memory = uses_.memory;
   const Instantiation& instantiation = uses_.instantiations[base];

@@ -79,7 +79,7 @@ class Justifier final : public JustificationNames {
   /// Creates the clones of the results at the level of `holder`, the instantiation that supports them now.
   void MakeClones(const Explanation& explanation, InstantiationId holder, std::span<const std::uint16_t> actions,
                   bool o_support);
-  /// Whether the actions of the rule that fired last propose an operator for a state.
+  /// Whether the actions of the rule that fired as `base` propose an operator for a state.
   bool Proposes(InstantiationId base) const;
   /// Returns true if `base`'s rule produced too many duplicates in this decision. Nothing more is learned from it until
   /// the next decision.

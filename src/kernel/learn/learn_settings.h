@@ -56,7 +56,7 @@ struct LearnStatistics {
 /// The number of learned rules that are not excised, and the rule that most of them were learned from.
 struct LearnedRules {
   std::size_t count = 0;
-  std::string source;  ///< If several rules are equal, the first by name.
+  std::string source;  ///< If several rules have the maximum, the first by name.
   std::size_t of_source = 0;
 };
 

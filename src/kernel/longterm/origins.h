@@ -58,7 +58,7 @@ struct Origin {
  private:
   friend class Origins;
   std::uint32_t serial = 0;  ///< Serial number of the instantiation, to check whether it still exists.
-  /// Index of its first matched element; for an operator, of its first proposal. Their number.
+  /// `first`: index of the first matched element; for an operator, of the first proposal. `count`: their number.
   std::uint32_t first = 0, count = 0;
   std::uint32_t text = 0, text_size = 0;  ///< For an operator: position of the reason of its selection.
 };
@@ -70,11 +70,11 @@ struct Origin {
 /// Origins are appended to a log. They refer to older ones only. When the log has grown to a multiple of what it kept
 /// last time, Collect copies the origins that are still needed to its beginning.
 ///
-/// Limits: an origin is kept as long as its element, and longer if a newer origin leads to it. Of origins of removed
-/// elements, an origin leads to those within kDeepest references, and to at most kMostBehind of them (IsWithin).
+/// Limits: an origin is kept as long as its element, and longer if a newer origin leads to it. An origin
+/// leads to origins of removed elements only within kDeepest references, and to at most kMostBehind of them (IsWithin).
 ///
-/// What the agent does, does not depend on it. But it keeps identifiers and constants in memory, so an agent near its
-/// memory limit may be stopped in another decision.
+/// Recording does not change the agent's decisions. But it keeps identifiers and constants in memory, so an agent near
+/// its memory limit may be stopped in another decision.
 class Origins final : public Module {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

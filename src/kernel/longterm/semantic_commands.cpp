@@ -245,8 +245,8 @@ bool SemanticMemory::AddMath(Symbol object, Cue& cue) {
       CueElement made{attribute, StoreTerm()};
       made.math = found->second;
       if (made.math == MathTest::kMax || made.math == MathTest::kMin) {
-        // Only one requirement may ask for the largest and one for the smallest value. If no object has the attribute,
-        // the last object counts as both.
+        // At most one requirement may ask for the largest value, and at most one for the smallest. If no object has
+        // the attribute, the last object counts as both.
         cue.impossible =
             cue.impossible || std::ranges::find(cue.elements, made.math, &CueElement::math) != cue.elements.end();
         cue.takes_last = cue.takes_last || !attribute;

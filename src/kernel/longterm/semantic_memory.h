@@ -118,8 +118,8 @@ class SemanticMemory final : public Module {
   Journal* journal() const { return journal_.get(); }
   /// Commits the changes; reports an error once. Called after every output phase, and after commands.
   void Keep();
-  /// The opener is called at the next first use of the memory, to open its file. Null: none. If it fails, the error is
-  /// printed, and the memory works without a file.
+  /// Opens the memory's file. Called once, at the next use of a memory that is not open. Null: none. If it fails, the
+  /// error is printed, and the memory works without a file.
   using Opener = std::function<Result<void>(SemanticMemory&)>;
   void SetOpener(Opener opener) { opener_ = std::move(opener); }
   void EnsureOpen();

@@ -35,7 +35,7 @@ class WmeChanges {
   void Remove(WmeId wme);
   /// If no rule tests an input element, replaces it by one with another constant and returns true. This costs less than
   /// Lose and Add, because the element keeps its index. Else does nothing and returns false. Must not be called while
-  /// an observer wants single elements. Without it, agents that perceive many others (strollers) take 13 % more
+  /// an observer wants individual elements. Without Renew, agents that perceive many others (strollers) take 13 % more
   /// instructions. input_link_test.cpp compares both ways with random input.
   bool Renew(WmeId wme, Symbol value);
   /// Removes an element that lost its support. If it is in a goal dependency set, the goal is removed first. (Elements
