@@ -13,7 +13,8 @@ std::string_view UpToZero(std::string_view text) {
   return text.substr(0, text.find('\0'));
 }
 
-/// A handle is 1 more than the kernel's handle. Above it, a handle of an element has the number of the addition.
+/// The lower 32 bits of a handle are the kernel's handle plus 1. For an element, the upper 32 bits are the number of
+/// its addition.
 class DirectInput final : public mind::InputWriter {
  public:
   DirectInput(sml::AgentData& data, std::function<void()> write_again) : data_(data) {

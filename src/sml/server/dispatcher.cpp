@@ -386,7 +386,7 @@ constexpr std::array kEntries = {
     Entry{"version", NeedsAgent::kNo, Version},
 };
 
-/// Whether the call changes what agents do without a command line.
+/// Whether the call changes what agents do, although it is not a command line.
 bool GoesPastTheDoor(const Request& request) {
   if (request.name == "register_for_event") {
     const std::string* name = request.Arg("eventid");

@@ -54,7 +54,7 @@ class XmlTracer : public kernel::Observer {
 
  private:
   bool ShowsFiring(const kernel::FiringInfo& info) const;
-  /// Firings are shown with the matched elements and the created preferences.
+  /// Whether firings are shown with the matched elements and the created preferences.
   bool Detailed() const;
   void AddRule(std::string_view tag, const kernel::Agent& agent, const kernel::FiringInfo& info);
   void AddPreference(const kernel::Agent& agent, kernel::PreferenceId id);
