@@ -15,9 +15,9 @@ namespace soarbox::cli {
 /// Restrictions for commands of strangers. Such commands may read below certain folders. They may not write or start
 /// anything, and not change anything that other agents or the user's own commands depend on.
 ///
-/// A command is refused unless a table allows it. Of commands that use files, only words that open no file are allowed.
-/// A new command is therefore refused until it is added here. Code that opens a file must also call
-/// Interpreter::ResolveForReading or Interpreter::ResolveForWriting.
+/// A command is refused unless a table allows it, so a new command is refused until it is added to the table. Of the
+/// commands of long-term memory, only the words in another table are allowed: those that open no file. Code that opens
+/// a file must also call Interpreter::ResolveForReading or Interpreter::ResolveForWriting.
 class Fence {
  public:
   /// Where the commands come from.

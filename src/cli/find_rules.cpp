@@ -119,7 +119,7 @@ void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pat
   const kernel::ProductionPtr parsed = ReadPattern(stream, agent, pattern);
   bool any = false;
   if (parsed && searches) {
-    // Newer rules come first; learned rules come last.
+    // Learned rules come after all others; within both groups, newer rules come first.
     std::vector<kernel::ProductionId> rules = agent.Productions();
     std::ranges::reverse(rules);
     std::stable_partition(rules.begin(), rules.end(), [&](kernel::ProductionId id) {

@@ -9,10 +9,10 @@
 
 namespace soarbox::cli {
 
-/// `production find`: prints the names of the rules that have a matching condition for each condition of the pattern:
-/// learned rules come last, and newer rules come first. A variable of the pattern must match the same variable of the
-/// rule everywhere; `*` matches any single test. Negated conditions of rules are ignored. Without `searches`, the
-/// pattern is only parsed.
+/// `production find`: prints the names of the rules that have a matching condition for each condition of the pattern.
+/// Learned rules come after all others; within both groups, newer rules come first. A variable of the pattern must
+/// match the same variable of the rule everywhere; `*` matches any single test. Negated conditions of rules are
+/// ignored. Without `searches`, the pattern is only parsed.
 void FindRules(PrintStream& stream, kernel::Agent& agent, const std::string& pattern, bool searches, bool show_bindings,
                const std::function<bool(const kernel::Production&)>& wanted);
 

@@ -11,8 +11,8 @@ namespace soarbox::cli {
 
 namespace detail {
 
-/// A quicksort with the median of three elements as pivot leaves ranges of up to 16 elements; a heap sort takes over
-/// after too many partitions; a stable sort does the rest.
+/// A quicksort with the median of three elements as pivot stops at ranges of up to 16 elements. A range that it has
+/// partitioned too often is sorted by a heap sort instead. Finally, a stable sort sorts all elements.
 template <typename T, typename Less>
 class SoarSort {
  public:
