@@ -58,8 +58,8 @@ Result<std::string> CarryOut(sml::Kernel& kernel, const std::string& agent, cons
   return NewProblem(answer.empty() ? "the kernel does not carry this out: " + line : std::move(answer));
 }
 
-/// For a kernel without a log. Asks the kernel whether its agents have decided; each time makes a tick. The run
-/// inspects the agents over its own connection.
+/// For a kernel without a log. Asks the kernel at intervals whether its agents have decided. Each query that finds a
+/// change is a tick. The run inspects the agents over its own connection.
 class LookWatch final : public KernelWatch {
  public:
   LookWatch(std::unique_ptr<sml::Kernel> kernel, sim::SoarSettings address)

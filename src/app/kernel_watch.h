@@ -14,11 +14,12 @@ namespace soarbox::app {
 /// A Soar kernel in another process whose agents a run follows (`soarbox watch`).
 ///
 /// Our kernel keeps a log of what its clients do (sml/server/client_log.h). A thread reads the log as it grows. The
-/// agents of the run execute the same, tick by tick, as the agents of a recorded client do: all panels and the past
+/// agents of the run execute the log, tick by tick, like the agents of a recorded client. So all panels and the past
 /// work without asking the kernel. Command lines for the agents go to the kernel; they come back in its log.
 ///
 /// Other kernels, and ours without a log, are queried for the data of panels. These show the present only, as far as
-/// the client API of Soar reports it. Each time that an agent has decided is a tick.
+/// the client API of Soar reports it. A tick is a query that finds that at least one agent has decided since the last
+/// one, was created or was destroyed.
 class KernelWatch {
  public:
   /// Connects, and reads what the log holds so far. `address`: HOST:PORT. Fails if no kernel answers there.

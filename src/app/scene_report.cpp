@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Maximum sizes of the scene and the contents before they are encoded as text.
+/// Maximum sizes of the scene and of the compressed contents, before they are encoded as text.
 constexpr std::size_t kMostSceneBytes = 5u << 19, kMostContentsBytes = 1u << 20;
 /// Intervals of the scene and of the contents if the size permits.
 constexpr double kSceneEvery_s = 0.1, kContentsEvery_s = 0.5, kWholeEvery_s = 4;

@@ -8,8 +8,8 @@ namespace soarbox::app {
 struct CommandOptions;
 
 /// Executes a sub-command that needs no window: all but run, watch, learn, replay in a window, and pages. Returns an
-/// ExitCode. It is not part of soarbox-window, because the first build of a user, which opens a window, would compile
-/// sweeps, reports and servers for editors.
+/// ExitCode. It is not part of soarbox-window: otherwise a user's first build, which is made to open a window, would
+/// compile sweeps, reports and servers for editors.
 int ExecuteWindowless(const std::string& command, const CommandOptions& options);
 
 }  // namespace soarbox::app
