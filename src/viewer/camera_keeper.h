@@ -25,7 +25,7 @@ world::CameraSnapshot FramingPose(std::span<const FramedBody> bodies, world::Qua
 /// Decides where the camera must move so that agents stay in the picture.
 ///
 /// It returns a new goal only when an agent is about to leave the picture, or when the picture has been far too wide
-/// for some time. Small movements do not move the camera. It never turns the camera. It only computes and draws
+/// for some time. Small movements do not move the camera. It never turns the camera. It only computes; it draws
 /// nothing.
 class CameraKeeper {
  public:

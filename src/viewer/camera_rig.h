@@ -30,7 +30,7 @@ enum class CameraMode : std::uint8_t {
 };
 
 /// The camera: a mode, the state of the mode, and a smooth transition from one pose to the next. It never rolls by
-/// itself. It only computes and draws nothing.
+/// itself. It only computes; it draws nothing.
 class CameraRig {
  public:
   /// Jumps to a pose that a script requested and changes to kFree. Ignores a pose that is not finite.

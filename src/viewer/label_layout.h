@@ -48,7 +48,7 @@ struct LabelPlace {
 };
 
 /// Places labels one after the other. Labels do not cover each other and are not cut by the edge of the picture.
-/// Earlier labels choose first. It only computes and draws nothing.
+/// Earlier labels choose first. It only computes; it draws nothing.
 class LabelLayout {
  public:
   /// `area` contains all labels. `gap_px` is the minimum distance between two labels.

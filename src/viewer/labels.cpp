@@ -497,7 +497,7 @@ void AgentLabels::Draw(ImFont* name_font, ImFont* text_font, const LabelScene& s
         found.far.emplace_back(agent, at);
       }
     } else if (item.kind == Kind::kPlace) {
-      // Dots of agents come before them, below.
+      // They are placed below, after the dots of agents.
     } else {
       place(item);
     }

@@ -148,7 +148,7 @@ void PaintPath(const AgentSnapshot& agent, const AgentOverlay& overlay, Pen& pen
   for (const Vec3 corner : overlay.path) {
     const Vec3 next = lifted(corner);
     if (is_first && overlay.path_is_whole) {
-      before = next;  // For a closed path, the body shows the position on it.
+      before = next;  // The path includes passed corners: no line from the body.
     } else if (&corner == &overlay.path.back()) {
       pen.Arrow(before, next, color);
     } else {

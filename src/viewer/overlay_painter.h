@@ -31,7 +31,7 @@ struct OverlayMarks {
 void PaintGhostThreads(const std::vector<Ghost>& ghosts, const std::vector<world::AgentSnapshot>& agents,
                        OverlayMarks& marks);
 
-/// Converts the data of overlays to lines, fills and ghosts over the scene. It only computes and draws nothing.
+/// Converts the data of overlays to lines, fills and ghosts over the scene. It only computes; it draws nothing.
 class OverlayPainter {
  public:
   /// Notes the positions of all agents. Call it with each new snapshot, whether overlays are on or off.

@@ -14,7 +14,7 @@ struct ScreenPoint {
 };
 
 /// The camera's projection: the ray through a pixel, the position of a point in the picture, and the agent under the
-/// cursor. It only computes and draws nothing.
+/// cursor. It only computes; it draws nothing.
 class Projection {
  public:
   Projection(const world::CameraSnapshot& camera, int width_px, int height_px);

@@ -467,7 +467,7 @@ void DocumentView::DrawForm(PanelFrame& frame, const doc::Form& form) {
 
 bool DocumentView::DrawCommand(PanelFrame& frame, const doc::Form& form, const doc::Field& field, float right) {
   CommandField& command = commands_[form.key];
-  // The field of another agent takes the place of one that had the keyboard.
+  // If this field replaces that of another agent, which had the keyboard, it gets the keyboard.
   const int now = ImGui::GetFrameCount();
   if (active_command_ != form.key && active_frame_ + 1 == now) command.Focus();
   const bool is_entered = command.Draw(frame, field, right, history_);

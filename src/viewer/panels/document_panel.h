@@ -83,7 +83,7 @@ class DocumentView {
   std::map<std::string, SeenLines> seen_lines_;  ///< Of transcripts.
   bool shows_newest_ = false;                    ///< A command line was sent: its answer becomes visible.
   std::string active_command_;                   ///< The form whose command line had the keyboard last.
-  int active_frame_ = -1;                        ///< The frame in which it had it.
+  int active_frame_ = -1;                        ///< The last frame in which that form had the keyboard.
   std::string focused_form_;                     ///< The form whose field takes the keyboard next.
   std::map<std::string, std::string> reasons_;   ///< Last reasons that documents gave for pages.
   float plot_height_ = 80;                       ///< Of the plots that are currently drawn, px.

@@ -103,7 +103,7 @@ class Workspace {
   workbench::PanelId used_ =
       workbench::PanelId::kAgents;  ///< The panel under the mouse at its last movement, or opened by key since then.
   std::optional<workbench::PanelId> focus_;  ///< The panel whose field takes the keyboard as soon as it has one.
-  int focus_waits_ = 0;                      ///< Frames in which it had none.
+  int focus_waits_ = 0;                      ///< Number of frames in which that panel had no field.
   bool wants_copy_ = false;
   std::string layout_name_;  ///< As typed into the menu of layouts.
   std::string layout_fault_;
