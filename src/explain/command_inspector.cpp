@@ -330,7 +330,7 @@ std::optional<MatchFacts> CommandInspector::Match(std::string_view rule) {
   if (RuleSource(rule).empty()) return std::nullopt;
   MatchFacts facts = ReadMatches(rule, Ask("matches " + std::string(rule)));
   if (!facts.failing) return facts;
-  // Adds all elements of working memory that have an attribute of the failing condition.
+  // Adds elements of working memory that have an attribute of the failing condition.
   constexpr std::size_t kMostSeen = 20;
   for (const RuleAttribute& part : ReadConditions(facts.conditions[*facts.failing].text)) {
     if (!IsConstantAttribute(part.attribute)) continue;
