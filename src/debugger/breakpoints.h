@@ -87,7 +87,7 @@ class Breakpoints {
     std::string text;
     std::string rule;  ///< As in BreakHit.
   };
-  /// Adds a breakpoint and returns its number. Fails if the pattern has not the form of its kind: it needs the name of
+  /// Adds a breakpoint and returns its number. Fails if the pattern does not have the form of its kind: the name of
   /// a rule, an element with an attribute, a comparison with a number, or a time above 0.
   Result<int> Set(BreakKind kind, std::string agent, std::string what);
   bool Clear(int number);

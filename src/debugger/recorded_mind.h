@@ -89,8 +89,8 @@ std::string_view Absence(const explain::Inspector& mind);
 /// rules are recorded.
 std::string MemoryAbsence(const explain::Inspector& mind);
 
-/// Replaces what a recording does not contain in a view of operators by the recorded reason. Does nothing for minds
-/// that are not recorded.
+/// For a recorded mind without a recorded decision about the view's state: notes that preferences are not recorded, and
+/// says only which operators are selected or proposed. Does nothing for other minds.
 void TellRecorded(const explain::Inspector& mind, OperatorsView& view);
 
 /// Explains the result of a command and which rule gave it; nothing if no command of this name is recorded.
