@@ -41,8 +41,8 @@ std::vector<std::string_view> ContentNames(const PanelSet& panels, const Content
 /// The contents of this name; null if there are none.
 Json ToJson(const Contents& contents, std::string_view name);
 
-/// The same as a page shows it. For a panel that has a document, only {"document": ...}; for
-/// the panel Mission also its contents.
+/// The contents of this name as pages get them. For a panel that has a document, only {"document": ..., "badge":
+/// ...}, without an empty badge. For the panel Mission, also its contents.
 Json PageJson(const Contents& contents, std::string_view name);
 
 /// Generates docs/workbench.md.
