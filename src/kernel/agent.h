@@ -260,7 +260,7 @@ class Agent {
   /// working memory.
   Symbol NewIdentifier(char letter, std::uint64_t number, Symbol parent);
   /// `wm remove`: removes any element immediately. Preferences stay. So an element that a rule created is added again
-  /// when another preference enters or leaves its slot. If a proposed operator loses its element, it stays selected.
+  /// when another preference enters or leaves its slot. An operator whose proposal is removed stays selected.
   Result<void> RemoveWme(WmeId wme);
 
   /// Functions of the host that rules call with (exec name ...) or (name ...). The argument is the concatenation of the
