@@ -51,8 +51,8 @@ class Channel {
   /// delayed by a millisecond, so that several are sent together. The order of messages is preserved. Returns false if
   /// it was dropped or if the channel is closed.
   bool Send(const std::string& message, bool droppable = false);
-  /// Appends to the message of this series that SendOpen started. Returns false if it has been sent: then start a new
-  /// one.
+  /// Appends to the message of this series that SendOpen started. Returns false if it has been sent or would become too
+  /// long: then start a new one.
   bool Join(std::uint64_t series, std::string_view part);
   /// Starts a droppable message of `head`, `part` and `tail`. For a moment, until another message is sent, further
   /// parts can be appended with Join: many small parts of text or trace then cost as much as one.
