@@ -40,8 +40,8 @@ std::filesystem::path ShippedLessons(const sim::DataFolders& data);
 std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
 /// Returns further courses below a folder of lessons, by name: folders that contain lessons and are none themselves.
 std::vector<std::string> CoursesIn(const std::filesystem::path& folder);
-/// Returns the folder of the lesson to which the learner's files in `folder` belong: the program's lesson with the
-/// folder's name, in any course, or `folder` itself. Empty: none.
+/// Returns the folder of the lesson to which the learner's files in `folder` belong: `folder` itself if it contains a
+/// lesson, else the program's lesson with the folder's name, in any course. Empty: none.
 std::filesystem::path LessonOf(const std::filesystem::path& folder, const sim::DataFolders& data);
 
 /// The default folder of learners' files: ~/soarbox-lessons.
