@@ -39,7 +39,7 @@ class MindReasons {
   /// Explains why a command is or is not given, an operator is or is not selected, or a rule does or does not match.
   /// Fails if the rules contain nothing of that name.
   Result<std::vector<WhyNode>> WhyTopic(const std::string& topic, const std::set<std::string>& known);
-  /// Names the rules that call (halt). For a program that has halted.
+  /// Names the rules that call (halt) and have fired. For a program that has halted.
   std::string WhyHalted();
 
   const std::vector<RuleText>& rules() { return view_.rules(); }
