@@ -38,7 +38,7 @@ struct RuleView {
 /// Returns nothing if there is no rule of this name.
 std::optional<RuleView> LookAtRule(explain::Inspector& mind, std::string_view rule);
 
-/// Rules with similar names, the most similar first.
+/// Rules with similar names, the most similar first, then rules whose names contain `rule`. At most `most`.
 std::vector<std::string> NearRules(explain::Inspector& mind, std::string_view rule, std::size_t most = 3);
 
 /// Which rules of one agent took part in a run. The data come from the events of its ticks (MindDetail::kAll) and from
