@@ -33,7 +33,8 @@ class Pace {
   void Owe(int ticks);
   /// Ignores the real time since the last call of TicksDue, because something else used it (a reset, a dialog).
   void Skip() { last_ = Clock::now(); }
-  /// The fraction of a tick by which real time is ahead of the last tick, 0 to 1.
+  /// The fraction of a tick by which real time is ahead of the last tick, 0 to 1. While paused or without a speed
+  /// limit: 1.
   double Blend(double step_s) const;
 
   bool paused() const { return paused_; }
