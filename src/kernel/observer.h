@@ -84,7 +84,7 @@ struct GoalInfo {
   Symbol goal;
   GoalLevel level = 0;
   ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that created the state; kNone for the top state.
-  bool on_operator = false;                  ///< ^attribute operator (else state). Ties and conflicts are on operators.
+  bool on_operator = false;                  ///< ^attribute is operator, not state. True for ties and conflicts.
   Symbol op;                                 ///< The operator selected in this state, or none.
 };
 
@@ -295,9 +295,9 @@ class Observer : public BacktraceObserver {
   // kLearning
   /// A chunk or justification of this name is about to be built.
   virtual void OnLearning(const Agent&, std::string_view name) { (void)name; }
-  /// It has been built.
+  /// The chunk or justification has been built.
   virtual void OnLearned(const Agent&, const FiringInfo&) {}
-  /// It duplicates the live rule `original`, so it was not built.
+  /// The chunk or justification duplicates the live rule `original`, so it was not built.
   virtual void OnDuplicateLearned(const Agent&, std::string_view name, std::string_view original) {
     (void)name, (void)original;
   }

@@ -20,7 +20,7 @@ struct Goal {
   Symbol reward_link;
   MemoryLink epmem, smem;
   ImpasseType impasse = ImpasseType::kNone;  ///< The impasse that created it; kNone for the top state.
-  bool impasse_on_operator = false;          ///< ^attribute operator, else state.
+  bool impasse_on_operator = false;          ///< ^attribute is operator; if false, it is state.
   std::uint64_t created_in_decision = 0;
   PreferenceId preferences = PreferenceId::kNone;  ///< Of all instantiations that matched it, newest first.
   PreferenceId oldest_preference = PreferenceId::kNone;

@@ -12,7 +12,7 @@ namespace soarbox::kernel::imagery {
 /// outlive it.
 struct Solid {
   std::span<const Vec3> points;
-  const Transform* ellipsoid = nullptr;  ///< If not null: maps the ball of `radius` around 0 to the core; no points.
+  const Transform* ellipsoid = nullptr;  ///< If not null: maps the ball of `radius` around 0 to the core.
   double radius = 0;
   double margin = 0;
 

@@ -11,7 +11,7 @@ class InputLink;
 
 /// One change that the input link made in working memory.
 struct InputChange {
-  bool added = false;           ///< Else removed.
+  bool added = false;           ///< The element was added; if false, it was removed.
   bool new_identifier = false;  ///< The value is an identifier that this change made.
   std::uint64_t timetag = 0;
   Symbol id, attribute, value;

@@ -31,7 +31,7 @@ enum class ApoptosisMode : std::uint8_t {
 /// The settings of `rl --set`. (`chunk-stop` is AgentSettings::ignore_numbers_of_duplicates.)
 struct RlSettings {
   bool learning = false;
-  bool temporal_extension = true;  ///< Decisions without learning rules are a gap in an episode; else they end it.
+  bool temporal_extension = true;  ///< Decisions without learning rules are a gap in an episode; if false, they end it.
   bool temporal_discount = true;   ///< The discount applies once per decision of a gap.
   bool hrl_discount = false;       ///< The discount applies once per decision in a substate.
   bool meta = false;  ///< A rule's documentation contains its number of updates, which is read when the rule is loaded.

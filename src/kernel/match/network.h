@@ -66,7 +66,7 @@ enum class TestOp : std::uint8_t {
 struct NodeTest {
   TestOp op = TestOp::kNever;
   Field field = Field::kId;      ///< Field of the element.
-  bool against_binding = false;  ///< Compare with a binding (levels, referent_field), else with `referent`.
+  bool against_binding = false;  ///< Compare with a binding (levels, referent_field); if false, with `referent`.
   Field referent_field = Field::kId;
   std::uint16_t levels = 0;    ///< 0: the element itself; n: the element of the (n-1)th token above the left one.
   std::uint16_t count = 0;     ///< kDisjunction: number of constants, from `referent` on in Network::disjuncts. In a

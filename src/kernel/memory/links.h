@@ -50,8 +50,8 @@ class LinkGraph {
   /// Appends the identifiers that are no longer reachable from a goal to `garbage`. The caller removes what they own,
   /// which may cause more work: call Settle again until HasWork() is false.
   void Settle(std::vector<Symbol>& garbage);
-  /// An element with this value was added or removed. An identifier without links is not garbage while it is the value
-  /// of an element that does not belong to garbage. It becomes garbage when the last such element is removed.
+  /// An element with this value was added or removed. An identifier without links is kept while it is the value of an
+  /// element outside garbage. It becomes garbage when the last such element is removed.
   void ElementAdded(Symbol value, bool is_item) {
     ++At(value).value_of;
     At(value).item_of += is_item ? 1 : 0;

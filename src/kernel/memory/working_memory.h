@@ -136,7 +136,7 @@ class WorkingMemory {
   const Slot& slot(SlotId id) const { return *id.record; }
   /// The slot of an identifier and attribute, or kNone.
   SlotId FindSlot(Symbol id, Symbol attribute) const;
-  /// Returns a record that is not live for identifiers that are not in working memory.
+  /// For a symbol that is no identifier of working memory, the returned record has `live` false.
   const IdentifierRecord& identifier(Symbol id) const {
     if (!id.IsIdentifier() || id.index() >= identifier_limit_) return kUnknownIdentifier;
     return identifiers_[id.index()];
