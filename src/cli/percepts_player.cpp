@@ -109,8 +109,8 @@ bool PerceptPlayer::Play(InputLink& link, const PerceptAction& action) {
 
 void PerceptPlayer::OnInputChange(const kernel::InputChange& change) {
   if (!playing_ || awaited_.empty()) return;
-  // If the link could not make a change, it does not call this for it. The next change then does not fit, and the run
-  // differs.
+  // The link calls this only for changes that it has made. After a change that it could not make, the next one does not
+  // fit, and the run differs.
   const PerceptAction* expected = awaited_.front();
   awaited_.pop_front();
   if (differs_ ||

@@ -28,7 +28,7 @@ class PrintStream {
   void SetSinkEnabled(bool enabled) { sink_enabled_ = enabled; }
   bool sink_enabled() const { return sink_enabled_; }
 
-  /// Also prints texts that are not captured to standard output (`output console`), unless the sink does so itself.
+  /// Also prints to standard output the texts that are not captured (`output console`), unless the sink does so itself.
   void SetConsole(bool on) { console_ = on; }
   bool console() const { return console_; }
   void SetSinkIsConsole(bool is_console) { sink_is_console_ = is_console; }
