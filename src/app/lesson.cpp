@@ -176,8 +176,8 @@ mission::Cause CauseOf(const mission::Check& mistake) {
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
 }
 
-/// True if the mistake says that an operator was never selected, but the learner gave the operator another name, and no
-/// check requires this name. Then the name is not a mistake.
+/// True if the mistake says that an operator was never selected, but the learner's rules propose only operators with
+/// other names, and no check requires that operator's name. Then another name is not a mistake.
 bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake, const LearnersRules& written) {
   const auto asks_for = [](const mission::Check& check, const std::string& name) {
     return std::ranges::any_of(check.conditions, [&](const mission::Condition& condition) {
