@@ -24,7 +24,7 @@ class FootPlant {
  private:
   struct Foot {
     bool stands = false;
-    bool on_heel = false;  ///< The part of the sole that carries the body; else the ball of the foot.
+    bool on_heel = false;  ///< The heel carries the body; if false, the ball of the foot does.
     world::Vec3 at;        ///< Where that part is held, in world space.
     float yaw = 0;         ///< The direction of the foot while it is held, about the vertical axis.
     // Difference from the animation: the ankle is moved by `offset` in world space and turned by `turn`.
