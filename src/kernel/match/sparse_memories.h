@@ -81,8 +81,8 @@ struct SparseState {
 /// counted.
 class [[gnu::visibility("hidden")]] SparseMemories {
  public:
-  /// Whether a memory may be sparse at all: it has a key, it and the joins above and below it form a chain of only
-  /// children, and the results of the joins' tests cannot change while the elements exist.
+  /// Whether a memory may be sparse at all. It must have a key. It must form a chain of only children with the joins
+  /// above and below it. The results of these joins' tests must not change while the elements exist.
   static bool CanBeSparse(const Network& net, std::uint32_t index);
 
   SparseState& operator[](std::uint32_t place) {
