@@ -88,8 +88,9 @@ struct LearnersRules {
   bool Fit(const mission::RulePattern& pattern) const {
     return std::ranges::any_of(own, [&](const explain::RuleText& rule) { return pattern.Fits(rule); });
   }
-  /// True if a warning is about a rule that came from the lesson. A warning that a given rule tests an attribute that
-  /// no rule makes is about the learner's rules if one of them makes a similar attribute, and none tests that.
+  /// True if a warning is about a rule that came from the lesson. Exception: the rule tests an attribute that no rule
+  /// makes, and a rule of the learner makes a similar attribute that no rule of the learner tests. Then the learner's
+  /// rule has the mistake.
   bool IsAboutGiven(const Diagnostic& problem) const {
     if (problem.topic == Topic::kUnmade && !problem.meant.empty()) {
       const auto has = [&](const std::vector<explain::RuleAttribute>& side) {
