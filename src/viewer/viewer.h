@@ -135,8 +135,9 @@ class Viewer {
 
   /// Executes a command as its key does: at once if it concerns the window, else TakeCommands returns it.
   void Do(ViewerCommand command);
-  /// Whether a camera mode or a scale is selected, an overlay is on, sounds are off, the list of keys is shown, the run
-  /// is paused (kTogglePause) or its speed is unlimited (kUnlimited); false for other commands.
+  /// Whether the command's camera mode or scale is selected, or its overlay is on. kMute: whether sounds are off. The
+  /// list of keys: whether it is shown. kTogglePause: whether the run is paused. kUnlimited: whether its speed is
+  /// unlimited. False for other commands.
   bool IsOn(ViewerCommand command) const;
 
   const FrameCosts& costs() const;
