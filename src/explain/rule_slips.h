@@ -121,9 +121,8 @@ struct RuleFile {
   std::filesystem::path file;
   std::string text;
 };
-/// Returns a warning for each rule that replaces a rule of the same name in the same file or an earlier one, and for
-/// each rule that is ignored because it has the text of an earlier one, except for its name. The warning is at the
-/// later rule.
+/// Returns a warning at each rule that replaces an earlier rule of the same name, in the same file or an earlier one.
+/// Also returns a warning at each rule that is ignored, because an earlier rule has the same text except for the name.
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
 
 /// Returns a sentence that says how to apply an operator that no rule applies.

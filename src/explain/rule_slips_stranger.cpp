@@ -8,8 +8,8 @@
 namespace soarbox::explain {
 namespace {
 
-/// Rules are for another world if they test at least kLeastForeign percepts that this world does not have, and
-/// kForeignPerOurs times as many of these as of percepts that it has.
+/// Rules are for another world if they test at least kLeastForeign percepts that this world does not have. These must
+/// also be at least kForeignPerOurs times as many as the percepts of this world that the rules test.
 constexpr std::size_t kLeastForeign = 3, kForeignPerOurs = 4;
 constexpr std::size_t kMostNamed = 6;
 
