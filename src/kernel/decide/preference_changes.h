@@ -27,8 +27,8 @@ class PreferenceChanges {
   PreferenceId Make(InstantiationId instantiation, const Preference& content);
   PreferenceId Make(InstantiationId instantiation, Symbol id, Symbol attribute, Symbol value, Symbol referent,
                     PreferenceType type, bool o_supported, std::uint16_t action = 0);
-  /// Adds it to its slot. Returns false without adding it if the slot already has an acceptable, o-supported preference
-  /// of the top state for the same value, and this is another one. Exceptions: operator slots, and keep-all-top-oprefs.
+  /// Adds it to its slot. But an acceptable, o-supported preference of the top state is not added if the slot already
+  /// has one for the same value: then returns false. Exceptions: operator slots, and keep-all-top-oprefs.
   bool Assert(PreferenceId preference);
   /// Removes it from its slot and drops the slot's reference. If there are substates, it stays alive until its slot has
   /// been decided. Until then rules may match its element, and learning needs the element's creator.

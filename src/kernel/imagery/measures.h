@@ -51,8 +51,8 @@ void AppendSightLines(const Node& target, const Node& eye, std::vector<SightLine
 /// The fraction of the lines that cross a shape of an occluder.
 double Occlusion(std::span<const SightLine> lines, std::span<const Node* const> occluders);
 
-/// Shrinks a node until it touches none of the nodes that it touches now and that have the tag `object-source` with the
-/// value `belief`. Does nothing if its centroid is inside one of them.
+/// Finds the nodes that this node touches now and that have the tag `object-source` with the value `belief`. Shrinks
+/// the node until it touches none of them. Does nothing if its centroid is inside one of them.
 void ShrinkToFit(Scene& scene, Node& node);
 
 }  // namespace soarbox::kernel::imagery

@@ -81,8 +81,8 @@ class SemanticSearch {
     double number;
     std::uint32_t object;
   };
-  /// The activation of an object alone. An object that was stored but never used has activation 0 in mode frequency,
-  /// and, if it has at least SmemSettings::thresh augmentations, in mode recency.
+  /// The activation of an object alone. An object that was stored but never used has activation 0 in mode frequency.
+  /// In mode recency, it has activation 0 if it has at least SmemSettings::thresh augmentations.
   double OwnActivation(const Knowledge& knowledge, std::uint32_t object) const;
   static bool Better(const Candidate& a, const Candidate& b);
   /// The numeric values of an attribute with their objects, sorted.
