@@ -9,7 +9,7 @@
 namespace soarbox::viewer {
 
 /// Interpolation between two ticks: linear for positions, the shorter way for orientations. A body that moved further
-/// than any body can move in a tick was placed there, so it is drawn at its new position at once.
+/// than kJump_m in a tick was placed there. It is drawn at its new position at once.
 
 inline constexpr float kJump_m = 4;
 

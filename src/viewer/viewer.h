@@ -135,9 +135,9 @@ class Viewer {
 
   /// Executes a command as its key does: at once if it concerns the window, else TakeCommands returns it.
   void Do(ViewerCommand command);
-  /// Whether the command's camera mode or scale is selected, or its overlay is on. kMute: whether sounds are off. The
-  /// list of keys: whether it is shown. kTogglePause: whether the run is paused. kUnlimited: whether its speed is
-  /// unlimited. False for other commands.
+  /// Whether the command's camera mode or scale is selected, or its overlay is on. kMute: whether sounds are off.
+  /// kHelp: whether the list of keys is shown. kTogglePause: whether the run is paused. kUnlimited: whether it has no
+  /// speed limit. False for other commands.
   bool IsOn(ViewerCommand command) const;
 
   const FrameCosts& costs() const;
