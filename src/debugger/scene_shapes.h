@@ -31,8 +31,8 @@ struct SceneShape {
 /// Maximum number of shapes that are drawn.
 inline constexpr std::size_t kMostShapes = 200;
 
-/// The shapes of a state's scene. With an empty `state`: the shapes in any scene that the mind created (those that the
-/// world feeds have the tag solid), each with the first state that has it. Groups have no shape.
+/// The shapes of a state's scene. With an empty `state`: the shapes that the mind created, in any scene, each with the
+/// first state that has it. (Shapes that the world feeds have the tag solid.) Groups have no shape.
 std::vector<SceneShape> ShapesOf(const ImageryView& view, std::string_view state);
 
 /// Lines that show why the value of an extract is what it is.
