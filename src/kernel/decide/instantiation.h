@@ -13,8 +13,8 @@ namespace soarbox::kernel {
 struct ConditionTrace {
   WmeId wme = WmeId::kNone;
   GoalLevel level = 0;    ///< Level of the element's identifier when the rule fired.
-  bool inherits = false;  ///< The preference that created the element is of the match's own level, not of a higher
-                          ///< one. So its fields may have the identities that the creator gave them.
+  bool inherits = false;  ///< The preference that created the element is of the match's own level. So its fields may
+                          ///< have the identities that the creator gave them.
   PreferenceId preference = PreferenceId::kNone;  ///< Creator of the element, at the level of the match, or kNone.
 };
 
