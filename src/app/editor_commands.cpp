@@ -130,7 +130,7 @@ int ServeAssistant(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return Refuse(ProblemIn(folder, "there is no such folder"));
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return Refuse(ProblemIn({}, "the program does not find itself in /proc"));
+  if (error) return Refuse(ProblemIn({}, "the program cannot find its own path in /proc"));
   return editors::ServeMcp(STDIN_FILENO, STDOUT_FILENO, program, folder);
 }
 

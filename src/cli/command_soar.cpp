@@ -289,7 +289,7 @@ bool Like(CommandCall& call) {
     call.Out(fmt::format("Rules that are loaded from now on behave as in Soar {}.\n", word));
     return true;
   }
-  return call.Fail("The behaviour of this version is not known: 9.6.3 and 9.6.5 are.");
+  return call.Fail("The behaviour of this version is not known. Known versions are 9.6.3 and 9.6.5.");
 }
 
 /// Shows or changes the setting that words[0] names.

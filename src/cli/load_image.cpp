@@ -36,7 +36,7 @@ std::optional<Diagnostic> WhyNoImage(std::string_view text, const std::string& f
   for (const std::string_view other : {"CompactReteNet", "Soarbox rules\r\n"})
     if (text.substr(0, 32).find(other) != std::string_view::npos)
       return ProblemIn(file, "this is an image of a match network, written by another program or version", kSourceThem);
-  return ProblemIn(file, "this is not an image of rules: it does not begin with the line of one",
+  return ProblemIn(file, "this is not an image of rules: its first line is not that of an image",
                    "use 'source' for files with rules and commands");
 }
 

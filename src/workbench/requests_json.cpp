@@ -270,7 +270,7 @@ struct Reader {
   void operator()(std::string_view name, PanelSet& value, std::string_view, Need need) {
     const Json* const found = Find(name, need);
     if (found == nullptr) return;
-    if (!found->is_array()) return Refuse(name, "is to be a list of panels' words");
+    if (!found->is_array()) return Refuse(name, "must be a list of words of panels");
     std::vector<std::string_view> words;
     for (const PanelInfo& info : kPanelInfos) words.push_back(info.word);
     for (const Json& word : *found) {

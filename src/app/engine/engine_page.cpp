@@ -153,7 +153,7 @@ Result<void> EnginePage::Take(const Json& json, Asked& asked) {
   if (request == "language") {
     const auto message = json.find("message");
     if (message == json.end() || !message->is_object())
-      return NewProblem("language needs a message", "one of the Language Server Protocol, as an object");
+      return NewProblem("language needs a message", "write it as an object, in the Language Server Protocol");
     if (language_ == nullptr) return NewProblem("this server has no help with rules");
     SayOfLanguage(language_->Handle(*message));
     return {};

@@ -158,7 +158,7 @@ Result<serve::Settings> SettingsFor(const ServeOptions& options, const sim::Data
 Result<std::string> EngineProgram() {
   std::error_code error;
   const fs::path program = BesideThisProgram("soarbox", error);
-  if (error) return NewProblem("the program does not find itself: " + error.message());
+  if (error) return NewProblem("the program cannot find its own path: " + error.message());
   return program.string();
 }
 
