@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,6 @@
 #include "mind/decision_facts.h"
 #include "mind/origin.h"
 #include "sml/client/sml_Events.h"
-#include "sml/server/call_mutex.h"
 #include "sml/server/connection.h"
 #include "sml/wire/element.h"
 
@@ -149,8 +149,8 @@ class KernelLink {
  public:
   virtual ~KernelLink() = default;
 
-  /// Every call of the API locks it. Recursive.
-  virtual soarbox::server::CallMutex& mutex() = 0;
+  /// Every call of the API locks it.
+  virtual std::recursive_mutex& mutex() = 0;
   virtual bool remote() const = 0;
   virtual bool closed() const = 0;
   /// The reason that a remote kernel gave when it refused this client; empty if it did not.

@@ -74,7 +74,7 @@ class LocalLink final : public KernelLink, public soarbox::server::Connection {
 
   ~LocalLink() override { Shutdown(); }
 
-  soarbox::server::CallMutex& mutex() override { return host_.mutex(); }
+  std::recursive_mutex& mutex() override { return host_.mutex(); }
   bool remote() const override { return false; }
   bool closed() const override { return closed_; }
   bool embedded() const override { return true; }

@@ -11,6 +11,7 @@
 #include "kernel/learn/reinforcement.h"
 #include "kernel/observer.h"
 #include "sml/client/agent_data.h"
+#include "sml/client/hold.h"
 #include "sml/client/local_agent_link.h"
 #include "sml/server/decision_packer.h"
 #include "sml/server/printed_names.h"
@@ -250,15 +251,7 @@ std::unique_ptr<Observation> ObserveOutput(sml::Agent& agent, mind::RuleOutput& 
   return std::make_unique<OutputObservation>(*mind, output);
 }
 
-CallBatch::CallBatch(sml::Agent& agent) {
-  sml::KernelLink* link = sml::AgentData::Of(agent).kernel_data().link.get();
-  if (link == nullptr) return;
-  held_ = &link->mutex();
-  held_->lock();
-}
-CallBatch::~CallBatch() {
-  if (held_ != nullptr) held_->unlock();
-}
+CallBatch::CallBatch(sml::Agent& agent) : held_(sml::Hold(sml::AgentData::Of(agent))) {}
 
 std::size_t MindMemoryBytes(sml::Agent& agent) {
   const kernel::Agent* mind = KernelAgent(agent);

@@ -82,7 +82,7 @@ class RemoteLink final : public KernelLink, public LogLink, public RemoteCaller 
     return true;
   }
 
-  soarbox::server::CallMutex& mutex() override { return mutex_; }
+  std::recursive_mutex& mutex() override { return mutex_; }
   bool remote() const override { return true; }
   bool closed() const override { return lost_ || channel_->closed(); }
 
@@ -507,7 +507,7 @@ class RemoteLink final : public KernelLink, public LogLink, public RemoteCaller 
   std::atomic<int> limit_ms_{0};  ///< For responses; 0: kPatience.
   std::string refusal_;
   std::atomic<bool> lost_{false};  ///< The kernel did not respond within the limit.
-  soarbox::server::CallMutex mutex_;
+  std::recursive_mutex mutex_;
   std::atomic<std::uint64_t> next_id_{0};
   std::atomic<bool> trace_{false};
   std::vector<std::string> waiting_;      ///< Calls whose responses are awaited, the outermost first.

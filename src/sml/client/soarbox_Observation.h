@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "mind/mind_record.h"
@@ -13,10 +14,6 @@ class Agent;
 }
 
 namespace soarbox {
-
-namespace server {
-class CallMutex;
-}
 
 /// An observation ends with the destruction of this object, which must precede that of the agent and the record.
 class Observation {
@@ -39,12 +36,9 @@ std::unique_ptr<Observation> ObserveOutput(sml::Agent& agent, mind::RuleOutput& 
 class CallBatch {
  public:
   explicit CallBatch(sml::Agent& agent);
-  ~CallBatch();
-  CallBatch(const CallBatch&) = delete;
-  CallBatch& operator=(const CallBatch&) = delete;
 
  private:
-  server::CallMutex* held_ = nullptr;
+  std::unique_lock<std::recursive_mutex> held_;
 };
 
 /// Memory of an agent in bytes, without the rules of its files, which other agents may share; 0 if its kernel is in

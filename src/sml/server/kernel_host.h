@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,6 @@
 #include "cli/host.h"
 #include "cli/interpreter.h"
 #include "cli/result_node.h"
-#include "sml/server/call_mutex.h"
 #include "sml/server/client_log.h"
 #include "sml/server/client_player.h"
 #include "sml/server/connection.h"
@@ -33,7 +33,7 @@ class KernelHost : public cli::Host {
   KernelHost();
   ~KernelHost() override;
 
-  CallMutex& mutex() { return mutex_; }
+  std::recursive_mutex& mutex() { return mutex_; }
 
   /// While a Stay exists, destroyed agents are not deleted, because the caller, or a caller of the caller, is using
   /// them. Handlers may destroy any agent at any time, so all code that calls handlers must hold a Stay.
@@ -175,7 +175,7 @@ class KernelHost : public cli::Host {
   cli::CommandResult ExecuteUnfiltered(HostedAgent& hosted, std::string_view line, const LineOptions& options);
   std::optional<cli::CommandResult> PassFilters(HostedAgent& hosted, std::string& line);
 
-  CallMutex mutex_;
+  std::recursive_mutex mutex_;
   RunControl run_;
   cli::Interpreter interpreter_;
   std::map<std::string, std::unique_ptr<HostedAgent>, std::less<>> by_name_;
