@@ -59,17 +59,19 @@ class ForwardRun final : public workbench::LiveRun {
 };
 
 Result<std::string> DrawPanel(workbench::Desk& desk, const InspectOptions& options, workbench::PanelId panel) {
-  workbench::Contents contents;
-  const auto serve = [&](std::vector<workbench::Request> requests) {
-    desk.Serve(requests, contents);
-    while (!desk.IsSettled()) desk.Serve({}, contents);
+  workbench::PanelExchange panels;
+  const workbench::Contents& contents = panels.contents;
+  const auto serve = [&](workbench::Request request) {
+    panels.requests.push_back(std::move(request));
+    desk.Serve(panels);
+    while (!desk.IsSettled()) desk.Serve(panels);
   };
   workbench::LookRequest look;
   look.panels.Add(panel);
-  serve({look});
+  serve(look);
   std::string agent = options.agent;
   if (agent.empty() && !contents.soar_agents.empty()) agent = contents.soar_agents.front();
-  serve({workbench::SelectRequest{agent}});
+  serve(workbench::SelectRequest{agent});
   if (contents.agent != agent)
     return NewProblem("there is no agent '" + agent + "' at that moment", "--view agents lists all agents");
   const workbench::document::Nodes nodes = workbench::document::DocumentOf(panel, contents);

@@ -104,7 +104,7 @@ Result<void> Viewer::Impl::Build() {
   panels.emplace(*materials);
   input.emplace(engine->window());
   if (options.layout) {
-    workspace.emplace(*engine, *panels, *options.layout);
+    workspace.emplace(*engine, *panels, *options.panels, *options.layout);
     if (Result<void> read = workspace->LoadScript(options.ui_script, options.ui_script_from); !read)
       return read.error();
     workspace->PlacePicture();

@@ -13,8 +13,7 @@
 #include "viewer/panels/layout.h"
 #include "viewer/viewer_command.h"
 #include "viewer/window_input.h"
-#include "workbench/contents.h"
-#include "workbench/requests.h"
+#include "workbench/panel_exchange.h"
 #include "world/overlay_snapshot.h"
 #include "world/scene_snapshot.h"
 
@@ -44,10 +43,11 @@ struct ViewerOptions {
   bool show_labels = true;  ///< Names above agents at the start (L toggles).
   bool frame_agents =
       false;  ///< Starts with a view of all agents, unless the scripts' camera already shows all of them large enough.
-  std::optional<Layout> layout = {};     ///< Menus and panels around the picture; none: the picture alone.
-  std::filesystem::path ui_script = {};  ///< Plays a user (panels/ui_script.h); empty: none.
-  std::size_t ui_script_from = 0;        ///< Number of steps that another window has already executed.
-  std::string log_file = {};             ///< The renderer's log; empty: none is written.
+  std::optional<Layout> layout = {};           ///< Menus and panels around the picture; none: the picture alone.
+  workbench::PanelExchange* panels = nullptr;  ///< Of these panels, if there is a layout; must outlive the viewer.
+  std::filesystem::path ui_script = {};        ///< Plays a user (panels/ui_script.h); empty: none.
+  std::size_t ui_script_from = 0;              ///< Number of steps that another window has already executed.
+  std::string log_file = {};                   ///< The renderer's log; empty: none is written.
   /// Called once per name for things that are missing and were replaced, and for a renderer that fails.
   std::function<void(const Diagnostic&)> on_diagnostic = {};
 };
@@ -152,10 +152,6 @@ class Viewer {
   std::vector<InputEvent> TakeEvents();
   std::vector<ViewerCommand> TakeCommands();
 
-  /// The contents of the panels, which the application fills in; see panel_visible.
-  workbench::Contents& panel_contents();
-  /// Returns the requests that the user made in panels, in order.
-  std::vector<workbench::Request> TakePanelRequests();
   /// Whether a panel is the front one of its area. Other panels need no contents.
   bool panel_visible(workbench::PanelId panel) const;
   /// Opens a panel and brings it to the front.

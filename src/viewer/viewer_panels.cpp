@@ -45,25 +45,6 @@ void Viewer::Impl::DrawWorkspace() {
   for (const ViewerCommand command : asked.commands) Do(command);
 }
 
-namespace {
-
-/// An empty value, returned if the window has no panels.
-template <typename T>
-T& Nothing() {
-  static T nothing;
-  return nothing;
-}
-
-}  // namespace
-
-workbench::Contents& Viewer::panel_contents() {
-  return impl_->workspace ? impl_->workspace->contents : Nothing<workbench::Contents>();
-}
-
-std::vector<workbench::Request> Viewer::TakePanelRequests() {
-  return impl_->workspace ? std::exchange(impl_->workspace->requests, {}) : std::vector<workbench::Request>{};
-}
-
 bool Viewer::panel_visible(workbench::PanelId panel) const {
   return impl_->workspace && impl_->workspace->layout().IsVisible(panel);
 }
@@ -77,7 +58,8 @@ void Viewer::OfferPanel(workbench::PanelId panel) {
 }
 
 const Layout& Viewer::layout() const {
-  return impl_->workspace ? impl_->workspace->layout() : Nothing<Layout>();
+  static const Layout kNone;
+  return impl_->workspace ? impl_->workspace->layout() : kNone;
 }
 
 UiScriptProgress Viewer::ui_script() const {

@@ -23,8 +23,8 @@ void Shift(ImDrawList& list, float x, float y) {
 
 }  // namespace
 
-WorkspaceHost::WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout)
-    : engine_(engine), host_(host), workspace_(layout) {}
+WorkspaceHost::WorkspaceHost(Engine& engine, PanelHost& host, workbench::PanelExchange& panels, const Layout& layout)
+    : engine_(engine), host_(host), panels_(panels), workspace_(layout) {}
 
 Result<void> WorkspaceHost::LoadScript(const std::filesystem::path& file, std::size_t from) {
   if (file.empty()) return {};
@@ -107,7 +107,7 @@ bool WorkspaceHost::IsSecondEscape() {
   constexpr auto kSoon = std::chrono::milliseconds(2500);
   const auto now = std::chrono::steady_clock::now();
   if (now - std::exchange(escaped_at_, now) < kSoon) return true;
-  requests.push_back(workbench::TellRequest{"Press Esc again to close the window"});
+  panels_.requests.emplace_back(workbench::TellRequest{"Press Esc again to close the window"});
   return false;
 }
 
@@ -147,14 +147,14 @@ WorkspaceHost::Asked WorkspaceHost::Draw(const world::SceneSnapshot& scene, cons
                                          const std::function<bool(ViewerCommand)>& is_on) {
   Asked asked;
   asked.selected = selected;
-  PanelFrame frame{contents,
+  PanelFrame frame{panels_.contents,
                    scene,
                    status,
                    {host_.panel_font(), host_.bold_font(), host_.mono_font()},
                    static_cast<float>(workspace_.layout.text_percent) / 100,
                    workspace_.layout,
                    asked.selected,
-                   requests,
+                   panels_.requests,
                    asked.commands,
                    is_on};
   meter_.BeginPanels();

@@ -25,7 +25,7 @@ namespace soarbox::viewer {
 /// The drawing of the scene does not depend on this: its picture begins at 0, 0.
 class WorkspaceHost {
  public:
-  WorkspaceHost(Engine& engine, PanelHost& host, const Layout& layout);
+  WorkspaceHost(Engine& engine, PanelHost& host, workbench::PanelExchange& panels, const Layout& layout);
 
   /// Loads a script that plays a user and starts at step `from`.
   Result<void> LoadScript(const std::filesystem::path& file, std::size_t from);
@@ -58,14 +58,12 @@ class WorkspaceHost {
   /// Advances the script.
   void AfterDrawing(const Drawn& drawn);
 
-  workbench::Contents contents;
-  std::vector<workbench::Request> requests;
   Layout& layout() { return workspace_.layout; }
   const Layout& layout() const { return workspace_.layout; }
   bool& show_help() { return workspace_.show_help; }
   bool show_help() const { return workspace_.show_help; }
   /// Whether the window may close now; else the user is asked first.
-  bool MayClose() { return workspace_.MayClose(contents); }
+  bool MayClose() { return workspace_.MayClose(panels_.contents); }
   UiScriptProgress script() const;
 
  private:
@@ -78,6 +76,7 @@ class WorkspaceHost {
 
   Engine& engine_;
   PanelHost& host_;
+  workbench::PanelExchange& panels_;
   Workspace workspace_;
   PanelInput input_;
   PictureRect picture_;

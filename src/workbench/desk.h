@@ -19,12 +19,11 @@
 #include "record/reader.h"
 #include "workbench/checks.h"
 #include "workbench/console_desk.h"
-#include "workbench/contents.h"
 #include "workbench/desk_common.h"
 #include "workbench/file_desk.h"
 #include "workbench/live_run.h"
 #include "workbench/mind_change.h"
-#include "workbench/requests.h"
+#include "workbench/panel_exchange.h"
 #include "workbench/script_desk.h"
 #include "workbench/surroundings.h"
 #include "workbench/time_machine.h"
@@ -39,11 +38,12 @@ namespace soarbox::workbench {
 /// A desk changes the run only if a request of the user does.
 ///
 ///   Desk desk(run, header, scenario, settings, surroundings);
-///   Contents contents;
+///   PanelExchange panels;
 ///   while (...) {
 ///     desk.Prepare();
 ///     ... the run's next tick ...
-///     if (desk.Serve(requests, contents)) ... draw the contents again; contents.moment changes in each call ...
+///     ... panels.requests.push_back(...) ...
+///     if (desk.Serve(panels)) ... draw panels.contents again; their moment changes in each call ...
 ///   }
 class Desk {
  public:
@@ -69,11 +69,11 @@ class Desk {
   void Prepare();
   /// Whether the last tick hit a breakpoint. The caller must then pause the world.
   bool WasHit() const { return !hits_.empty() && hit_is_new_; }
-  /// Carries out requests and updates the contents of the visible panels. Call it in each frame, or a few times per
-  /// second, always with the same `contents`. Returns false if only `moment` may have changed. While a script is
-  /// stopped, only the contents of the panels Script, Edit, Problems and Breakpoints are updated. Requests that would
-  /// read a mind, or go to another tick, are refused then.
-  bool Serve(const std::vector<Request>& requests, Contents& contents);
+  /// Carries out and removes the requests, and updates the contents of the visible panels. Call it in each frame, or a
+  /// few times per second, always with the same `panels`. Returns false if only `moment` may have changed. While a
+  /// script is stopped, only the contents of the panels Script, Edit, Problems and Breakpoints are updated. Requests
+  /// that would read a mind, or go to another tick, are refused then.
+  bool Serve(PanelExchange& panels);
   /// The name of the agent with this id in the scene that is shown; empty if there is none.
   std::string NameOf(std::uint32_t agent_id);
   /// Adds a problem to the list.

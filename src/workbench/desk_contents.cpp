@@ -92,7 +92,9 @@ bool Desk::ServeStopped(const std::vector<Request>& requests, Contents& contents
   return true;
 }
 
-bool Desk::Serve(const std::vector<Request>& requests, Contents& contents) {
+bool Desk::Serve(PanelExchange& panels) {
+  const std::vector<Request> requests = std::exchange(panels.requests, {});
+  Contents& contents = panels.contents;
   if (scripts_.is_in_tick()) return ServeStopped(requests, contents);
   scripts_.Rest();
   if (scripts_.TakeNews()) is_stale_ = true;

@@ -36,7 +36,7 @@ ALLOWED = {
     "kernel/match/rete.h Rete": 30,
     "sim/simulation.h Simulation": 34,
     "sml/client/client_memory.h WorkingMemory": 31,
-    "viewer/viewer.h Viewer": 28,
+    "viewer/viewer.h Viewer": 26,
     "world/physics_world.h PhysicsWorld": 34,
     "world/ui.h Ui": 40,
     "kernel/base/symbol_table.h SymbolTable": 28,

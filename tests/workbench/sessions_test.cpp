@@ -55,11 +55,11 @@ class Watcher {
   void Ask(const char* request) {
     const Result<workbench::Request> read = workbench::ReadRequest(Json::parse(request));
     ASSERT_TRUE(read) << read.error().message;
-    requests_.push_back(*read);
+    panels_.requests.push_back(*read);
   }
   /// Returns whether the contents are new, so that a page or a window is sent them.
-  bool Serve() { return desk_.Serve(std::exchange(requests_, {}), contents_); }
-  Json See(const char* name) { return workbench::ToJson(contents_, name); }
+  bool Serve() { return desk_.Serve(panels_); }
+  Json See(const char* name) { return workbench::ToJson(panels_.contents, name); }
   /// Serves until nothing is being read or simulated again; this begins when seeking has ended.
   void Await() {
     for (int i = 0; i < 20'000; ++i) {
@@ -72,8 +72,7 @@ class Watcher {
 
  private:
   workbench::Desk& desk_;
-  std::vector<workbench::Request> requests_;
-  workbench::Contents contents_;
+  workbench::PanelExchange panels_;
 };
 
 class Sessions : public testing::Test {

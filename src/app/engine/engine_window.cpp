@@ -63,18 +63,19 @@ class PanelsOfPage {
     if (!at_once && requests.empty() && (page_.is_alone() || Clock::now() - served_ < kContentsEvery)) return;
     served_ = Clock::now();
     // If no contents were filled in, only the moment may have changed.
-    const bool is_new = desk.Serve(requests, contents_);
-    page_.ShowContents(contents_, !is_new                       ? workbench::PanelSet()
-                                  : desk.scripts().is_stopped() ? ShownInTick()
-                                                                : shown_);
+    exchange_.requests = std::move(requests);
+    const bool is_new = desk.Serve(exchange_);
+    page_.ShowContents(exchange_.contents, !is_new                       ? workbench::PanelSet()
+                                           : desk.scripts().is_stopped() ? ShownInTick()
+                                                                         : shown_);
   }
   /// After the desk was replaced, all contents are filled in again.
   std::vector<workbench::Request> BeginAgain() {
-    std::string agent = contents_.agent;
-    contents_ = {};
+    std::string agent = exchange_.contents.agent;
+    exchange_.contents = {};
     return {workbench::LookRequest{panels_}, workbench::SelectRequest{std::move(agent)}};
   }
-  const std::string& agent() const { return contents_.agent; }
+  const std::string& agent() const { return exchange_.contents.agent; }
 
  private:
   /// The visible panels that a desk fills in while a script is stopped.
@@ -89,7 +90,7 @@ class PanelsOfPage {
   EnginePage& page_;
   workbench::PanelSet panels_;  ///< Of the user whose run it is.
   workbench::PanelSet shown_;   ///< Including those of users who watch.
-  workbench::Contents contents_;
+  workbench::PanelExchange exchange_;
   Clock::time_point served_;
 };
 

@@ -61,9 +61,11 @@ void Deliverer::Deliver(viewer::Viewer& viewer, sim::Simulation& simulation) {
   for (const viewer::InputEvent& event : viewer.TakeEvents()) SubmitEvent(event, simulation);
 }
 
-LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options)
+LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, workbench::PanelExchange& panels,
+                       const WindowRun& run, const RunOptions& options)
     : session_(session),
       viewer_(viewer),
+      panels_(panels),
       scenario_(run.scenario),
       settings_(run.settings),
       header_(run.header),
@@ -71,7 +73,7 @@ LiveWindow::LiveWindow(RunSession& session, viewer::Viewer& viewer, const Window
       has_script_(!options.ui_script.empty()),
       pace_(options.speed.value_or(1)),
       lessons_(scenario_, session.lesson()),
-      window_desk_(viewer, pace_, &lessons_) {
+      window_desk_(viewer, panels, pace_, &lessons_) {
   // A followed kernel's ticks are shown as soon as they are known. The first tick creates its first agents.
   if (session.simulation().sends_commands_elsewhere()) {
     pace_.Obey(workbench::Flow::kUnlimited);
@@ -204,7 +206,7 @@ Result<void> LiveWindow::Obey() {
   MakeDesk();
   desk_->Bring(std::move(belongings));
   viewer_.SetGhosts({});
-  viewer_.panel_contents() = {};
+  panels_.contents = {};
   newest_ = previous_ = session_.simulation().Snapshot();
   overlays_tick_ = 0;
   deliverer_ = Deliverer();

@@ -42,7 +42,8 @@ class Deliverer {
 /// A run in a visible window: its frames, its ticks at the user's speed, and the panels' desk.
 class LiveWindow {
  public:
-  LiveWindow(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options);
+  LiveWindow(RunSession& session, viewer::Viewer& viewer, workbench::PanelExchange& panels, const WindowRun& run,
+             const RunOptions& options);
 
   /// Runs until the window is closed or the time is over. Returns an ExitCode.
   int Run();
@@ -60,6 +61,7 @@ class LiveWindow {
 
   RunSession& session_;
   viewer::Viewer& viewer_;
+  workbench::PanelExchange& panels_;
   const sim::Scenario& scenario_;
   const sim::SimulationSettings& settings_;  ///< With the seed of the current run.
   const record::Header& header_;             ///< Of the current run.

@@ -24,10 +24,10 @@ namespace {
 class ReplayWindow {
  public:
   ReplayWindow(record::Reader& recording, record::TickRange range, const sim::DataFolders& data, viewer::Viewer& viewer,
-               bool has_script)
+               workbench::PanelExchange& panels, bool has_script)
       : recording_(recording),
         viewer_(viewer),
-        window_desk_(viewer, pace_, nullptr),
+        window_desk_(viewer, panels, pace_, nullptr),
         desk_(recording, data, range, window_desk_),
         step_s_(recording.header().step_s),
         turn_ticks_(record::TurnTicks(recording.header())),
@@ -136,10 +136,12 @@ int ShowReplay(record::Reader& recording, record::TickRange range, const sim::Da
   window->width = options.width_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_width_px, 7680)));
   window->height = options.height_px.value_or(static_cast<int>(std::min<std::uint32_t>(header.screen_height_px, 4320)));
   window->title = "Soarbox replay: " + recording.file().filename().string();
+  workbench::PanelExchange panels;
+  window->panels = &panels;
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(*window);
   if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
-  ReplayWindow replay(recording, range, data, viewer, !options.ui_script.empty());
+  ReplayWindow replay(recording, range, data, viewer, panels, !options.ui_script.empty());
   if (!replay.Select(options.select))
     return Refuse("there is no agent '" + options.select + "' to select at the beginning");
   workbench::NoteRecentRun(recording.file().string());

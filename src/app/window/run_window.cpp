@@ -59,11 +59,12 @@ Result<void> Prepare(viewer::Viewer& viewer, const sim::Simulation& simulation, 
 }
 
 /// Runs to the requested time without drawing, then draws the picture.
-int TakePicture(RunSession& session, viewer::Viewer& viewer, const WindowRun& run, const RunOptions& options) {
+int TakePicture(RunSession& session, viewer::Viewer& viewer, workbench::PanelExchange& panels, const WindowRun& run,
+                const RunOptions& options) {
   sim::Simulation& simulation = session.simulation();
   workbench::Pace pace(options.speed.value_or(1));
   LessonDesk lessons(run.scenario, session.lesson());
-  WindowDesk window_desk(viewer, pace, &lessons);
+  WindowDesk window_desk(viewer, panels, pace, &lessons);
   std::optional<workbench::Desk> desk;
   if (!options.panels.empty()) desk.emplace(session, run.header, run.scenario, run.settings, window_desk);
   if (desk) simulation.Submit(sim::ScreenInput{viewer.width(), viewer.height()});
@@ -102,14 +103,16 @@ int RunWindow(RunSession& session, const RunOptions& options, const sim::DataFol
   window->width = run.settings.screen_width_px;
   window->height = run.settings.screen_height_px;
   window->title = "Soarbox: " + options.scenario;
+  workbench::PanelExchange panels;
+  window->panels = &panels;
   Result<std::unique_ptr<viewer::Viewer>> opened = viewer::Viewer::Open(*window);
   if (!opened) return Refuse(opened.error());
   viewer::Viewer& viewer = **opened;
   if (const Result<void> prepared = Prepare(viewer, session.simulation(), options); !prepared)
     return Refuse(prepared.error());
-  if (window->hidden) return TakePicture(session, viewer, run, options);
+  if (window->hidden) return TakePicture(session, viewer, panels, run, options);
   workbench::NoteRecentRun(options.scenario);
-  return AfterWindow(viewer, options, LiveWindow(session, viewer, run, options).Run());
+  return AfterWindow(viewer, options, LiveWindow(session, viewer, panels, run, options).Run());
 }
 
 }  // namespace soarbox::app

@@ -38,11 +38,10 @@ void WindowDesk::Serve(workbench::Desk& desk) {
   workbench::PanelSet visible;
   for (const workbench::PanelInfo& info : workbench::kPanelInfos)
     if (viewer_.panel_visible(info.id)) visible.Add(info.id);
-  std::vector<workbench::Request> requests = viewer_.TakePanelRequests();
-  requests.emplace_back(workbench::SelectRequest{desk.NameOf(viewer_.selected_agent())});
-  requests.emplace_back(workbench::LookRequest{visible});
-  const workbench::Contents& contents = viewer_.panel_contents();
-  if (!desk.Serve(requests, viewer_.panel_contents())) return;
+  panels_.requests.emplace_back(workbench::SelectRequest{desk.NameOf(viewer_.selected_agent())});
+  panels_.requests.emplace_back(workbench::LookRequest{visible});
+  if (!desk.Serve(panels_)) return;
+  const workbench::Contents& contents = panels_.contents;
   viewer_.SetGhosts(GhostsOf(contents.ghosts), contents.shapes, contents.answer_lines);
 }
 

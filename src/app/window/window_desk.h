@@ -14,13 +14,13 @@
 
 namespace soarbox::app {
 
-/// Connects a window with a desk: passes requests to the desk and contents to the panels. Does what the desk leaves to
-/// the window: remarks, pictures, editors, the next run.
+/// Serves a window's panels by a desk, and does what the desk leaves to the window: remarks, pictures, editors, the
+/// next run.
 class WindowDesk final : public workbench::Surroundings {
  public:
-  /// `lessons` may be null, for a recording.
-  WindowDesk(viewer::Viewer& viewer, workbench::Pace& pace, LessonDesk* lessons)
-      : viewer_(viewer), pace_(pace), lessons_(lessons) {}
+  /// `panels` are those of the viewer's options. `lessons` may be null, for a recording.
+  WindowDesk(viewer::Viewer& viewer, workbench::PanelExchange& panels, workbench::Pace& pace, LessonDesk* lessons)
+      : viewer_(viewer), panels_(panels), pace_(pace), lessons_(lessons) {}
 
   /// Call it once per frame.
   void Serve(workbench::Desk& desk);
@@ -47,6 +47,7 @@ class WindowDesk final : public workbench::Surroundings {
   void SaveAwaitedPicture(workbench::Desk& desk);
 
   viewer::Viewer& viewer_;
+  workbench::PanelExchange& panels_;
   workbench::Pace& pace_;
   LessonDesk* lessons_;
   int picture_in_frames_ = 0;         ///< Frames until a picture is saved; 0: none is requested.
