@@ -28,7 +28,7 @@ TEST(CheckCalls, SaysNothingWhereANameMayHaveAValue) {
         "if Optional then Optional() end", "for _, f in ipairs({}) do f() end", "x.Foo() x:Foo()",
         "-- Foo()\nprint('Foo()')", "print([[ Foo() ]])", "a = { Foo = 1 } print(Foo, Foo())", "return (1)",
         "if (1) then elseif (2) then end while (1) do end", "print(not (1))", "setfenv(1, {}) Foo()",
-        "Foo = function() end Foo()", "Vector(1)"})
+        "Foo = function() end Foo()", "Vector(1)", "print(('x'):Foo(), ({})[1]:Foo():Bar())"})
     EXPECT_EQ(Found(text), "") << text;
   EXPECT_NE(Found("print('a' .. Foo())"), "");
 }

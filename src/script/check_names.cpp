@@ -96,11 +96,15 @@ struct Code {
 void Code::FindWords() {
   constexpr char kOther = '#';
   std::string_view before, second_before;  // The previous names.
-  char between = kOther;                   // Blank: nothing but blanks since the previous name. Or a '.' or ':'.
+  char between = kOther;       // The last sign since the previous name: ' ' if there is none, '.' or ':', or kOther.
+  bool is_after_word = false;  // The last sign is the only one.
   for (std::size_t i = 0; i < code.size();) {
     if (!IsWordPart(code[i])) {
-      const bool is_joint = between == ' ' && (code[i] == '.' || code[i] == ':');
-      if (std::isspace(static_cast<unsigned char>(code[i])) == 0) between = is_joint ? code[i] : kOther;
+      if (std::isspace(static_cast<unsigned char>(code[i])) == 0) {
+        const bool is_joint = code[i] == ':' || (code[i] == '.' && (i == 0 || code[i - 1] != '.'));
+        is_after_word = between == ' ';
+        between = is_joint ? code[i] : kOther;
+      }
       ++i;
       continue;
     }
@@ -111,7 +115,7 @@ void Code::FindWords() {
     word.at = i;
     if (between == '.' || between == ':') {
       word.joint = between;
-      if (!words.empty() && !words.back().IsField()) word.owner = before;
+      if (is_after_word && !words.empty() && !words.back().IsField()) word.owner = before;
     }
     if (between != ' ') before = second_before = {};
     const std::size_t next = text.find_first_not_of(" \t\r\n", end);
