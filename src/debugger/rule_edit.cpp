@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "diagnostics/problem.h"
 #include "sim/check.h"
@@ -51,18 +52,29 @@ std::vector<Diagnostic> Edit::Check() const {
   return sim::VetRuleFile(text_, file_.file);
 }
 
-std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation) {
+std::vector<Diagnostic> Edit::Apply(sim::Simulation& simulation, bool is_past) {
   std::vector<Diagnostic> problems = Check();
-  if (sim::IsEmptied(running_, text_))
+  if (sim::IsEmptied(InUse(), text_))
     problems.push_back(ProblemIn(file_.file, "the text is empty", "leave a comment in it to remove everything"));
   if (sim::HasError(problems) || is_scenario()) return problems;
   std::vector<sim::WatchedFile> running;
   for (const sim::WatchedFile& file : sim::WithSourced(simulation.Files()))
     if (file.file == file_.file && file.is_rules == file_.is_rules) running.push_back(file);
   if (running.empty()) running.push_back(file_);
-  for (const sim::WatchedFile& file : running) sim::SubmitEdit(simulation, file, running_, text_);
-  running_ = text_;
+  for (const sim::WatchedFile& file : running) sim::SubmitEdit(simulation, file, InUse(), text_);
+  if (is_past) {
+    past_ = text_;
+  } else {
+    running_ = text_;
+  }
   return problems;
+}
+
+bool Edit::EndPast(bool continues) {
+  const std::optional<std::string> past = std::exchange(past_, std::nullopt);
+  if (!past || !continues) return false;
+  running_ = *past;
+  return true;
 }
 
 Result<void> Edit::Save() {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ class Edit {
   const std::string& text() const { return text_; }
   /// Whether it is a scenario file. The running world was built from it, and does not read it again.
   bool is_scenario() const;
-  /// Whether the text differs from the version that the running world uses.
-  bool is_changed() const { return text_ != running_; }
+  /// Whether the text differs from the version that the world uses.
+  bool is_changed() const { return text_ != InUse(); }
   /// Whether the text differs from the file.
   bool is_unsaved() const { return text_ != saved_; }
 
@@ -33,8 +34,10 @@ class Edit {
   std::vector<Diagnostic> Check() const;
   /// Submits the text to the simulation, for all agents that use this file. It takes effect in the next tick. Does
   /// nothing if there are errors, or for a scenario file. Returns the result of Check, with a further error if the user
-  /// has deleted the entire text.
-  std::vector<Diagnostic> Apply(sim::Simulation& simulation);
+  /// has deleted the entire text. `is_past`: it is a rebuilt past, and the running world keeps its text until EndPast.
+  std::vector<Diagnostic> Apply(sim::Simulation& simulation, bool is_past = false);
+  /// The rebuilt past is left, or the run continues from it. Returns whether the running world now uses another text.
+  bool EndPast(bool continues);
   /// Writes the file. The running world then loads it, unless it has errors.
   Result<void> Save();
   /// Call it when the world was restarted, which loads the files again.
@@ -56,8 +59,11 @@ class Edit {
   int LineOf(std::string_view rule) const;
 
  private:
+  const std::string& InUse() const { return past_ ? *past_ : running_; }
+
   sim::WatchedFile file_;
   std::string text_, running_, saved_;
+  std::optional<std::string> past_;            ///< The text that the rebuilt past uses, if it is not the running one.
   std::filesystem::file_time_type written_{};  ///< Modification time of the file when it was last read or saved.
 };
 

@@ -17,7 +17,7 @@ struct DeskCommon {
   TimeMachine& past;
   Surroundings& surroundings;
   std::function<void(Diagnostic, std::string agent)> note_problem;
-  /// Call it when a file has been changed without errors: its earlier problems are over.
+  /// Call it when the run uses a changed file without errors: its earlier problems are over.
   std::function<void(const std::string& file)> forget_problems;
 
   /// The simulation of the live run; null for a recording.

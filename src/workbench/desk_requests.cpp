@@ -169,6 +169,7 @@ void Desk::Resume() {
   std::unique_ptr<sim::Simulation> simulation = past_.Resume();
   if (simulation == nullptr || run_ == nullptr) return;
   run_->GoOnWith(std::move(simulation), past_.parting()->record, past_.parting()->inputs);
+  files_.EndPast(true);
   scripts_.Observe();
   noted_agent_.clear();
   hits_.clear();

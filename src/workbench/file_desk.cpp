@@ -67,22 +67,35 @@ void FileDesk::Edit(const EditRequest& request, const std::string& agent) {
 void FileDesk::Apply(Open& file) {
   file.apply_at.reset();
   if (sim::Simulation* world = common_.Looked()) {
-    file.contents.problems = file.edit.Apply(*world);
+    const bool is_past = world != common_.Live();
+    file.contents.problems = file.edit.Apply(*world, is_past);
     file.contents.notice =
         sim::HasError(file.contents.problems) ? "Nothing was changed: the previous version keeps running."
         : file.edit.is_scenario() ? "No errors. Save it and begin again: a world is built from this file only once."
                                   : "Reloaded: it takes effect in the next tick.";
     if (sim::HasError(file.contents.problems) || file.edit.is_scenario()) return;
     ++file.contents.reload_count;
-    common_.forget_problems(file.contents.file);
-    has_applied_ |= world == common_.Live();
+    if (is_past) {
+      changed_past_ = common_.past.shown_tick();
+      if (common_.run == nullptr) common_.past.rebuilt().Spoil();
+    } else {
+      common_.forget_problems(file.contents.file);
+      has_applied_ = true;
+    }
   } else {
     if (common_.past.rebuilt().IsPossible()) file.apply_at = common_.past.shown_tick();
     file.contents.notice = common_.past.rebuilt().Note();
   }
 }
 
+void FileDesk::EndPast(bool continues) {
+  changed_past_.reset();
+  for (auto& [name, file] : files_)
+    if (file.edit.EndPast(continues)) common_.forget_problems(name);
+}
+
 void FileDesk::GoOn() {
+  if (changed_past_ && (common_.past.is_live() || common_.past.shown_tick() != *changed_past_)) EndPast(false);
   for (auto& [name, file] : files_) {
     if (!file.apply_at) continue;
     if (!common_.past.is_live() && common_.past.shown_tick() == *file.apply_at) {

@@ -40,6 +40,8 @@ class FileDesk {
   /// Call it after requests. Applies texts that waited for a rebuilt world. Reads the shown file again if another
   /// program has written it.
   void GoOn();
+  /// The rebuilt past is left, with the texts that were applied to it, or the run continues from it and uses them.
+  void EndPast(bool continues);
   /// Stores unsaved text on the disk.
   void KeepDrafts();
   /// Returns true once after each change that no request made.
@@ -76,6 +78,7 @@ class FileDesk {
   Files files_;
   std::string looked_;  ///< The file that the panel shows; empty: none.
   std::uint64_t version_ = 0;
+  std::optional<std::uint64_t> changed_past_;  ///< The past tick to whose world a text was applied.
   Clock::time_point looked_at_disk_;
   bool has_news_ = false, has_applied_ = false;
 };

@@ -292,6 +292,61 @@ TEST_F(Sessions, ProblemsOfAFileAreOverWhenItIsChangedWithoutErrors) {
   EXPECT_THAT(problems_after(text + "\n"), AllOf(HasSubstr("the second problem"), Not(HasSubstr("the first problem"))));
 }
 
+TEST_F(Sessions, ATextThatIsAppliedInThePastIsUsedByTheRunOnlyIfItContinuesFromThere) {
+  Begin();
+  workbench::Desk desk(*session, header, scenario, settings, room);
+  Watcher user(desk);
+  Tick(desk, 5);
+  user.Ask(R"({"request": "select", "agent": "blue-1"})");
+  user.Ask(R"({"request": "look", "panels": ["edit", "problems", "mind"]})");
+  user.Serve();
+  const std::string file = user.See("edit")["files"][0]["file"];
+  user.Ask(Json{{"request", "edit"}, {"file", file}}.dump().c_str());
+  user.Serve();
+  const std::string text = user.See("edit")["edit"]["text"].get<std::string>() +
+                           "\nsp {extra (state <s> ^superstate nil) --> (<s> ^extra yes)}\n";
+  desk.NoteProblem(ProblemIn(file, "the problem of the file"), {});
+  Tick(desk, 10);
+  const auto apply = [&] {
+    user.Ask(Json{{"request", "edit-text"}, {"what", "apply"}, {"text", text}}.dump().c_str());
+    user.Serve();
+    EXPECT_THAT(user.See("edit")["edit"]["notice"].get<std::string>(), HasSubstr("Reloaded"));
+    EXPECT_EQ(user.See("edit")["edit"]["is_changed"], false);
+  };
+  const auto go_back = [&] {
+    user.Ask(R"({"request": "seek", "tick": 8})");
+    user.Await();
+  };
+  const auto has_extra = [&] {
+    const Result<std::string> rule = session->simulation().Command("blue-1", "print extra");
+    return rule && rule->find("^extra yes") != std::string::npos;
+  };
+  const auto has_problem = [&] {
+    return user.See("problems")["problems"].dump().find("the problem of the file") != std::string::npos;
+  };
+
+  // Left again: the run keeps its rules and its problems.
+  go_back();
+  apply();
+  EXPECT_TRUE(has_problem());
+  user.Ask(R"({"request": "live"})");
+  user.Serve();
+  EXPECT_EQ(user.See("edit")["edit"]["is_changed"], true);
+  Tick(desk, 1);
+  EXPECT_FALSE(has_extra());
+
+  // Continued: the run has the rule.
+  go_back();
+  apply();
+  user.Ask(R"({"request": "resume"})");
+  user.Serve();
+  Tick(desk, 1);
+  EXPECT_TRUE(has_extra());
+  user.Serve();
+  EXPECT_FALSE(has_problem());
+  EXPECT_EQ(user.See("edit")["edit"]["is_changed"], false);
+}
+
 TEST_F(Sessions, AScriptStopsInsideATickWhileItsUserIsServed) {
   Begin(record::Level::kDecisions, "thesis");
   const std::uint64_t hash_alone = [&] {
