@@ -254,6 +254,7 @@ void Arena::Start(const std::string& game, std::size_t index) {
         }
         EngineProcess::Hooks hooks;
         hooks.on_frame = [this, game, id](const Frame& frame) {
+          if (frame.kind == FrameKind::kReason) FindMatch(game, id)->trouble = frame.bytes;
           if (frame.kind != FrameKind::kText) return;
           const Json told = Json::parse(frame.bytes, nullptr, false);
           if (!told.is_object() || told.value("message", "") != "match") return;
@@ -262,14 +263,9 @@ void Arena::Start(const std::string& game, std::size_t index) {
           if (scores.is_array() && scores.size() == 2 && scores[0].is_number() && scores[1].is_number())
             played.scores = {scores[0].get<double>(), scores[1].get<double>()};
         };
-        hooks.on_end = [this, game, id](const std::string& last_words, bool) {
+        hooks.on_end = [this, game, id](EngineProcess::Ending) {
           Match& played = *FindMatch(game, id);
-          if (!played.scores && played.trouble.empty()) {
-            const std::size_t error = last_words.rfind("error: ");
-            played.trouble = error == std::string::npos
-                                 ? "the match gave no scores"
-                                 : last_words.substr(error + 7, last_words.find('\n', error) - error - 7);
-          }
+          if (!played.scores && played.trouble.empty()) played.trouble = "the match gave no scores";
           Finish(game, id);
         };
         Running& running = running_[id];

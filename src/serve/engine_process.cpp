@@ -22,7 +22,7 @@ namespace soarbox::serve {
 namespace {
 
 constexpr int kEngineSocket = 3;
-constexpr std::size_t kLastWords = 2000, kMostUnread = 16u << 20;
+constexpr std::size_t kMostUnread = 16u << 20;
 
 void Limit(int what, rlim_t most) {
   const rlimit limit{most, most};
@@ -32,7 +32,7 @@ void Limit(int what, rlim_t most) {
 struct Child {
   std::vector<char*> words, environment;
   const char* folder;
-  int socket, error;
+  int socket;
   const Limits& limits;
 };
 
@@ -40,11 +40,11 @@ struct Child {
 [[noreturn]] void Become(const Child& child) {
   setpgid(0, 0);
   const int null = open("/dev/null", O_RDWR);
-  // First moves the descriptors away from the numbers that they must get.
-  const int socket = fcntl(child.socket, F_DUPFD, 10), error = fcntl(child.error, F_DUPFD, 10);
+  // First moves the descriptor away from the number that it must get.
+  const int socket = fcntl(child.socket, F_DUPFD, 10);
   dup2(null, STDIN_FILENO);
   dup2(null, STDOUT_FILENO);
-  dup2(error, STDERR_FILENO);
+  dup2(null, STDERR_FILENO);
   dup2(socket, kEngineSocket);
   for (int i = kEngineSocket + 1; i < 4096; ++i) close(i);
   constexpr rlim_t kMostFiles = 64, kMostFileBytes = rlim_t{256} << 20;
@@ -57,8 +57,6 @@ struct Child {
   signal(SIGPIPE, SIG_DFL);
   // All users of this machine can read its arguments, so they name files relative to the place.
   if (chdir(child.folder) == 0) execve(child.words.front(), child.words.data(), child.environment.data());
-  constexpr char kText[] = "the engine's program cannot be started\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
   _exit(127);
 }
 
@@ -71,7 +69,7 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
 
 }  // namespace
 
-EngineProcess::EngineProcess(boost::asio::io_context& io) : socket_(io), error_(io), timer_(io) {}
+EngineProcess::EngineProcess(boost::asio::io_context& io) : socket_(io), timer_(io) {}
 
 EngineProcess::~EngineProcess() {
   if (pid_ <= 0) return;
@@ -84,14 +82,8 @@ Result<EngineProcess::Spawned> EngineProcess::Spawn(const std::vector<std::strin
   const auto refuse = [] {
     return NewProblem(std::string("the server cannot start another run: ") + std::strerror(errno), "try again later");
   };
-  int ends[2], errors[2];
+  int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return refuse();
-  if (pipe2(errors, O_CLOEXEC) != 0) {
-    const Diagnostic problem = refuse();
-    close(ends[0]);
-    close(ends[1]);
-    return problem;
-  }
   // Removes the temporary files of the previous run, which may have crashed.
   const std::filesystem::path temporary = place.state() / "tmp";
   std::error_code error;
@@ -106,18 +98,14 @@ Result<EngineProcess::Spawned> EngineProcess::Spawn(const std::vector<std::strin
   if (const char* data = std::getenv("SOARBOX_DATA"))
     environment.push_back("SOARBOX_DATA=" + std::filesystem::absolute(data, error).string());
   const std::string root = place.root().string();
-  const Child child{Pointers(words), Pointers(environment), root.c_str(), ends[1], errors[1], limits};
+  const Child child{Pointers(words), Pointers(environment), root.c_str(), ends[1], limits};
   const pid_t pid = fork();
   if (pid == 0) Become(child);
   const Diagnostic problem = refuse();
   close(ends[1]);
-  close(errors[1]);
-  if (pid < 0) {
-    close(ends[0]);
-    close(errors[0]);
-    return problem;
-  }
-  return Spawned{pid, ends[0], errors[0]};
+  if (pid > 0) return Spawned{pid, ends[0]};
+  close(ends[0]);
+  return problem;
 }
 
 std::shared_ptr<EngineProcess> EngineProcess::Adopt(boost::asio::io_context& io, const Spawned& spawned, Hooks hooks) {
@@ -125,9 +113,7 @@ std::shared_ptr<EngineProcess> EngineProcess::Adopt(boost::asio::io_context& io,
   engine->pid_ = spawned.pid;
   engine->hooks_ = std::move(hooks);
   engine->socket_.assign(boost::asio::local::stream_protocol(), spawned.socket);
-  engine->error_.assign(spawned.error);
   engine->Read();
-  engine->ReadError();
   return engine;
 }
 
@@ -140,17 +126,6 @@ void EngineProcess::Read() {
                             if (error || self->reader_.is_broken()) return self->AwaitEnd();
                             self->Read();
                           });
-}
-
-void EngineProcess::ReadError() {
-  error_.async_read_some(boost::asio::buffer(error_bytes_),
-                         [self = shared_from_this()](boost::system::error_code error, std::size_t size) {
-                           if (error) return;
-                           self->last_words_.append(self->error_bytes_.data(), size);
-                           if (self->last_words_.size() > 2 * kLastWords)
-                             self->last_words_.erase(0, self->last_words_.size() - kLastWords);
-                           self->ReadError();
-                         });
 }
 
 void EngineProcess::Send(std::string text) {
@@ -174,7 +149,7 @@ void EngineProcess::Write() {
 
 void EngineProcess::End(std::function<void()> on_gone) {
   hooks_ = {};
-  if (on_gone) hooks_.on_end = [on_gone = std::move(on_gone)](const std::string&, bool) { on_gone(); };
+  if (on_gone) hooks_.on_end = [on_gone = std::move(on_gone)](Ending) { on_gone(); };
   AwaitEnd();
 }
 
@@ -191,15 +166,12 @@ void EngineProcess::AwaitEnd() {
   if (waitpid(pid_, &status, WNOHANG) == pid_) {
     kill(-pid_, SIGKILL);  // All processes that it started.
     pid_ = 0;
-    // Its last output may still be in the pipe.
-    std::array<char, kLastWords> rest{};
-    error_.non_blocking(true, ignored);
-    const std::size_t size = error_.read_some(boost::asio::buffer(rest), ignored);
-    last_words_.append(rest.data(), size);
-    error_.close(ignored);
-    if (last_words_.size() > kLastWords) last_words_.erase(0, last_words_.size() - kLastWords);
+    constexpr int kMostGood = 1, kCannotStart = 3;
+    const bool by_itself = WIFEXITED(status);
     if (const Hooks hooks = std::exchange(hooks_, {}); hooks.on_end)
-      hooks.on_end(last_words_, WIFEXITED(status) && WEXITSTATUS(status) <= 1);
+      hooks.on_end(by_itself && WEXITSTATUS(status) <= kMostGood      ? Ending::kGood
+                   : by_itself && WEXITSTATUS(status) == kCannotStart ? Ending::kRefused
+                                                                      : Ending::kCrashed);
     return;
   }
   constexpr int kMostWaits = 60;

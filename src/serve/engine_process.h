@@ -6,8 +6,8 @@
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
-#include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -24,16 +24,20 @@ namespace soarbox::serve {
 /// When its connection is closed, it should end by itself; after 3 s it is killed.
 class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
  public:
+  /// How a process ended. If it sent a reason, that explains more.
+  enum class Ending : std::uint8_t {
+    kGood,     ///< By itself, with the status 0 or 1.
+    kRefused,  ///< By itself: it could not begin or go on, or its memory was exhausted.
+    kCrashed,
+  };
   struct Hooks {
     std::function<void(Frame)> on_frame;
-    /// Called after it has ended, with the last 2,000 bytes of its standard error. `is_good`: it exited by itself with
-    /// the status 0 or 1.
-    std::function<void(const std::string& last_words, bool is_good)> on_end;
+    std::function<void(Ending ending)> on_end;  ///< Called after it has ended.
   };
   /// A process without a listener. The caller must pass it to Adopt or Discard.
   struct Spawned {
     pid_t pid = 0;
-    int socket = -1, error = -1;
+    int socket = -1;
   };
   /// Starts the process. May take milliseconds. Can be called on any thread.
   static Result<Spawned> Spawn(const std::vector<std::string>& words, const Place& place, const Limits& limits);
@@ -54,19 +58,15 @@ class EngineProcess : public std::enable_shared_from_this<EngineProcess> {
  private:
   explicit EngineProcess(boost::asio::io_context& io);
   void Read();
-  void ReadError();
   void Write();
   void AwaitEnd();
 
   pid_t pid_ = 0;
   boost::asio::local::stream_protocol::socket socket_;
-  boost::asio::posix::stream_descriptor error_;
   boost::asio::steady_timer timer_;
   Hooks hooks_;
   FrameReader reader_;
   std::array<char, 65536> bytes_{};
-  std::array<char, 1024> error_bytes_{};
-  std::string last_words_;
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;
   bool is_closed_ = false;

@@ -7,7 +7,7 @@ namespace {
 constexpr std::size_t kHeaderBytes = 5;
 
 bool IsKind(char kind) {
-  constexpr std::string_view kKinds = "jhwcdsfb";
+  constexpr std::string_view kKinds = "jhwcdsfbe";
   return kKinds.find(kind) != std::string_view::npos;
 }
 

@@ -21,6 +21,7 @@ enum class FrameKind : std::uint8_t {
   kScene = 's',     ///< A block of the scene stream that needs the previous one (docs/dev/stream.md).
   kFull = 'f',      ///< A complete block of the scene stream.
   kAlive = 'b',     ///< Heartbeat: the engine's main loop is running.
+  kReason = 'e',    ///< Text: the error because of which the engine ends.
 };
 struct Frame {
   FrameKind kind = FrameKind::kText;

@@ -17,25 +17,6 @@ Bytes Shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
 }
 
-/// The text after "error: " in the last line that contains this; empty if there is no such line.
-std::string LastError(const std::string& words) {
-  std::string last;
-  for (std::size_t at = 0; at < words.size();) {
-    const std::size_t end = std::min(words.find('\n', at), words.size());
-    const std::string line = words.substr(at, end - at);
-    if (const std::size_t error = line.find("error: "); error != std::string::npos) last = line.substr(error + 7);
-    at = end + 1;
-  }
-  return last;
-}
-
-/// Replaces the path of a place, which contains its secret, by kShownRoot in a message.
-std::string WithoutPath(std::string text, const std::string& root) {
-  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root, at))
-    text.replace(at, root.size(), kShownRoot);
-  return text;
-}
-
 }  // namespace
 
 std::string ErrorMessage(const Diagnostic& problem, const std::string& id) {
@@ -146,11 +127,12 @@ void Session::OnStarted(const std::string& what, const EngineProcess::Spawned& s
   hooks.on_frame = [this, alive](Frame frame) {
     if (!alive.expired()) OnFrame(std::move(frame));
   };
-  hooks.on_end = [this, alive](const std::string& last_words, bool is_good) {
-    if (!alive.expired()) OnEnd(last_words, is_good);
+  hooks.on_end = [this, alive](EngineProcess::Ending ending) {
+    if (!alive.expired()) OnEnd(ending);
   };
   engine_ = EngineProcess::Adopt(io_, spawned, std::move(hooks));
   phase_ = Phase::kRest;
+  reason_.clear();
   what_ = what;
   began_ = looked_at_ = Clock::now();
   activity_.Begin(what, began_);
@@ -343,6 +325,9 @@ void Session::OnFrame(Frame frame) {
       return;
     case FrameKind::kText:
       return Tell(frame.bytes);
+    case FrameKind::kReason:
+      reason_ = std::move(frame.bytes);
+      return;
     case FrameKind::kHello: {
       // Adds the name with which the run was requested. The engine does not have it.
       Json hello = Json::parse(frame.bytes, nullptr, false);
@@ -384,12 +369,15 @@ void Session::OnFrame(Frame frame) {
   }
 }
 
-void Session::OnEnd(const std::string& last_words, bool is_good) {
+void Session::OnEnd(EngineProcess::Ending ending) {
+  using Ending = EngineProcess::Ending;
   engine_.reset();
   if (phase_ == Phase::kRest) lock_.reset();
-  std::string why = WithoutPath(LastError(last_words), place_.root().string());
-  if (why.empty())
-    why = is_good ? "The run has ended." : "The run has crashed. Drafts and the recording up to then are kept.";
+  const std::string why = !reason_.empty()             ? reason_
+                          : ending == Ending::kGood    ? "The run has ended."
+                          : ending == Ending::kRefused ? "This world needs more memory than the server gives it."
+                                                       : "The run has crashed. Drafts and the recording up to then "
+                                                         "are kept.";
   NoLongerBusy();
   Tell(JsonText(Json{{"message", "ended"}, {"text", why}, {"can_open_again", true}}));
 }

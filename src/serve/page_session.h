@@ -99,7 +99,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void OnStarted(const std::string& what, const EngineProcess::Spawned& spawned);
   void Forget();
   void OnFrame(Frame frame);
-  void OnEnd(const std::string& last_words, bool is_good);
+  void OnEnd(EngineProcess::Ending ending);
   void Tell(const std::string& text, const std::string& key = {});
   void TellPresence();
   /// Handles a message of a page that may only select panels.
@@ -129,6 +129,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   std::function<std::string()> greeting_;
   Activity activity_;
+  std::string reason_;           ///< The error because of which the engine ends, if it sent one.
   std::array<Bytes, 3> looked_;  ///< The contents that activity_ was updated with.
 
   // Messages for pages that connect later.

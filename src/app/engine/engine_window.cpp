@@ -447,7 +447,12 @@ class ReplayEngine {
 class EngineWindow final : public Window {
  public:
   explicit EngineWindow(const EngineOptions& options)
-      : options_(options), channel_(options.socket), page_(channel_, options.home) {}
+      : options_(options), channel_(options.socket), page_(channel_, options.home) {
+    OnRefusal([this](const Diagnostic& problem) { channel_.Send(serve::FrameKind::kReason, problem.message); });
+  }
+  ~EngineWindow() { OnRefusal({}); }
+  EngineWindow(const EngineWindow&) = delete;
+  EngineWindow& operator=(const EngineWindow&) = delete;
 
   [[nodiscard]] bool CanOpen() const override { return true; }
   [[nodiscard]] std::optional<std::pair<int, int>> RoomOnDisplay() const override { return std::nullopt; }
@@ -492,6 +497,8 @@ void RaiseWall(const EngineOptions& options) {
 /// Runs a match without pages, records it, and sends the server the scores of the agents in their order.
 int PlayMatch(const EngineOptions& options) {
   const char* const state = std::getenv("XDG_STATE_HOME");
+  EngineChannel channel(options.socket);
+  OnRefusal([&](const Diagnostic& problem) { channel.Send(serve::FrameKind::kReason, problem.message); });
   RunOptions run;
   run.scenario = options.match.string();
   run.headless = run.by_strangers = true;
@@ -513,7 +520,7 @@ int PlayMatch(const EngineOptions& options) {
   nlohmann::ordered_json scores = nlohmann::ordered_json::array();
   for (const world::AgentSnapshot& agent : (*last)->scene.agents)
     scores.push_back(agent.has_score ? nlohmann::ordered_json(agent.score) : nlohmann::ordered_json());
-  EngineChannel channel(options.socket);
+  OnRefusal({});
   channel.Send(serve::FrameKind::kText, nlohmann::ordered_json{{"message", "match"}, {"scores", scores}}.dump());
   // Sends the queued data before this process ends.
   constexpr int kToSend_ms = 100;
@@ -639,7 +646,7 @@ class SteppedReplay final : public SteppedEngine {
   std::optional<ReplayEngine> engine_;
 };
 
-/// Null if the engine cannot begin; the error was printed.
+/// Null if the engine cannot begin; the page was sent the error.
 template <typename Engine>
 std::unique_ptr<SteppedEngine> Begun(const EngineOptions& options) {
   auto engine = std::make_unique<Engine>(options);

@@ -38,7 +38,7 @@ int Engine(const EngineOptions& options);
 /// exist at a time.
 class SteppedEngine {
  public:
-  /// Returns null if it cannot begin; the error was printed on standard error.
+  /// Returns null if it cannot begin; the page was sent the error.
   static std::unique_ptr<SteppedEngine> Make(const EngineOptions& options);
   virtual ~SteppedEngine() = default;
 

@@ -101,7 +101,7 @@ std::vector<std::string> PartsOf(const std::string& path) {
 extern "C" {
 
 /// Ends the current run and begins another. Returns an error as JSON, with `error` and `hint`, or null. If the run
-/// cannot begin because of an error in its files, the error was printed on standard error, and `error` is empty.
+/// cannot begin because of an error in its files, the page was sent the error as a frame, and `error` is empty.
 EMSCRIPTEN_KEEPALIVE char* soarbox_open(const char* what) {
   const Result<app::EngineOptions> options = OptionsFor(what);
   if (!options)

@@ -50,7 +50,7 @@ class FakeEngine {
     _soarbox_open: (what) => {
       const name = this.texts.get(what);
       if (name === "scenario:broken") {
-        this.settings?.printErr("field.toml:1: error: there is no such body");
+        this.settings?.soarboxFrame?.("e", bytesOf("there is no such body"));
         return this.text('{"error":"","hint":""}');
       }
       if (name !== "scenario:field") return this.text('{"error":"there is nothing","hint":"look"}');

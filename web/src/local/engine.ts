@@ -54,6 +54,7 @@ const KEPT_WITHIN_MS = 5000;
 /** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
 /** The files that grading uses, and the file that records passed lessons. */
+const ENDED = "The run has ended.";
 const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
 
 function withTexts<T>(engine: EngineModule, texts: readonly string[], call: (addresses: number[]) => T): T {
@@ -80,7 +81,7 @@ export class EngineWorker {
   private callsNow: number[] = [];
   private callsNext: number[] = [];
   private keepError = "";
-  private words: string[] = [];
+  private reason = ENDED;
   private what = "";
 
   constructor(private readonly around: Surroundings) {}
@@ -116,13 +117,12 @@ export class EngineWorker {
         soarboxFrame: (kind, bytes) => {
           // The engine does not know the name by which the world was opened.
           if (kind === "h") this.say({ kind: "begun", what: this.what });
-          this.say({ kind: "frame", frame: kind, bytes });
+          if (kind === "e") this.reason = new TextDecoder().decode(bytes);
+          else this.say({ kind: "frame", frame: kind, bytes });
         },
         ...(loaded === null ? {} : { soarboxGrade: (lesson, from) => this.say({ kind: "grade", engine: loaded, lesson, from, files: this.filesOfLearner() }), soarboxStopGrading: () => this.say({ kind: "stop-grading" }) }),
         print: () => undefined,
-        printErr: (line) => {
-          this.words = [...this.words.slice(-40), line];
-        },
+        printErr: () => undefined,
       });
       const isFound = keep && (await this.findKept());
       this.isKept = isFound && mayStore;
@@ -199,7 +199,7 @@ export class EngineWorker {
 
   private open(what: string, id?: number): void {
     const before = this.what;
-    this.words = [];
+    this.reason = ENDED;
     this.what = what;
     const told = withTexts(this.engine, [what], ([address]) => this.engine._soarbox_open(address!));
     if (told !== 0) {
@@ -230,8 +230,7 @@ export class EngineWorker {
 
   private end(): void {
     this.isRunning = false;
-    const line = this.words.filter((one) => one.includes("error: ")).at(-1);
-    this.say({ kind: "ended", text: line === undefined ? "The run has ended." : line.slice(line.indexOf("error: ") + 7) });
+    this.say({ kind: "ended", text: this.reason });
     this.keepSoon();
   }
 
