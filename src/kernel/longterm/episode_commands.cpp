@@ -147,7 +147,7 @@ std::vector<std::pair<EpisodeNode, Symbol>> EpisodeCommands::Recall(GoalLevel le
     const auto [found, is_new] = known.try_emplace(node);
     if (is_new) {
       // An identifier gets the first letter of the attribute that refers to it, but never the letter of states.
-      char letter = terms_.kind(attribute) == SymbolKind::kString && !terms_.Text(attribute).empty()
+      char letter = terms_.kind(attribute) == TermKind::kString && !terms_.Text(attribute).empty()
                         ? terms_.Text(attribute)[0]
                         : 'I';
       if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');

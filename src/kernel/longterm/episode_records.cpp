@@ -11,11 +11,11 @@ enum class ConstantKind : std::uint8_t { kText = 1, kInteger, kFloat };
 
 void WriteConstant(ByteWriter& out, const EpisodeTerms& terms, EpisodeTerm term) {
   switch (terms.kind(term)) {
-    case SymbolKind::kInteger:
+    case TermKind::kInteger:
       out.Byte(static_cast<std::uint8_t>(ConstantKind::kInteger));
       out.Fixed64(static_cast<std::uint64_t>(terms.Integer(term)));
       break;
-    case SymbolKind::kFloat:
+    case TermKind::kFloat:
       out.Byte(static_cast<std::uint8_t>(ConstantKind::kFloat));
       out.Double(terms.Float(term));
       break;

@@ -108,15 +108,11 @@ std::string WhyFound(const Knowledge& knowledge, const Activations& activations,
 std::string WhyNotFound(const Knowledge& knowledge, const WorkingMemory& memory, const SymbolTable& symbols, Symbol cue,
                         bool prohibited_fits) {
   if (prohibited_fits) return "all that fit are prohibited";
-  const auto term = [&](Symbol constant) {
-    if (constant.IsString()) return knowledge.terms().FindString(symbols.Text(constant));
-    if (constant.IsInteger()) return knowledge.terms().FindInteger(symbols.IntegerValue(constant));
-    return knowledge.terms().FindFloat(symbols.FloatValue(constant));
-  };
   for (const WmeId element : memory.WmesOf(cue)) {
     const Wme& wme = memory.wme(element);
     if (!wme.attribute.IsConstant() || wme.value.IsIdentifier()) continue;
-    const StoreTerm attribute = term(wme.attribute), value = term(wme.value);
+    const Terms& terms = knowledge.terms();
+    const StoreTerm attribute = FindTerm(terms, symbols, wme.attribute), value = FindTerm(terms, symbols, wme.value);
     const std::uint32_t list = attribute && value ? knowledge.FindList(attribute, value) : Knowledge::kNowhere;
     if (list != Knowledge::kNowhere && !knowledge.ListAt(list).empty()) continue;
     return "no known object has ^" + ToString(symbols, wme.attribute, true) + " " + ToString(symbols, wme.value, true);

@@ -317,7 +317,7 @@ Symbol SemanticMemory::Retrieve(GoalLevel level, std::uint32_t root) {
           name = AttributeOf(attribute);
         }
         if (!edge.value.IsObject()) {
-          retrieval.contents.push_back({parent, name, SymbolOf(edge.value)});
+          retrieval.contents.push_back({parent, name, SymbolOf(knowledge_->terms(), uses_.symbols, edge.value)});
           continue;
         }
         Retrieval::Made& held = made_of(edge.value.index());

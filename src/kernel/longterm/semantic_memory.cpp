@@ -303,38 +303,15 @@ std::size_t SemanticMemory::MemoryBytes() const {
 // Terms and symbols ---------------------------------------------------------------------------------------------------
 
 StoreTerm SemanticMemory::TermOf(Symbol constant) {
-  if (const StoreTerm known = FindTerm(constant)) return known;
-  Terms& terms = Writable().terms();
-  const SymbolTable& symbols = uses_.symbols;
-  if (constant.IsString()) return terms.String(symbols.Text(constant));
-  if (constant.IsInteger()) return terms.Integer(symbols.IntegerValue(constant));
-  return terms.Float(symbols.FloatValue(constant));
+  const StoreTerm known = FindTerm(constant);
+  return known ? known : AddTerm(Writable().terms(), uses_.symbols, constant);
 }
 
 StoreTerm SemanticMemory::FindTerm(Symbol symbol) const {
-  const Terms& terms = knowledge_->terms();
-  const SymbolTable& symbols = uses_.symbols;
-  if (symbol.IsString()) return terms.FindString(symbols.Text(symbol));
-  if (symbol.IsInteger()) return terms.FindInteger(symbols.IntegerValue(symbol));
-  if (symbol.IsFloat()) return terms.FindFloat(symbols.FloatValue(symbol));
+  if (symbol.IsConstant()) return kernel::FindTerm(knowledge_->terms(), uses_.symbols, symbol);
   const Lti number = uses_.memory.long_term_identifiers()[symbol.index()];
   const std::uint32_t object = number == 0 ? Knowledge::kNowhere : knowledge_->Find(number);
   return object == Knowledge::kNowhere ? StoreTerm() : StoreTerm::Object(object);
-}
-
-Symbol SemanticMemory::SymbolOf(StoreTerm constant) {
-  const Terms& terms = knowledge_->terms();
-  switch (constant.kind()) {
-    case TermKind::kString:
-      return uses_.symbols.String(terms.Text(constant));
-    case TermKind::kInteger:
-      return uses_.symbols.Integer(terms.IntegerValue(constant));
-    case TermKind::kFloat:
-      return uses_.symbols.Float(terms.FloatValue(constant));
-    case TermKind::kObject:
-      break;
-  }
-  return {};
 }
 
 StoreTerm SemanticMemory::FindAttribute(Symbol attribute) {
@@ -346,7 +323,7 @@ StoreTerm SemanticMemory::FindAttribute(Symbol attribute) {
 
 Symbol SemanticMemory::AttributeOf(StoreTerm attribute) {
   if (const Symbol known = attributes_.SymbolOf(attribute)) return known;
-  const Symbol made = SymbolOf(attribute);
+  const Symbol made = SymbolOf(knowledge_->terms(), uses_.symbols, attribute);
   attributes_.Note(attribute, made);
   return made;
 }

@@ -184,7 +184,6 @@ class SemanticMemory final : public Module {
   Symbol Retrieve(GoalLevel level, std::uint32_t object);
   StoreTerm TermOf(Symbol constant);
   StoreTerm FindTerm(Symbol symbol) const;
-  Symbol SymbolOf(StoreTerm constant);
   StoreTerm FindAttribute(Symbol attribute);
   Symbol AttributeOf(StoreTerm attribute);
   void Touch(std::uint32_t object, bool advance = true);

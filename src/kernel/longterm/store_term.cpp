@@ -47,6 +47,32 @@ StoreTerm Terms::Float(double value) {
   return StoreTerm(TermKind::kFloat, place->second);
 }
 
+StoreTerm AddTerm(Terms& terms, const SymbolTable& symbols, Symbol constant) {
+  if (constant.IsString()) return terms.String(symbols.Text(constant));
+  if (constant.IsInteger()) return terms.Integer(symbols.IntegerValue(constant));
+  return terms.Float(symbols.FloatValue(constant));
+}
+
+StoreTerm FindTerm(const Terms& terms, const SymbolTable& symbols, Symbol constant) {
+  if (constant.IsString()) return terms.FindString(symbols.Text(constant));
+  if (constant.IsInteger()) return terms.FindInteger(symbols.IntegerValue(constant));
+  return terms.FindFloat(symbols.FloatValue(constant));
+}
+
+Symbol SymbolOf(const Terms& terms, SymbolTable& symbols, StoreTerm constant) {
+  switch (constant.kind()) {
+    case TermKind::kString:
+      return symbols.String(terms.Text(constant));
+    case TermKind::kInteger:
+      return symbols.Integer(terms.IntegerValue(constant));
+    case TermKind::kFloat:
+      return symbols.Float(terms.FloatValue(constant));
+    case TermKind::kObject:
+      break;
+  }
+  return {};
+}
+
 StoreTerm Terms::FindString(std::string_view text) const {
   if (const auto found = by_text_.find(text); found != by_text_.end()) {
     return StoreTerm(TermKind::kString, found->second);

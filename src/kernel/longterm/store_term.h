@@ -9,7 +9,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kernel/base/symbol.h"
+
 namespace soarbox::kernel {
+
+class SymbolTable;
 
 /// The number of a long-term identifier: 12 for @12. 0 means none.
 using Lti = std::uint64_t;
@@ -117,5 +121,12 @@ class Terms {
   std::unordered_map<std::uint64_t, std::uint32_t> by_bits_;
   std::size_t bytes_ = 0;
 };
+
+/// The term of a constant symbol; added if it is new.
+StoreTerm AddTerm(Terms& terms, const SymbolTable& symbols, Symbol constant);
+/// The term of a constant symbol, or none.
+StoreTerm FindTerm(const Terms& terms, const SymbolTable& symbols, Symbol constant);
+/// The symbol of a constant; none for an object.
+Symbol SymbolOf(const Terms& terms, SymbolTable& symbols, StoreTerm constant);
 
 }  // namespace soarbox::kernel
