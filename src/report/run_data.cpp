@@ -251,7 +251,8 @@ class RunStory {
         Add(event.time_s, event.agent, "outcome", event.news + ": " + event.text);
         break;
       case sim::EventKind::kNews:
-        Add(event.time_s, event.agent, std::holds_alternative<sim::Speech>(event.values) ? "message" : "news", event.news + " " + event.text);
+        Add(event.time_s, event.agent, std::holds_alternative<sim::Speech>(event.values) ? "message" : "news",
+            event.news + " " + event.text);
         if (event.news == "dies")
           Moment(event.time_s, 1, event.agent, event.agent + " dies, " + event.text,
                  explain::AccountLines(simulation_.Why(event.agent)));

@@ -38,7 +38,7 @@ ALLOWED = {
     "sml/client/client_memory.h WorkingMemory": 31,
     "viewer/viewer.h Viewer": 26,
     "world/physics_world.h PhysicsWorld": 34,
-    "world/ui.h Ui": 40,
+    "world/ui.h Ui": 17,
     "kernel/base/symbol_table.h SymbolTable": 28,
     "kernel/decide/module.h Module": 29,
     "kernel/longterm/episode_store.h EpisodeStore": 27,
