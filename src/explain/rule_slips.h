@@ -21,7 +21,8 @@ struct Slip {
   std::string message, hint;
   bool in_actions = false;  ///< The word comes after -->.
   Topic topic = Topic::kOther;
-  std::string meant = {};  ///< The attribute that was probably meant; may be empty.
+  std::string meant = {};   ///< The attribute that was probably meant; may be empty.
+  std::string undone = {};  ///< The rule whose additions this rule removes at once; may be empty.
 };
 
 /// The names of places of a world. If `is_known` is false, rules may use any name.
@@ -121,8 +122,9 @@ struct RuleFile {
   std::filesystem::path file;
   std::string text;
 };
-/// Returns a warning at each rule that replaces an earlier rule of the same name, in the same file or an earlier one.
-/// Also returns a warning at each rule that is ignored, because an earlier rule has the same text except for the name.
+/// Returns a warning for each rule that replaces a rule of the same name in the same file or an earlier one, and for
+/// each rule that is ignored because it has the text of an earlier one, except for its name. The warning is at the
+/// later rule. Also returns a warning for each setting, rl --set, that a later line of the same file changes.
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files);
 
 /// Returns a sentence that says how to apply an operator that no rule applies.

@@ -594,6 +594,79 @@ void FindUnmadeValues(const std::vector<RuleText>& rules, const KnownWords& know
   }
 }
 
+/// The object whose ^name a rule binds to this variable; empty if the variable is anything else in the rule.
+std::string ObjectOfName(const RuleText& rule, const std::string& variable) {
+  std::string object;
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (condition.id == variable) return {};
+    if (condition.value != variable) continue;
+    if (condition.negated || condition.attribute != "name" || condition.id == variable) return {};
+    object = condition.id;
+  }
+  const bool is_object =
+      std::ranges::any_of(rule.actions, [&](const RuleAttribute& action) { return action.id == variable; });
+  return is_object ? std::string() : object;
+}
+
+/// Whether a rule has conditions or actions on a variable as an object.
+bool IsTestedOn(const RuleText& rule, const std::string& variable) {
+  const auto is_on = [&](const RuleAttribute& each) { return each.id == variable; };
+  return std::ranges::any_of(rule.conditions, is_on) || std::ranges::any_of(rule.actions, is_on);
+}
+
+/// "(<o> ^thing <name>)" with the name of a thing, when other rules test ^operator.thing.color: a name is a word, which
+/// has no attributes.
+void FindNamesForObjects(const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  struct Given {
+    const RuleText* rule;
+    std::string id, value, object;  ///< `object` is empty if the value is not a name.
+  };
+  std::map<std::string, std::vector<Given>> given;  // By attribute: what rules give operators.
+  for (const RuleText& rule : rules) {
+    std::set<std::string> operators;
+    for (const auto* side : {&rule.conditions, &rule.actions})
+      for (const RuleAttribute& one : *side)
+        if (one.attribute == "operator") operators.insert(FirstWord(one.value));
+    for (const RuleAttribute& action : rule.actions) {
+      if (!operators.contains(action.id) || action.removes) continue;
+      const std::string value = MadeValue(action);
+      given[action.attribute].push_back({&rule, action.id, value, ObjectOfName(rule, value)});
+    }
+  }
+  if (std::ranges::any_of(given, [](const auto& each) { return !IsConstantAttribute(each.first); })) return;
+  // Here some names are objects.
+  for (const RuleText& rule : rules)
+    for (const auto& [variable, path] : rule.paths)
+      if (!path.empty() && path.back() == "name" && IsTestedOn(rule, variable)) return;
+  std::set<const RuleText*> told;
+  for (const RuleText& rule : rules) {
+    for (const RuleAttribute& condition : rule.conditions) {
+      const auto at = rule.paths.find(condition.id);
+      if (at == rule.paths.end() || condition.negated || condition.in_group) continue;
+      const Path path = FromTop(at->second);
+      if (path.size() != 2 || path[0] != "operator") continue;
+      const auto found = given.find(path[1]);
+      if (found == given.end() ||
+          std::ranges::any_of(found->second, [](const Given& one) { return one.object.empty(); }))
+        continue;
+      for (const Given& one : found->second) {
+        const std::set<std::string>& names = rule.works_on.empty() ? rule.applies : rule.works_on;
+        const bool is_its = std::ranges::any_of(one.rule->proposes, [&](const std::string& name) {
+          return names.empty() || names.contains("") || names.contains(name);
+        });
+        if (!is_its || !told.insert(one.rule).second) continue;
+        slips.push_back({one.rule->name, path[1], true,
+                         "rule " + one.rule->name + " gives its operator ^" + path[1] + " " + one.value +
+                             ", a name, and rule " + rule.name + " tests ^" + condition.attribute +
+                             " below it: a name has no attributes",
+                         "give the object itself: (" + one.id + " ^" + path[1] + " " +
+                             (IsMadeUpVariable(one.object) ? "<object>" : one.object) + ")",
+                         true});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Slip> FindSlipsOfLogic(const std::vector<RuleText>& rules, const KnownWords& known) {
@@ -613,6 +686,7 @@ std::vector<Slip> FindSlipsOfLogic(const std::vector<RuleText>& rules, const Kno
   FindNumbersInBars(rules, slips);
   FindAppliedElsewhere(rules, slips);
   FindUnmadeValues(rules, known, slips);
+  FindNamesForObjects(rules, slips);
   return slips;
 }
 

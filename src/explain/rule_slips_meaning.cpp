@@ -144,10 +144,23 @@ class MeaningChecker {
       const auto [first, is_new] = given.try_emplace({action.id, action.attribute}, &action);
       if (!is_new) CheckTwoValues(rule, command->second, *first->second, action);
     }
+    CheckParts(rule, commands);
     for (const auto& [id, name] : commands) {
       if (parameters.contains(id)) continue;
       vocabulary::SaidCommand said;
       said.name = name;
+      if (IsNameIn(rule, id)) {
+        const vocabulary::CommandRow& row = *vocabulary::FindCommand(name);
+        const std::string parameter = row.place != vocabulary::TakesPlace::kNo ? "waypoint"
+                                      : !row.parameters.empty() ? std::string(row.parameters.front().name)
+                                                                : std::string();
+        Tell(rule, name, true,
+             "rule " + rule.name + " gives ^" + name + " the value " + id +
+                 ", a name: a command is a new object, with its parameters below it",
+             "(<out> ^" + name + " <command>)" +
+                 (parameter.empty() ? "" : " (<command> ^" + parameter + " " + id + ")"));
+        continue;
+      }
       if (const vocabulary::CommandFault fault = vocabulary::CheckCommand(said); !fault.ok())
         Tell(rule, name, true, "rule " + rule.name + ": " + fault.text,
              "give it below the command: (" + id + " ^... ...)");
@@ -207,6 +220,61 @@ class MeaningChecker {
   }
 
  private:
+  /// Two commands at once for the same part of the body: the second interrupts the first.
+  void CheckParts(const RuleText& rule, const std::map<std::string, std::string>& commands) {
+    std::map<vocabulary::BodyPart, std::string> first;
+    // In the order of the rule's text, not of the variables.
+    for (const RuleAttribute& action : rule.actions) {
+      const auto command = commands.find(FirstWord(action.value));
+      if (command == commands.end() || command->second != action.attribute || action.removes) continue;
+      const vocabulary::BodyPart part = vocabulary::FindCommand(action.attribute)->part;
+      if (part != vocabulary::BodyPart::kLegs && part != vocabulary::BodyPart::kHead &&
+          part != vocabulary::BodyPart::kHands)
+        continue;
+      const auto [other, is_new] = first.try_emplace(part, action.attribute);
+      if (is_new) continue;
+      Tell(rule, action.attribute, true,
+           "rule " + rule.name + " gives " + other->second + " and " + action.attribute +
+               " at once, and both need the " + std::string(vocabulary::NameOf(part)) +
+               ": one of them interrupts the other",
+           "give one of them; the other can follow when it is complete");
+    }
+  }
+
+  /// Whether a variable of a rule is a name: the ^name of something, or an attribute of the selected operator that
+  /// every rule that proposes it binds to a name.
+  bool IsNameIn(const RuleText& rule, const std::string& variable) const {
+    bool is_name = false;
+    for (const RuleAttribute& condition : rule.conditions) {
+      if (condition.id == variable) return false;
+      if (condition.value != variable || condition.negated) continue;
+      if (condition.attribute == "name") {
+        is_name = true;
+        continue;
+      }
+      const auto path = rule.paths.find(condition.id);
+      if (path == rule.paths.end() || path->second != std::vector<std::string>{"operator"}) return false;
+      for (const RuleText& other : rules_) {
+        for (const RuleAttribute& action : other.actions) {
+          const std::string given = FirstWord(action.value);
+          if (action.attribute != condition.attribute || !IsVariable(given)) continue;
+          if (other.proposes.empty() || !IsBoundToName(other, given)) return false;
+          is_name = true;
+        }
+      }
+    }
+    return is_name;
+  }
+  static bool IsBoundToName(const RuleText& rule, const std::string& variable) {
+    return std::ranges::any_of(rule.conditions,
+                               [&](const RuleAttribute& condition) {
+                                 return condition.value == variable && condition.attribute == "name" &&
+                                        !condition.negated;
+                               }) &&
+           std::ranges::none_of(rule.conditions,
+                                [&](const RuleAttribute& condition) { return condition.id == variable; });
+  }
+
   /// A condition on a candidate with a name that no operator has.
   void CheckCompared(const RuleText& rule, const std::set<std::string>& proposed) {
     for (const RuleAttribute& candidate : rule.conditions) {
@@ -498,8 +566,10 @@ std::vector<Slip> FindSlipsOfMeaning(const std::vector<RuleText>& rules, const K
     if (known.own_world) break;
     checker.CheckConditions(rule);
     checker.CheckAnswers(rule);
+    const std::size_t before = checker.slips.size();
     checker.CheckMade(rule);
     checker.CheckSaid(rule);
+    for (std::size_t i = before; i < checker.slips.size(); ++i) checker.slips[i].in_actions = true;
   }
   if (known.complete) checker.CheckOperators();
   return std::move(checker.slips);

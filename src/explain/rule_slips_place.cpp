@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -107,6 +108,37 @@ Diagnostic WarningAt(const RuleFile& file, std::size_t at, const std::string& ru
   return warning;
 }
 
+/// Lines "rl --set NAME VALUE" whose setting a later line of the same file changes before the agent runs.
+void FindRepeatedSettings(const RuleFile& file, std::vector<Diagnostic>& warnings) {
+  struct Setting {
+    std::size_t at;
+    std::string value;
+  };
+  std::map<std::string, Setting> known;
+  for (std::size_t line = 0; line < file.text.size();
+       line = std::min(file.text.find('\n', line), file.text.size()) + 1) {
+    if (std::string_view("rdsi").find(file.text[line]) == kNotThere) continue;  // Not one of the commands below.
+    std::istringstream words(file.text.substr(line, std::min(file.text.find('\n', line), file.text.size()) - line));
+    std::string command, option, name, value;
+    words >> command >> option >> name >> value;
+    // The setting may have been used.
+    if (command == "run" || command == "d" || command == "step" || command == "init-soar") known.clear();
+    if (command != "rl" || (option != "--set" && option != "-s") || value.empty()) continue;
+    const auto [earlier, is_new] = known.try_emplace(name, line, value);
+    if (is_new) continue;
+    if (earlier->second.value != value) {
+      const int number = PlaceAt(file.text, line).line;
+      Diagnostic warning = WarningAt(file, earlier->second.at, {},
+                                     "this sets " + name + " to " + earlier->second.value + ", and line " +
+                                         std::to_string(number) + " sets it to " + value + ": only the last one counts",
+                                     "change line " + std::to_string(number) + ", or remove it");
+      warning.excerpt_length = static_cast<int>(warning.excerpt.size());
+      warnings.push_back(std::move(warning));
+    }
+    earlier->second = {line, value};
+  }
+}
+
 }  // namespace
 
 std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
@@ -115,6 +147,7 @@ std::vector<Diagnostic> FindDuplicates(const std::vector<RuleFile>& files) {
   std::map<std::string, std::string> bodies;  // The first rule with this text.
   std::vector<Diagnostic> warnings;
   for (const RuleFile& file : files) {
+    FindRepeatedSettings(file, warnings);
     const std::vector<std::size_t> names = NamesOfRules(file.text);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::size_t at = names[i];

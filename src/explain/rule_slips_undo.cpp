@@ -30,14 +30,18 @@ bool ApplyTheSame(const RuleText& one, const RuleText& other) {
   return std::ranges::any_of(one.applies, [&](const std::string& name) { return other.applies.contains(name); });
 }
 
-/// The attributes and constants of its operator that a rule tests, other than the name: "switch on".
+/// The attributes and constants of its operator that a rule tests: "switch on". Of the name, only tests such as <>
+/// wait, because RuleText::applies contains its constants.
 std::set<std::string> OperatorTests(const RuleText& rule) {
   std::set<std::string> operators, tests;
   for (const RuleAttribute& condition : rule.conditions)
     if (condition.attribute == "operator" && condition.on_state) operators.insert(FirstWord(condition.value));
-  for (const RuleAttribute& condition : rule.conditions)
-    if (operators.contains(condition.id) && condition.attribute != "name" && !IsVariable(condition.value))
-      tests.insert(condition.attribute + " " + condition.value);
+  for (const RuleAttribute& condition : rule.conditions) {
+    if (!operators.contains(condition.id) || IsVariable(condition.value)) continue;
+    const bool is_words = condition.value.starts_with("<<") || condition.value.find(' ') == std::string::npos;
+    if (condition.attribute == "name" && is_words) continue;
+    tests.insert(condition.attribute + " " + condition.value);
+  }
   return tests;
 }
 
@@ -75,16 +79,34 @@ bool RemovesAnyValue(const RuleText& rule, const RuleAttribute& removal) {
   return is_tested;
 }
 
+/// "(<out> ^<name> <command> -)": whether a rule removes any command, whatever its name is.
+bool RemovesAnyCommand(const RuleText& rule, const RuleAttribute& removal) {
+  const auto at = rule.paths.find(removal.id);
+  if (!IsVariable(removal.attribute) || at == rule.paths.end() || at->second != Path{"io", "output-link"}) return false;
+  // A second condition with this variable restricts the names.
+  std::size_t uses = 0;
+  for (const RuleAttribute& condition : rule.conditions) {
+    const std::vector<std::string> used = VariablesIn(condition.attribute + " " + condition.value);
+    uses += static_cast<std::size_t>(std::ranges::count(used, removal.attribute));
+  }
+  return uses == 1;
+}
+
 /// "^last <new>" and "^last <old> -" when the same operator applies both: the second removes what the first has added.
 void FindRemovedAdditions(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
   if (rule.applies.empty() || IsElaboration(rule)) return;
   for (const RuleAttribute& removal : rule.actions) {
-    const Path place = removal.removes ? PlaceOf(rule.paths, removal) : Path();
-    if (place.empty() || removal.attribute == "operator" || !RemovesAnyValue(rule, removal)) continue;
+    if (!removal.removes || removal.attribute == "operator") continue;
+    const Path place = PlaceOf(rule.paths, removal);
+    const bool is_any = place.empty() && RemovesAnyCommand(rule, removal);
+    if ((place.empty() && !is_any) || !RemovesAnyValue(rule, removal)) continue;
+    const auto is_there = [&](const Path& made) {
+      return is_any ? made.size() == 3 && made[0] == "io" && made[1] == "output-link" : made == place;
+    };
     // A rule that also adds a value replaces the old one, for example by one that is greater by 1.
     const PathMap own = MadePaths(rule);
     const bool replaces = std::ranges::any_of(
-        rule.actions, [&](const RuleAttribute& action) { return !action.removes && PlaceOf(own, action) == place; });
+        rule.actions, [&](const RuleAttribute& action) { return !action.removes && is_there(PlaceOf(own, action)); });
     if (replaces) continue;
     for (const RuleText& other : rules) {
       if (other.name == rule.name || IsElaboration(other) || !ApplyTheSame(rule, other)) continue;
@@ -92,20 +114,22 @@ void FindRemovedAdditions(const RuleText& rule, const std::vector<RuleText>& rul
       if (!std::ranges::includes(OperatorTests(other), OperatorTests(rule))) continue;
       const PathMap made = MadePaths(other);
       const auto adds = std::ranges::find_if(other.actions, [&](const RuleAttribute& action) {
-        return !action.removes && PlaceOf(made, action) == place;
+        return !action.removes && is_there(PlaceOf(made, action));
       });
       if (adds == other.actions.end()) continue;
-      const bool is_command = place.size() == 3 && place[0] == "io" && place[1] == "output-link";
+      const bool is_command = is_any || (place.size() == 3 && place[0] == "io" && place[1] == "output-link");
       const std::string gone = FirstWord(removal.value), value = FirstWord(adds->value);
       slips.push_back({rule.name, removal.attribute, true,
-                       "rule " + rule.name + " removes every ^" + removal.attribute +
-                           " while its operator is selected, also the one that rule " + other.name + " has just added",
+                       "rule " + rule.name + " removes every " + (is_any ? "command" : "^" + removal.attribute) +
+                           " while its operator is selected, also the " + (is_any ? "^" + adds->attribute : "one") +
+                           " that rule " + other.name + " has just added",
                        is_command
                            ? "wait until the command is answered: (" + gone + " ^status)"
                            : "remove only the old one: ^" + removal.attribute + " { " + gone + " <> " +
                                  (IsVariable(value) && value != gone ? value : "<new>") +
                                  " }, with the new value bound by the operator; or test what must have happened before",
                        true});
+      slips.back().undone = other.name;
       return;
     }
   }

@@ -69,6 +69,28 @@ TEST(SlipsOfUndoing, ACommandThatIsRemovedAtOnce) {
               IsEmpty());
 }
 
+TEST(SlipsOfUndoing, AnyCommandThatIsRemovedAtOnce) {
+  const std::string link = "(state <s> ^operator <o> ^io <i*1>)\n    (<i*1> ^output-link <out>)";
+  const std::string give =
+      Rule("give", link + "\n    (<o> ^name go)", "(<out> ^move <m*1>)\n    (<m*1> ^direction north)");
+  EXPECT_THAT(Undoing(give + Rule("tidy", link + "\n    (<out> ^<name> <done>)", "(<out> ^<name> <done> -)")),
+              ElementsAre(HasSubstr("rule tidy removes every command while its operator is selected, also the ^move "
+                                    "that rule give has just added")));
+  // It waits for an answer, it belongs to another operator, or something restricts the names of the commands.
+  EXPECT_THAT(Undoing(give + Rule("tidy", link + "\n    (<out> ^<name> <done>)\n    (<done> ^status)",
+                                  "(<out> ^<name> <done> -)")),
+              IsEmpty());
+  EXPECT_THAT(Undoing(give + Rule("tidy", link + "\n    (<o> ^name stop)\n    (<out> ^<name> <done>)",
+                                  "(<out> ^<name> <done> -)")),
+              IsEmpty());
+  EXPECT_THAT(Undoing(give + Rule("tidy", link + "\n    (<o> ^name <> go)\n    (<out> ^<name> <done>)",
+                                  "(<out> ^<name> <done> -)")),
+              IsEmpty());
+  EXPECT_THAT(Undoing(give + Rule("tidy", link + "\n    (<o> ^ends <name>)\n    (<out> ^<name> <done>)",
+                                  "(<out> ^<name> <done> -)")),
+              IsEmpty());
+}
+
 TEST(SlipsOfUndoing, ASumWithoutBrackets) {
   const std::string counts = "(state <s> ^operator <o> ^next <n>)\n    (<o> ^name count)";
   EXPECT_THAT(Undoing(Rule("r", counts, "(<s> ^next <n> - ^next <n> + ^next 1 +)")),

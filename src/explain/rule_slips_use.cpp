@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // Slips in the use of Soar: operators, links, values that accumulate, paths to different objects.
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "diagnostics/diagnostic.h"
 #include "explain/mind_view.h"
+#include "explain/rule_makers.h"
 #include "explain/rule_slips.h"
 #include "explain/slip_words.h"
 
@@ -52,29 +54,76 @@ void FindOperatorsThatAreWords(const RuleText& rule, std::vector<Slip>& slips) {
   }
 }
 
-/// Whether all rules that apply operators test their names, and no rule adds names to proposals of other rules.
-bool NamesMatter(const std::vector<RuleText>& rules) {
-  bool applies = false;
-  for (const RuleText& rule : rules) {
-    if (rule.applies.contains("")) return false;
-    applies |= !rule.applies.empty();
-    std::set<std::string> proposals;
-    for (const RuleAttribute& condition : rule.conditions)
-      if (condition.attribute == "operator") proposals.insert(FirstWord(condition.value));
-    for (const RuleAttribute& action : rule.actions)
-      if (action.attribute == "name" && proposals.contains(action.id)) return false;
+/// The names of the operators in a set of rules, and whether their names matter.
+class OperatorNames {
+ public:
+  explicit OperatorNames(const std::vector<RuleText>& rules) {
+    bool applies = false;
+    for (const RuleText& rule : rules) {
+      if ((rule.applies.contains("") && DoesSomething(rule)) || rule.works_on.contains("")) is_any_applied_ = true;
+      for (const auto* names : {&rule.applies, &rule.works_on}) asked_.insert(names->begin(), names->end());
+      proposed_.insert(rule.proposes.begin(), rule.proposes.end());
+      applies |= std::ranges::any_of(rule.applies, [](const std::string& name) { return !name.empty(); });
+      const std::set<std::string> states = StatesOf(rule);
+      std::set<std::string> proposals;
+      for (const RuleAttribute& condition : rule.conditions) {
+        if (condition.attribute == "operator") proposals.insert(FirstWord(condition.value));
+        const auto path = rule.paths.find(condition.id);
+        const bool is_of_state =
+            states.contains(condition.id) || (path != rule.paths.end() && FromTop(path->second).empty());
+        is_state_named_ |= condition.attribute == "name" && is_of_state;
+      }
+      for (const RuleAttribute& action : rule.actions)
+        is_named_later_ |= action.attribute == "name" && proposals.contains(action.id);
+    }
+    matter_ = applies && !is_any_applied_ && !is_named_later_;
   }
-  return applies;
+
+  /// Whether all rules that apply operators test their names, and no rule adds names to proposals of other rules. Rules
+  /// that only remove something do not count.
+  bool Matter() const { return matter_; }
+  /// Whether a name on a state was meant for an operator: no rule tests such a name, and none adds it to a proposal.
+  bool AreForOperatorsOnly() const { return !is_state_named_ && !is_named_later_; }
+  /// The name that an operator without a name probably needs: one that rules ask for and that no rule proposes.
+  std::string NameFor(const RuleText& rule) const {
+    std::vector<std::string> missing;
+    std::ranges::set_difference(asked_, proposed_, std::back_inserter(missing));
+    std::erase(missing, "");
+    for (const std::string& name : missing)
+      if (rule.name.ends_with("*" + name)) return name;
+    return missing.size() == 1 ? missing.front() : "go";
+  }
+
+ private:
+  static bool DoesSomething(const RuleText& rule) {
+    return !rule.calls.empty() || std::ranges::any_of(rule.actions, [](const RuleAttribute& action) {
+      return !IsRemoval(action) && action.attribute != "operator";
+    });
+  }
+
+  std::set<std::string> asked_, proposed_;
+  bool is_any_applied_ = false, is_named_later_ = false, is_state_named_ = false, matter_ = false;
+};
+
+/// The name that a rule gives its state, as an action; null if it gives none.
+const RuleAttribute* NameOfState(const RuleText& rule) {
+  const std::set<std::string> states = StatesOf(rule);
+  const auto at = std::ranges::find_if(rule.actions, [&](const RuleAttribute& action) {
+    return action.attribute == "name" && states.contains(action.id) && !IsRemoval(action) &&
+           !ConstantOf(action.value).empty();
+  });
+  return at == rule.actions.end() ? nullptr : &*at;
 }
 
-void FindNamelessOperators(const RuleText& rule, bool names_matter, std::vector<Slip>& slips) {
+void FindNamelessOperators(const RuleText& rule, const OperatorNames& operators, std::vector<Slip>& slips) {
   std::set<std::string> bound;
   for (const RuleAttribute& condition : rule.conditions)
     for (std::string& variable : VariablesIn(condition.value)) bound.insert(std::move(variable));
+  std::set<std::string> told;
   for (const RuleAttribute& proposal : rule.actions) {
     const std::string id = FirstWord(proposal.value);
     if (proposal.attribute != "operator" || proposal.value.find('+') == std::string::npos) continue;
-    if (!IsVariable(id) || bound.contains(id)) continue;
+    if (!IsVariable(id) || bound.contains(id) || !told.insert(id).second) continue;
     std::vector<std::string> names;
     bool may_have_name = false;
     for (const RuleAttribute& action : rule.actions) {
@@ -82,17 +131,62 @@ void FindNamelessOperators(const RuleText& rule, bool names_matter, std::vector<
       may_have_name |= action.attribute == "name" || IsVariable(action.attribute);
       if (action.attribute == "name" && !ConstantOf(action.value).empty()) names.push_back(ConstantOf(action.value));
     }
+    const RuleAttribute* const of_state =
+        !may_have_name && operators.AreForOperatorsOnly() ? NameOfState(rule) : nullptr;
     if (names.size() > 1 && names[0] != names[1]) {
       slips.push_back({rule.name, names[1], false,
                        "rule " + rule.name + " gives its operator two names, " + names[0] + " and " + names[1],
                        "write them as one word: " + names[0] + "-" + names[1], true});
-    } else if (names_matter && !may_have_name) {
+    } else if (of_state != nullptr) {
+      const std::string name = ConstantOf(of_state->value);
+      slips.push_back({rule.name, "name", true,
+                       "rule " + rule.name + " gives the ^name " + name + " to its state " + of_state->id +
+                           ", and its operator " + id + " has no name",
+                       "write the attributes of the operator on the operator: (" + id + " ^name " + name + ")", true});
+    } else if (operators.Matter() && !may_have_name) {
       slips.push_back({rule.name, "operator", true,
                        "rule " + rule.name +
                            " proposes an operator without a ^name, and the rules that apply "
                            "operators ask for names",
-                       "give it one: (" + id + " ^name go)", true});
+                       "give it one: (" + id + " ^name " + operators.NameFor(rule) + ")", true});
     }
+  }
+}
+
+/// "(state <s> ^impasse tie ^item <o>) --> (<s> ^operator <o> >)": a preference in the substate for an operator that is
+/// a candidate only in the state above.
+void FindPreferencesBelow(const RuleText& rule, const std::vector<RuleText>& rules, std::vector<Slip>& slips) {
+  const auto items_of = [](const RuleText& one) {
+    std::map<std::string, std::string> items;  // By variable: their substate.
+    const std::set<std::string> states = StatesOf(one);
+    for (const RuleAttribute& condition : one.conditions)
+      if (condition.attribute == "item" && states.contains(condition.id) && !condition.negated &&
+          IsVariable(condition.value))
+        items[condition.value] = condition.id;
+    return items;
+  };
+  const std::map<std::string, std::string> items = items_of(rule);
+  for (const RuleAttribute& action : rule.actions) {
+    const std::string id = FirstWord(action.value);
+    const auto item = items.find(id);
+    if (action.attribute != "operator" || item == items.end() || item->second != action.id) continue;
+    // Rules may propose the candidates again in the substate.
+    const bool is_proposed = std::ranges::any_of(rules, [&](const RuleText& other) {
+      const std::map<std::string, std::string> its = items_of(other);
+      return std::ranges::any_of(other.actions, [&](const RuleAttribute& each) {
+        return each.attribute == "operator" && each.value.find(" +") != std::string::npos &&
+               its.contains(FirstWord(each.value));
+      });
+    });
+    if (is_proposed) return;
+    const std::string sign = action.value.size() > id.size() ? action.value.substr(id.size()) : " +";
+    slips.push_back({rule.name, "operator", true,
+                     "rule " + rule.name + " gives " + id + " a preference in the substate " + action.id +
+                         ", but it is a candidate of the state above: this decides nothing there",
+                     "bind the state above, ^superstate <above>, and give the preference there: (<above> ^operator " +
+                         id + sign + ")",
+                     true});
+    return;
   }
 }
 
@@ -428,11 +522,12 @@ std::vector<Slip> FindSlipsOfUse(const std::vector<RuleText>& rules) {
   std::set<std::string> made;
   for (const RuleText& rule : rules)
     for (const RuleAttribute& action : rule.actions) made.insert(action.attribute);
-  const bool names_matter = NamesMatter(rules);
+  const OperatorNames operators(rules);
   std::vector<Slip> slips;
   for (const RuleText& rule : rules) {
     FindOperatorsThatAreWords(rule, slips);
-    FindNamelessOperators(rule, names_matter, slips);
+    FindNamelessOperators(rule, operators, slips);
+    FindPreferencesBelow(rule, rules, slips);
     FindSecondLinks(rule, slips);
     FindHeaps(rule, slips);
     FindAnsweredCommands(rule, slips);

@@ -267,4 +267,16 @@ std::vector<RuleText> ReadRules(std::string_view text) {
   return rules;
 }
 
+bool ProposesWithoutName(const RuleText& rule) {
+  return std::ranges::any_of(rule.actions, [&](const RuleAttribute& proposal) {
+    const std::string id = FirstWord(proposal.value);
+    return proposal.attribute == "operator" && proposal.value.find('+') != std::string::npos && IsVariable(id) &&
+           std::ranges::none_of(rule.conditions,
+                                [&](const RuleAttribute& condition) { return FirstWord(condition.value) == id; }) &&
+           std::ranges::none_of(rule.actions, [&](const RuleAttribute& action) {
+             return action.id == id && (action.attribute == "name" || !IsConstantAttribute(action.attribute));
+           });
+  });
+}
+
 }  // namespace soarbox::explain

@@ -78,6 +78,8 @@ bool IsMadeUpVariable(std::string_view variable);
 /// own state.
 bool IsElaboration(const RuleText& rule);
 bool IsConstantAttribute(std::string_view attribute);
+/// Whether the rule proposes a new operator to which it gives no ^name.
+bool ProposesWithoutName(const RuleText& rule);
 /// Attributes that the architecture, its memories and the world create: "superstate", "retrieved", "status", ...
 bool IsArchitectureAttribute(std::string_view attribute);
 /// Whether a rule tests a recalled object. Memories may contain attributes that no rule and no percept makes.
