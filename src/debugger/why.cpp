@@ -136,6 +136,18 @@ std::string CommandText(const CommandRow& command) {
   return text + ": " + command.status + (command.reason.empty() ? "" : " " + command.reason);
 }
 
+/// The last command of an agent if it has this name and the world refused it or could not carry it out. It may be gone
+/// from the output link.
+std::optional<WhyNode> FailedCommand(const sim::Simulation& simulation, std::string_view agent, std::string_view name) {
+  std::optional<WhyNode> root = simulation.Why(agent, false);
+  if (!root) return std::nullopt;
+  for (WhyNode& node : root->below)
+    if (node.kind == WhyKind::kCommand && node.link == name &&
+        node.text.find(": " + std::string(name) + " failed: ") != std::string::npos)
+      return std::move(node);
+  return std::nullopt;
+}
+
 }  // namespace
 
 WhyNode WhyElement(explain::Inspector& mind, std::uint64_t timetag) {
@@ -182,8 +194,15 @@ std::optional<WhyNode> WhyCommand(explain::Inspector& mind, std::string_view com
 
 Result<WhyNode> WhyName(sim::Simulation& simulation, std::string_view agent, std::string_view name) {
   if (const std::unique_ptr<explain::Inspector> mind = simulation.Inspect(agent)) {
-    if (std::optional<WhyNode> command = WhyCommand(*mind, name)) return *std::move(command);
-    if (std::optional<WhyNode> op = WhyOperator(*mind, name)) return *std::move(op);
+    std::optional<WhyNode> failed = FailedCommand(simulation, agent, name);
+    std::optional<WhyNode> command = WhyCommand(*mind, name), op = WhyOperator(*mind, name);
+    if (failed) {
+      // The command may have the name of its operator.
+      if (op) failed->below.push_back(*std::move(op));
+      return *std::move(failed);
+    }
+    if (command) return *std::move(command);
+    if (op) return *std::move(op);
     if (std::optional<WhyNode> learned = WhyLearned(*mind, name)) return *std::move(learned);
   }
   Result<std::vector<WhyNode>> reasons = simulation.WhyTopic(agent, std::string(name));

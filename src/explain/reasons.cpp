@@ -88,10 +88,20 @@ std::string WhoTestsClock(const std::vector<RuleText>& rules, const std::string&
   return other == nullptr ? std::string() : Say(Situation::kOthersTestClock, {{"rule", other->name}});
 }
 
+/// The part of a path that begins at ^io.input-link: rules may reach the link of the top state through ^superstate or
+/// an element of their own, such as ^top. Empty if the path does not lead through the link.
+std::vector<std::string> FromLink(const std::vector<std::string>& path) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    if (path[i] == "io" && path[i + 1] == "input-link")
+      return {path.begin() + static_cast<std::ptrdiff_t>(i), path.end()};
+  return {};
+}
+
 /// The percept at this path from the state; null if there is none.
-const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& path) {
+const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& from_state) {
+  const std::vector<std::string> path = FromLink(from_state);
   constexpr std::size_t kLink = 2;  // io.input-link
-  if (path.size() <= kLink || path[0] != "io" || path[1] != "input-link") return nullptr;
+  if (path.size() <= kLink) return nullptr;
   std::string dotted;
   for (std::size_t i = kLink; i < path.size(); ++i) dotted += (i == kLink ? "" : ".") + path[i];
   for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
@@ -104,6 +114,42 @@ std::set<std::string> AttributesOf(Inspector& inspector, const std::string& id) 
   std::set<std::string> attributes;
   for (const ElementFact& element : inspector.ElementsOf(id)) attributes.insert(element.attribute);
   return attributes;
+}
+
+/// Percepts of the same object whose names begin with that of an absent one: "^io.input-link.radar-status is off" for
+/// ^io.input-link.radar. Empty if there are none.
+std::string RelatedPercepts(MindView& view, Inspector& inspector, const std::string& state,
+                            const std::vector<std::string>& path) {
+  constexpr std::size_t kLink = 2;  // io.input-link
+  const std::vector<std::string> on_link = FromLink(path);
+  if (on_link.size() <= kLink) return {};
+  const std::vector<std::string> above(path.begin(), path.end() - 1);
+  std::string dotted, text;
+  for (const std::string& step : above) dotted += (dotted.empty() ? "^" : ".") + step;
+  for (const std::string& object : view.ValuesAt(state, above)) {
+    if (!IsIdentifier(object)) continue;
+    for (const ElementFact& element : inspector.ElementsOf(object))
+      if (element.attribute.starts_with(path.back() + "-") && !element.is_object)
+        text += (text.empty() ? "" : ", ") + dotted + "." + element.attribute + " is " + WithoutZeros(element.value);
+  }
+  return text;
+}
+
+/// For a condition whose path ends in objects although it tests a word: the attribute below these objects that has the
+/// word. "^content" for ^my-location.<direction> normalfood; empty if none has it.
+std::string AttributeWithWord(MindView& view, Inspector& inspector, const std::string& state,
+                              const ConditionText& condition) {
+  for (const std::string& object : view.ValuesAt(state, condition.path)) {
+    if (!IsIdentifier(object)) continue;
+    for (const ElementFact& element : inspector.ElementsOf(object)) {
+      if (element.is_object || element.value.empty()) continue;
+      // The test is a word, or a list of words: << normalfood bonusfood >>.
+      const std::string words = " " + condition.value + " ";
+      const bool is_test = words.find_first_of("<>") == std::string::npos || words.find("<<") != std::string::npos;
+      if (is_test && words.find(" " + element.value + " ") != std::string::npos) return element.attribute;
+    }
+  }
+  return {};
 }
 
 /// For an element that a condition requires and that is absent from this state: the attributes that its object has
@@ -334,7 +380,9 @@ std::string MindReasons::ExplainSelected(const RuleText& rule, const ConditionTe
   if (selected == nullptr) return Say(Situation::kNoOperatorSelected, {{"state", states.front()}}) + who_proposes;
   if (asks_for_name && selected->about != condition.value)
     return Say(Situation::kOtherOperator,
-               {{"state", states.front()}, {"op", selected->about + " (" + selected->id + ")"}}) +
+               {{"state", states.front()},
+                {"op", selected->about.empty() ? selected->id + ", which has no name"
+                                               : selected->about + " (" + selected->id + ")"}}) +
            who_proposes;
   return {};
 }
@@ -344,7 +392,7 @@ RuleWait::Found MindReasons::ExplainAbsence(const RuleText& rule, const Conditio
   using enum RuleWait::Kind;
   const std::string& attribute = condition.path.back();
   const std::vector<std::string> path = FromTop(condition.path);
-  const bool is_percept = !path.empty() && path.front() == "io";
+  const bool is_percept = (!path.empty() && path.front() == "io") || !FromLink(condition.path).empty();
   const bool is_own = !condition.path.empty() && condition.path.front() != "superstate" &&
                       !IsArchitectureAttribute(condition.path.front());
   if (is_own) {
@@ -384,6 +432,9 @@ RuleWait::Found MindReasons::ExplainAbsence(const RuleText& rule, const Conditio
   }
   if (const vocabulary::PerceptRow* row = RowAt(condition.path))
     return {Say(Situation::kNoneNowPercept, {{"meaning", row->meaning}})};
+  if (const std::string related = RelatedPercepts(view_, *MakeInspector(agent_), StateOf(rule), condition.path);
+      !related.empty())
+    return {Say(Situation::kNoneNow) + "; " + related};
   const auto none_now = [&]() -> RuleWait::Found {
     RuleWait::Found found = WhatIsThere(view_, *MakeInspector(agent_), StateOf(rule), condition);
     found.text = Say(Situation::kNoneNow) + found.text;
@@ -488,6 +539,12 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
   if (match.is_group || first.negated) {
     std::string excluded;
     for (ConditionText each : conditions) {
+      // A condition that only leads to the object of another one is part of its path.
+      const bool is_way = each.value.empty() && std::ranges::any_of(conditions, [&](const ConditionText& other) {
+                            return other.path.size() > each.path.size() &&
+                                   std::equal(each.path.begin(), each.path.end(), other.path.begin());
+                          });
+      if (is_way) continue;
       each.negated = false;
       excluded += (excluded.empty() ? "" : " with ") + each.Text();
     }
@@ -542,6 +599,9 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
                         .found = {above}};
     }
   }
+  if (const std::string below = AttributeWithWord(view_, *MakeInspector(agent_), StateOf(rule), first);
+      shown.empty() && !below.empty())
+    return waits({"it is an object, and ^" + below + " below it has this word"});
   if (shown.empty())
     return waits(
         {others == 1 ? Say(Situation::kOneDoesNotFit) : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}),
@@ -549,6 +609,8 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
   // The value exists, but for another object, for example for another waypoint than the one of the earlier conditions.
   if (std::find(shown.begin(), shown.end(), first.value) != shown.end())
     return waits({Say(Situation::kElsewhere), kElsewhere});
+  if (const std::string below = AttributeWithWord(view_, *MakeInspector(agent_), StateOf(rule), first); !below.empty())
+    return waits({"it is an object, and ^" + below + " below it has this word"});
   std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
   const bool is_word = !words.empty() && RowAt(first.path) != nullptr &&
@@ -637,10 +699,14 @@ std::vector<Reason> MindReasons::WhyNotApplied(const StackEntry& selected, const
                   {{"op", shown}, {"state", state}, {"rule", pending->name}, {"count", std::to_string(firings)}})
             : Say(Situation::kNotFiredYet, {{"op", shown}, {"state", state}, {"rule", pending->name}}));
   } else if (applied_by != nullptr) {
-    reasons.push_back(
-        {Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}) +
-             WhoTestsClock(rules(), name),
-         Reason::Kind::kStalled});
+    for (const Slip& slip : FindSlipsOfUndoing(rules()))
+      if (says && slip.undone == applied_by->name)
+        reasons.emplace_back(slip.message + ": " + slip.hint, Reason::Kind::kStalled, slip.rule);
+    if (reasons.empty())
+      reasons.push_back(
+          {Say(says ? Situation::kApplied : Situation::kAppliedSilently, {{"op", shown}, {"rule", applied_by->name}}) +
+               WhoTestsClock(rules(), name),
+           Reason::Kind::kStalled});
   } else if (!candidates.empty()) {
     reasons.push_back(Say(Situation::kNoApplierMatches, op));
     for (Reason& near : Nearest(candidates, known)) reasons.push_back(std::move(near));

@@ -120,7 +120,12 @@ void MindReasons::TellOperator(const std::string& name, int depth, Told& told, s
   if (proposers.empty())
     node.below.push_back({failed.empty() ? "no rule proposes it" : "no rule that loaded proposes it"});
   if (!failed.empty()) node.below.push_back({failed});
-  for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) TellRule(*proposers[i], depth + 1, told, node.below);
+  for (std::size_t i = 0; i < proposers.size() && i < 5; ++i) {
+    const std::size_t before = node.below.size();
+    TellRule(*proposers[i], depth + 1, told, node.below);
+    if (node.below.size() > before && !node.below.back().wait && ProposesWithoutName(*proposers[i]))
+      node.below.back().text += ", but the operator that it proposes has no ^name";
+  }
 }
 
 void MindReasons::TellCommand(const std::string& command, Told& told, std::vector<WhyNode>& into) {

@@ -96,7 +96,12 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     add(std::move(halted));
   } else if (!at->last_said || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
-    for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes())) idle.below.push_back({std::move(reason.text)});
+    if (at->last_failed) idle.below.push_back({"its last command " + at->last_answer});
+    for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes())) {
+      // An operator whose command failed stays selected. Its proposal is not the cause.
+      const bool is_result = at->last_failed && reason.kind == explain::Reason::Kind::kStalled && reason.rule.empty();
+      if (!is_result) idle.below.push_back({std::move(reason.text)});
+    }
   }
   if (at->settings.has_distance) add("perceives ^distance " + std::to_string(at->distance_squared_m2));
   if (actor != nullptr) {

@@ -113,6 +113,43 @@ sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^w
         self.assertIn("its last command wandr failed: unknown-command", gaps[0]["reasons"][0])
         self.assertIn("operator go has been applied (rule hero*apply) and stays selected", gaps[0]["reasons"][1])
 
+    def test_why_says_that_a_command_was_refused_and_does_not_blame_the_proposal(self):
+        self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name flee)}
+sp {hero*apply (state <s> ^operator.name flee ^io.output-link <out>) --> (<out> ^flee <c>) (<c> ^from wolf)}""")
+        why = Run("why", self.folder, "--agent", "hero", "--at", 2, code=0).out
+        self.assertIn("its last command flee failed: ", why)
+        self.assertNotIn("let the proposal test", why)
+        # The operator has the name of the command.
+        topic = Run("why", self.folder, "flee", "--agent", "hero", "--at", 2, code=0).out
+        self.assertRegex(topic, r"command flee .*: flee failed: ")
+        self.assertIn("flee (O1) was selected", topic)
+
+    def test_name_the_rule_that_removes_each_command_at_once(self):
+        reasons = self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
+sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^wander <c>)}
+sp {hero*tidy (state <s> ^operator <o> ^io.output-link <out>) (<out> ^<name> <c>) --> (<out> ^<name> <c> -)}""")[0]["reasons"]
+        self.assertRegex(reasons[0], r"^rule hero\*tidy removes every command while its operator is selected, also the \^wander that rule hero\*apply")
+
+    def test_say_that_a_selected_operator_has_no_name(self):
+        self.gap("""
+sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^to gate)}
+sp {hero*apply (state <s> ^operator.name go ^io.output-link <out>) --> (<out> ^stop <c>)}""")
+        why = Run("why", self.folder, "hero*apply", "--agent", "hero", "--at", 2, code=0).out
+        self.assertIn("but the operator selected in S1 is O1, which has no name", why)
+        self.assertIn("hero*propose: all its conditions hold now, but the operator that it proposes has no ^name", why)
+
+    def test_name_percepts_that_belong_to_an_absent_one(self):
+        # While the radar is off, there is no ^radar.
+        rules = self.write("tank.soar", """
+sp {tank*propose*fire (state <s> ^io.input-link.radar.tank) --> (<s> ^operator <o> +) (<o> ^name fire)}
+sp {tank*apply*fire (state <s> ^operator.name fire ^io.output-link <out>) --> (<out> ^fire.weapon missile)}""")
+        recording = self.folder / "run.soarrec"
+        Run("run", "tanksoar", "--headless", "--seconds", 2, "--rules", f"tank={rules}", "--record", recording)
+        why = Run("why", recording, "fire", "--agent", "tank", "--at", 2, code=0).out
+        self.assertIn("^io.input-link.radar-status is off", why)
+
     def test_name_the_operator_that_a_rule_applies_under_another_name(self):
         reasons = self.gap("""
 sp {hero*propose (state <s> ^superstate nil ^io.input-link.self) --> (<s> ^operator <o> +) (<o> ^name go)}
