@@ -85,23 +85,28 @@ class TextPrinter : public EventPrinter {
       return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
     };
     PrintFindings(footer);
-    out_ << fmt::format("soarbox: {}, {:.1f} s simulated, {} ({} of them Soar), {}, state {:016x}\n",
-                        counted(footer.ticks, "tick"), footer.time_s, counted(footer.agents, "agent"),
-                        footer.soar_agents, counted(footer.problems, "problem"), footer.state_hash);
+    out_ << fmt::format(
+        "soarbox: {}, {:.1f} s simulated, {} ({} of them Soar), {}, state {:016x}\n", counted(footer.ticks, "tick"),
+        footer.time_s, counted(footer.agents, "agent"), footer.soar_agents,
+        // After a list of what went wrong, "0 problems" would contradict it.
+        counted(footer.problems, footer.problems == 0 && IsWrong(footer) ? "error" : "problem"), footer.state_hash);
     out_.flush();
   }
 
  private:
+  /// An agent may have nothing to do, for example after a fight. Such findings alone are not called wrong.
+  static bool IsWrong(const RunFooter& footer) {
+    return footer.problems > 0 || std::ranges::any_of(footer.findings, [](const sim::Finding& finding) {
+             return finding.cause <= sim::Cause::kRefused;
+           });
+  }
+
   void PrintFindings(const RunFooter& footer) {
     constexpr std::size_t kMost = 5;
     const std::vector<sim::Finding>& findings = footer.findings;
     if (findings.empty()) return;
-    // An agent may have nothing to do, for example after a fight. Such findings alone are not called wrong.
-    const bool is_wrong = footer.problems > 0 || std::ranges::any_of(findings, [](const sim::Finding& finding) {
-                            return finding.cause <= sim::Cause::kRefused;
-                          });
-    out_ << (is_wrong ? "soarbox: what went wrong, the cause first:\n"
-                      : "soarbox: when agents had nothing to do, and why:\n");
+    out_ << (IsWrong(footer) ? "soarbox: what went wrong, the cause first:\n"
+                             : "soarbox: when agents had nothing to do, and why:\n");
     for (std::size_t i = 0; i < findings.size() && i < kMost; ++i)
       out_ << fmt::format("  {}. {}\n", i + 1, Printable(findings[i].text, "", findings[i].text.size()));
     if (findings.size() > kMost) out_ << fmt::format("  and {} more\n", findings.size() - kMost);

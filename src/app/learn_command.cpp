@@ -68,7 +68,9 @@ class Learner {
       std::cout << '\n';
     }
     if (!options_.json)
-      std::cout << '\n' << command_ << "N begins a lesson, " << command_ << "next begins the first that is not done\n";
+      std::cout << '\n'
+                << command_ << "N" << WithFolder() << " begins a lesson, " << command_ << "next" << WithFolder()
+                << " begins the first that is not done\n";
     return kOk;
   }
 
@@ -95,8 +97,8 @@ class Learner {
     const std::string number = std::to_string(&lesson - lessons_.data() + 1);
     std::cout << "Lesson " << number << ". " << lesson.title << "\n\n"
               << lesson.idea << "\n\nTask: " << lesson.task << "\nEdit:  " << (folder / lesson.rules).string()
-              << "\nSee:   soarbox run " << folder.string() << "\nGrade: " << command_ << "check " << number
-              << "\nStuck: " << command_ << "hint " << number << "\n";
+              << "\nSee:   soarbox run " << Quoted(folder) << "\nGrade: " << command_ << "check " << number
+              << WithFolder() << "\nStuck: " << command_ << "hint " << number << WithFolder() << "\n";
     if (!lesson.panel.empty()) {
       std::cout << "Look:  the panel " << lesson.panel;
       for (std::size_t i = 0; i < lesson.also.size(); ++i) std::cout << (i == 0 ? "; also " : ", ") << lesson.also[i];
@@ -125,7 +127,8 @@ class Learner {
     const fs::path folder = FolderOf(lesson);
     std::error_code error;
     if (!fs::exists(folder / lesson.rules, error))
-      return Refuse("this lesson has not begun", command_ + lesson.name + " puts its files there", folder.string());
+      return Refuse("this lesson has not begun", command_ + lesson.name + WithFolder() + " puts its files there",
+                    folder.string());
     if (lesson.own) {
       // A learner's own world is graded by the errors that its checks detect.
       const OwnWorldGrade graded = GradeOwnWorld(*lesson.own, folder, data_, ShowProgress());
@@ -181,7 +184,7 @@ class Learner {
     if (!grade.findings.empty()) std::cout << grade.findings.front().text << "\n\n";
     if (run.outcome == "ok") PrintChecks(lesson, run);
     std::cout << grade.outcome.passed << " of " << seeds << " seeds passed; this was seed " << run.seed
-              << ": soarbox run " << FolderOf(lesson).string() << " --seed " << run.seed << '\n';
+              << ": soarbox run " << Quoted(FolderOf(lesson)) << " --seed " << run.seed << '\n';
     const std::size_t count = std::min(grade.findings.size(), kMostFindings);
     if (count > 1) std::cout << "\nThis was found, too:\n";
     for (std::size_t i = 1; i < count; ++i) std::cout << "- " << grade.findings[i].text << '\n';
@@ -322,6 +325,14 @@ class Learner {
       tell(lesson, "wrong", "there are only " + std::to_string(wrong.size()) + " wrong answers");
   }
 
+  /// A path as a word of a command line.
+  static std::string Quoted(const fs::path& path) {
+    const std::string text = path.string();
+    return text.find_first_of(" '\"\\$&;()") == std::string::npos ? text : "\"" + text + "\"";
+  }
+  /// The option that commands need in addition if the learner's files are not in the default folder: " --folder X".
+  std::string WithFolder() const { return options_.folder.empty() ? "" : " --folder " + Quoted(options_.folder); }
+
   const LearnOptions& options_;
   const sim::DataFolders& data_;
   std::string command_;  ///< "soarbox learn " or, for a course, "soarbox learn COURSE ".
@@ -354,7 +365,11 @@ int Learn(const LearnOptions& options) {
   if (words.empty()) {
     const int listed = learner.List();
     if (!options.json && course.empty())
-      for (const std::string& other : courses) std::cout << "soarbox learn " << other << " lists another course\n";
+      for (const std::string& other : courses) {
+        const std::string about = AboutCourse(from / other);
+        std::cout << "soarbox learn " << other << " lists another course" << (about.empty() ? "" : ": " + about)
+                  << '\n';
+      }
     return listed;
   }
   const std::string& first = words.front();
@@ -365,10 +380,15 @@ int Learn(const LearnOptions& options) {
   const std::string which = is_verb ? (words.size() > 1 ? words[1] : "next") : first;
   const Lesson* lesson = learner.Find(which);
   if (lesson == nullptr) {
-    const std::string_view near = course.empty() ? Suggest(which, {courses.begin(), courses.end()}) : "";
+    std::vector<std::string_view> known = {"check", "hint", "reset", "test", "next"};
+    if (course.empty()) known.insert(known.end(), courses.begin(), courses.end());
+    // "learn chek 1": a word of the command. "learn check eater": only a number can be meant.
+    std::string near(is_verb ? std::string_view() : Suggest(which, known));
+    if (!near.empty() && !course.empty()) near.insert(0, course + " ");
+    if (!near.empty() && words.size() > 1) near += " " + words[1];
     return Refuse("there is no lesson '" + which + "'",
                   near.empty() ? "soarbox learn " + (course.empty() ? "" : course + " ") + "lists them"
-                               : "did you mean soarbox learn " + std::string(near) + "?");
+                               : "did you mean soarbox learn " + near + "?");
   }
   if (is_test) return learner.Test(lesson);
   if (first == "check") return learner.Check(*lesson);

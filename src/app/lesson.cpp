@@ -72,6 +72,7 @@ struct LearnersRules {
   std::vector<explain::RuleText> own;
   std::set<std::string> proposed;  ///< Operators that any rule of the file proposes.
   bool proposes_own = false;       ///< A rule that the learner wrote proposes an operator.
+  bool proposes_nameless = false;  ///< A rule that the learner wrote proposes an operator without a ^name.
 
   LearnersRules(const Lesson& lesson, const fs::path& file) : all(RulesOf(ReadText(file).value_or(""))) {
     for (const auto& [name, text] : RulesOf(ReadText(lesson.folder / lesson.rules).value_or(""))) {
@@ -82,6 +83,7 @@ struct LearnersRules {
     for (const explain::RuleText& rule : own) proposed.insert(rule.proposes.begin(), rule.proposes.end());
     std::erase_if(own, [&](const explain::RuleText& rule) { return given.contains(rule.name); });
     proposes_own = std::ranges::any_of(own, [](const explain::RuleText& rule) { return !rule.proposes.empty(); });
+    proposes_nameless = std::ranges::any_of(own, explain::ProposesWithoutName);
   }
 
   /// True if a rule that the learner wrote matches the pattern.
@@ -104,7 +106,18 @@ struct LearnersRules {
   }
 };
 
-/// Returns the lessons in the course.toml of a folder, as paths relative to the folder.
+/// Returns the folders of lessons directly below a folder, by name.
+std::vector<fs::path> LessonsBelow(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (fs::is_regular_file(it->path() / "lesson.toml", error)) folders.push_back(it->path());
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+/// Returns the lessons in the course.toml of a folder, as paths relative to the folder; if it lists none, those below
+/// the folder.
 std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnostic>& problems) {
   std::vector<fs::path> folders;
   const fs::path file = folder / "course.toml";
@@ -112,8 +125,9 @@ std::vector<fs::path> CourseLessons(const fs::path& folder, std::vector<Diagnost
   sim::TableReader reader(file.string(), "docs/teach.md", problems);
   try {
     const toml::table root = toml::parse(ReadText(file).value_or(""));
-    reader.CheckKeys(root, "a course", {"lessons"});
+    reader.CheckKeys(root, "a course", {"lessons", "about"});
     const toml::array* lessons = root["lessons"].as_array();
+    if (!root.contains("lessons") && root.contains("about")) return LessonsBelow(folder);
     if (lessons == nullptr) reader.Problem(root, "this course lists no lessons", kHint);
     for (std::size_t i = 0; lessons != nullptr && i < lessons->size(); ++i) {
       const toml::node& node = (*lessons)[i];
@@ -177,8 +191,8 @@ mission::Cause CauseOf(const mission::Check& mistake) {
   return is_absence ? mission::Cause::kMissing : mission::Cause::kHappened;
 }
 
-/// True if the mistake says that an operator was never selected, but the learner's rules propose only operators with
-/// other names, and no check requires that operator's name. Then another name is not a mistake.
+/// True if the mistake says that an operator was never selected, but the learner gave the operator no name, or another
+/// one, and no check requires this name. Then the operator may have been selected.
 bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake, const LearnersRules& written) {
   const auto asks_for = [](const mission::Check& check, const std::string& name) {
     return std::ranges::any_of(check.conditions, [&](const mission::Condition& condition) {
@@ -186,7 +200,12 @@ bool HasOtherName(const mission::Mission& mission, const mission::Check& mistake
              std::ranges::find(condition.words, name) != condition.words.end();
     });
   };
-  if (mistake.mode != mission::Mode::kNever || !written.proposes_own || written.proposed.contains("")) return false;
+  if (mistake.mode != mission::Mode::kNever || !written.proposes_own) return false;
+  const bool is_about_operator = std::ranges::any_of(mistake.conditions, [](const mission::Condition& condition) {
+    return condition.row->key == mission::Key::kOperator;
+  });
+  if (is_about_operator && written.proposes_nameless) return true;
+  if (written.proposed.contains("")) return false;
   for (const mission::Condition& condition : mistake.conditions) {
     if (condition.row->key != mission::Key::kOperator) continue;
     return std::ranges::none_of(condition.words, [&](const std::string& name) {
@@ -266,6 +285,11 @@ void Explain(const mission::LoadedMission& loaded, const Lesson& lesson, const L
          "The lesson has no hint for this mistake. Look at the first check that failed: which rule should make it "
          "come true, and when does this rule fire?"});
   sim::RankByCause(findings);
+  // Rules that only waited for their operator are a consequence if something before that is known.
+  if (findings.front().cause <= Cause::kHappened)
+    std::erase_if(findings, [](const sim::Finding& finding) {
+      return finding.cause == Cause::kWaiting && finding.topic == Topic::kUnfired;
+    });
 }
 
 }  // namespace
@@ -275,16 +299,18 @@ fs::path ShippedLessons(const sim::DataFolders& data) {
 }
 
 std::vector<fs::path> LessonFolders(const fs::path& folder) {
-  std::vector<fs::path> folders;
   std::error_code error;
-  if (fs::is_regular_file(folder / "course.toml", error)) {
-    std::vector<Diagnostic> problems;  // ReadLessons reports them.
-    return CourseLessons(folder, problems);
+  if (!fs::is_regular_file(folder / "course.toml", error)) return LessonsBelow(folder);
+  std::vector<Diagnostic> problems;  // ReadLessons reports them.
+  return CourseLessons(folder, problems);
+}
+
+std::string AboutCourse(const fs::path& folder) {
+  try {
+    return toml::parse(ReadText(folder / "course.toml").value_or(""))["about"].value_or(std::string());
+  } catch (const toml::parse_error&) {
+    return {};  // ReadLessons reports it.
   }
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (fs::is_regular_file(it->path() / "lesson.toml", error)) folders.push_back(it->path());
-  std::sort(folders.begin(), folders.end());
-  return folders;
 }
 
 std::vector<std::string> CoursesIn(const fs::path& folder) {

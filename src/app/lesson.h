@@ -36,8 +36,10 @@ std::optional<Lesson> ReadLesson(const std::filesystem::path& folder, const sim:
                                  std::vector<Diagnostic>& problems);
 /// Returns the folder of the program's own lessons.
 std::filesystem::path ShippedLessons(const sim::DataFolders& data);
-/// Returns the folders of lessons below a folder, by name; if it has a course.toml, those that it lists, in its order.
+/// Returns the folders of lessons below a folder, by name; if its course.toml lists lessons, these, in its order.
 std::vector<std::filesystem::path> LessonFolders(const std::filesystem::path& folder);
+/// Returns what a course is about: `about` of its course.toml; empty if it does not say it.
+std::string AboutCourse(const std::filesystem::path& folder);
 /// Returns further courses below a folder of lessons, by name: folders that contain lessons and are none themselves.
 std::vector<std::string> CoursesIn(const std::filesystem::path& folder);
 /// Returns the folder of the lesson to which the learner's files in `folder` belong: `folder` itself if it contains a

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "explain/inspector.h"
+#include "explain/rule_text.h"
 #include "mission/check_sentences.h"
 #include "sim/simulation.h"
 #include "wording/sentences.h"
@@ -31,7 +32,25 @@ std::string NeverFired(const RuleWatch::Waiting& waiting) {
   return text;
 }
 
-/// The cause that an unfired rule is ranked as. `is_torn`: operators were tied, so that none was applied.
+/// Whether rules of the author that have fired are for a tie, a conflict or a constraint failure that the agent is in:
+/// they test ^impasse with its kind.
+bool HasAnswer(sim::Simulation& simulation, const AccountSettings& settings, const std::string& agent) {
+  const auto inspector = simulation.Inspect(agent);
+  if (inspector == nullptr) return false;
+  std::set<std::string> impasses;
+  for (const explain::StateFact& state : inspector->Stack())
+    if (state.impasse != "no-change" && state.impasse != "none") impasses.insert(state.impasse);
+  for (const explain::RuleFact& fact : inspector->Rules()) {
+    if (!settings.IsAbout(fact.file) || settings.given.contains(fact.name) || fact.firings == 0) continue;
+    for (const explain::RuleText& rule : explain::ReadRules(inspector->RuleSource(fact.name)))
+      for (const explain::RuleAttribute& condition : rule.conditions)
+        if (condition.attribute == "impasse" && impasses.contains(condition.value)) return true;
+  }
+  return false;
+}
+
+/// The cause that an unfired rule is ranked as. `is_torn`: operators were tied, so that none was applied, and no rule
+/// of the author is for this impasse.
 Cause CauseOf(const RuleWatch::Waiting& waiting, bool is_torn) {
   const explain::RuleWait& why = waiting.why;
   // A rule that waits for another kind of impasse may be the cause only if the agent stays in its impasse. Otherwise
@@ -122,8 +141,11 @@ std::vector<sim::Finding> Account::Finish(double failed_s) {
         (idle == nullptr || each.tick < idle->tick))
       idle = &each;
   // Tied operators are not applied, so unfired rules are a consequence of the tie.
-  const bool is_torn = idle != nullptr && std::ranges::find(idle->reasons, explain::Reason::Kind::kTorn,
-                                                            &explain::Reason::kind) != idle->reasons.end();
+  const bool is_stuck = idle != nullptr && std::ranges::find(idle->reasons, explain::Reason::Kind::kTorn,
+                                                             &explain::Reason::kind) != idle->reasons.end();
+  const bool is_torn = is_stuck && std::ranges::none_of(agents, [&](const std::string& agent) {
+                         return HasAnswer(simulation_, settings_, agent);
+                       });
   for (std::size_t i = 0; i < waiting.size() && i < kMostRules; ++i)
     found.push_back({.cause = CauseOf(waiting[i], is_torn),
                      .text = NeverFired(waiting[i]),

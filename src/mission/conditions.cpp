@@ -139,6 +139,8 @@ Finding LookForEvents(const Condition& condition, const AgentFacts* agent, const
     }
     found.detail = "it was " + event.word;
     if (is_impasse) found.detail += " impasse";
+    if (event.key == Key::kCommand && event.status.empty())
+      for (const auto& [name, value] : event.with) found.detail.append(" ^").append(name).append(" ").append(value);
     if (!event.reason.empty()) found.detail += ": " + event.reason;
   }
   found.holds = found.times > 0;

@@ -461,7 +461,10 @@ void Minds::TellOutcome(Mind& mind, const Outcome& outcome, bool is_news) {
   event.agent = world_.FindAgent(mind.agent)->name();
   event.news = outcome.command;
   event.text = (is_error ? "error " + outcome.reason : "complete") + text;
-  if (is_error && vocabulary::IsFaultOfForm(outcome.reason) && !outcome.text.empty())
+  // Worlds with commands of their own name the parameter: no-such-direction.
+  const bool is_fault_of_form =
+      vocabulary::IsFaultOfForm(outcome.reason) || (mind.by_sandbox && outcome.reason.starts_with("no-such-"));
+  if (is_error && is_fault_of_form && !outcome.text.empty())
     event.reasons.push_back({outcome.brief.empty() ? outcome.text : outcome.brief, explain::Reason::Kind::kRefused});
   event.position = world_.FindAgent(mind.agent)->Position();
   report_(std::move(event));

@@ -69,9 +69,24 @@ class Lessons(MissionCase):
         self.assertRegex(run.out, r"\Aporter\.soar:\d+:\d+: error: ")
         self.assertNotIn(str(self.folder), run.out)
 
-    def test_a_course_that_is_nearly_named_is_suggested(self):
-        run = Run("learn", "eater", code=3)
-        self.assertIn("did you mean soarbox learn eaters?", run.err + run.out)
+    def test_a_course_or_a_word_that_is_nearly_named_is_suggested(self):
+        for words, meant in ((["eater"], "eaters"), (["eater", "1"], "eaters 1"), (["chek", "1"], "check 1"),
+                             (["tanks", "hnt", "2"], "tanks hint 2")):
+            run = Run("learn", *words, code=3)
+            self.assertIn(f"did you mean soarbox learn {meant}?", run.err + run.out)
+
+    def test_the_commands_that_it_prints_name_the_folder(self):
+        mine = self.folder / "my lessons"
+        begun = Run("learn", "1", "--headless", "--folder", mine, code=0).out
+        self.assertIn(f'Grade: soarbox learn check 1 --folder "{mine}"\n', begun)
+        self.assertIn(f'Stuck: soarbox learn hint 1 --folder "{mine}"\n', begun)
+        refused = Run("learn", "check", "2", "--folder", mine, code=3)
+        self.assertIn(f'soarbox learn 02-operators --folder "{mine}" puts its files there', refused.out + refused.err)
+
+    def test_the_list_says_what_other_courses_are_about(self):
+        listed = Run("learn", code=0).out
+        for course in ("eaters", "guide", "tanks"):
+            self.assertRegex(listed, rf"soarbox learn {course} lists another course: \w")
 
     def test_rules_without_end_end_their_seeds_and_are_the_headline(self):
         mine = self.folder / "mine"

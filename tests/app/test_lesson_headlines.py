@@ -46,6 +46,7 @@ ANSWERS = [
     (13, "value > 0.9", "value < 0.9", r"At 1\.6 s the mouse is where the cat sees it\. The value is the share that is hidden"),
     (13, "(<s> ^hidden <place>)", "(<s> ^hidden <x>)",
      r"At 0\.1 s the world refused move-to of mouse: \^waypoint of move-to is an object, not its name"),
+    (14, "^operator <o> -)", "^operator <o> =)", r"The conflict was never answered"),
     ("eaters 3", "^x <x> ^y <y>", "^name <y>", r"It moved at 0\.0 s, and never again\. Your proposal still matches as it did before"),
     ("eaters 3", "^status complete", "^status completed", r"rule eater\*apply\*move-north\*clear never fired: .*\.status completed"),
     ("eaters 3", "^move.direction", "^move.directon", r"rule eater\*apply\*move-north\*clear never fired: .*\.status complete, but it is error"),
