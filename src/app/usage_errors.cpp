@@ -99,6 +99,17 @@ Diagnostic UnknownArgument(const CLI::App& program, const CLI::App& command, con
   }
   const std::string option = argument.substr(0, argument.find('='));
   problem.message = name + " has no option " + option;
+  if (option == "--rules" && (command.get_name() == "why" || command.get_name() == "inspect")) {
+    problem.hint =
+        "record a run with these rules, and ask about the recording: soarbox run SCENARIO --rules "
+        "AGENT=FILE --record run.soarrec; " +
+        name + " run.soarrec";
+    return problem;
+  }
+  if (option == "--rules" && command.get_name() == "check") {
+    problem.hint = "name the file of rules itself: soarbox check FILE";
+    return problem;
+  }
   const std::vector<std::string> mine = OptionNamesOf(command);
   if (const std::string near = NearestOf(option, mine); !near.empty()) {
     problem.hint = "did you mean " + near + "?";

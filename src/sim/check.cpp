@@ -21,6 +21,7 @@
 #include "script/check_names.h"
 #include "script/check_syntax.h"
 #include "script/lua_hints.h"
+#include "sim/game_rules.h"
 #include "sim/live_edits.h"
 #include "sim/scenario_file.h"
 #include "sim/soar_host.h"
@@ -419,7 +420,10 @@ class Checker {
       for (Diagnostic& warning : explain::FindOddCharacters(file))
         if (loaded.contains(warning.rule)) told.push_back(std::move(warning));
     }
-    for (const explain::Slip& slip : explain::FindSlips(rules, WordsFor(root, complete))) {
+    explain::KnownWords words = WordsFor(root, complete);
+    // A file without a scenario may be for a game of the program, such as TankSoar.
+    if (ScenarioFolderOf(root).empty() && AreForGame(rules, library)) words.own_world = true;
+    for (const explain::Slip& slip : explain::FindSlips(rules, words)) {
       const auto file = file_of.find(slip.rule);
       if (file != file_of.end())
         program.slips.push_back(Keyed(explain::PlaceSlip(slip, file->second->file, file->second->text)));

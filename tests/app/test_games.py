@@ -314,6 +314,16 @@ sp {tanksoar*apply*turn
             self.assertNotEqual(refused.code, 0, refused.out)
             self.assertIn(told, refused.err)
 
+    def test_rules_for_a_game_can_be_checked_alone(self):
+        scenarios = pathlib.Path(__file__).resolve().parents[2] / "scenarios"
+        for scenario, rules in (("tanksoar", "hunter.soar"), ("eaters", "wanderer.soar")):
+            alone = self.write(rules, (scenarios / scenario / rules).read_text(encoding="utf-8"))
+            self.assertIn("0 errors, 0 warnings", Run("check", alone, code=0).out)
+        # No game has this command.
+        text = (scenarios / "tanksoar" / "hunter.soar").read_text(encoding="utf-8")
+        alone = self.write("hunter.soar", text.replace("rotate", "rotat"))
+        self.assertIn("^rotat, a command that does not exist", Run("check", alone).out)
+
     def test_a_script_that_is_not_there_is_told(self):
         self.write("scenario.toml", 'script = "Bord.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\n')
         run = Run("run", self.folder, "--headless", "--seconds", 1)

@@ -38,6 +38,11 @@ class Usage(ScenarioCase):
         self.assertIn("soarbox run --headless", self.refused("--headless", "run", "thesis"))
         self.assertIn("soarbox run has it", self.refused("check", "x", "--screenshot", "y"))
 
+    def test_says_how_to_ask_about_a_run_with_other_rules(self):
+        for command in ("why", "inspect"):
+            told = self.refused(command, "soar_seek", "--rules", "seeker=mine.soar")
+            self.assertIn("soarbox run SCENARIO --rules AGENT=FILE --record run.soarrec; soarbox " + command + " run.soarrec", told)
+
     def test_tells_each_sub_command_that_does_not_know_an_option_or_a_word(self):
         for command in SUB_COMMANDS:
             self.assertIn(f"soarbox {command} has no option --zzzzzz", self.refused(command, "--zzzzzz"))
