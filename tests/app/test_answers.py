@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-2-Clause
 """Answers that beginners might give to lessons, graded through the real command. Each was written for one
-misunderstanding, before its output was known. Those with names that begin with f, g, h or i were written by authors who had
+misunderstanding, before its output was known. Those with names that begin with f to j were written by authors who had
 not read the hints. Later, hints were added for misunderstandings that were not named, so these are no longer blind tests.
 A right answer must pass. For a wrong answer, the first sentence of `soarbox learn check` must name the misunderstanding."""
 import concurrent.futures
@@ -18,7 +18,7 @@ LESSONS = HERE.parents[1] / "lessons"
 ANSWERS = json.loads((HERE / "answers" / "answers.json").read_text(encoding="utf-8"))
 
 # Answers with a headline that names only a part of the cause, a symptom, or something else.
-HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "h10-reversed-variables.soar", "h21-food-on-state.soar"}
+HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "h10-reversed-variables.soar", "h21-food-on-state.soar", "j11-name-not-object.soar"}
 
 
 def lesson_of(answer):
