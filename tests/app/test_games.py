@@ -316,12 +316,15 @@ sp {tanksoar*apply*turn
 
     def test_rules_for_a_game_can_be_checked_alone(self):
         scenarios = pathlib.Path(__file__).resolve().parents[2] / "scenarios"
+        self.write("drive.soar", (scenarios / "tanksoar" / "drive.soar").read_text(encoding="utf-8"))
         for scenario, rules in (("tanksoar", "hunter.soar"), ("eaters", "wanderer.soar")):
             alone = self.write(rules, (scenarios / scenario / rules).read_text(encoding="utf-8"))
             self.assertIn("0 errors, 0 warnings", Run("check", alone, code=0).out)
         # No game has this command.
-        text = (scenarios / "tanksoar" / "hunter.soar").read_text(encoding="utf-8")
-        alone = self.write("hunter.soar", text.replace("rotate", "rotat"))
+        drive = (scenarios / "tanksoar" / "drive.soar").read_text(encoding="utf-8")
+        self.assertIn("rotate", drive)
+        self.write("drive.soar", drive.replace("rotate", "rotat"))
+        alone = self.folder / "hunter.soar"
         self.assertIn("^rotat, a command that does not exist", Run("check", alone).out)
 
     def test_a_script_that_is_not_there_is_told(self):
