@@ -639,6 +639,8 @@ void FindNamesForObjects(const std::vector<RuleText>& rules, std::vector<Slip>& 
     for (const auto& [variable, path] : rule.paths)
       if (!path.empty() && path.back() == "name" && IsTestedOn(rule, variable)) return;
   std::set<const RuleText*> told;
+  std::set<std::string> proposed;
+  for (const RuleText& rule : rules) proposed.insert(rule.proposes.begin(), rule.proposes.end());
   for (const RuleText& rule : rules) {
     for (const RuleAttribute& condition : rule.conditions) {
       const auto at = rule.paths.find(condition.id);
@@ -646,15 +648,25 @@ void FindNamesForObjects(const std::vector<RuleText>& rules, std::vector<Slip>& 
       const Path path = FromTop(at->second);
       if (path.size() != 2 || path[0] != "operator") continue;
       const auto found = given.find(path[1]);
-      if (found == given.end() ||
-          std::ranges::any_of(found->second, [](const Given& one) { return one.object.empty(); }))
-        continue;
+      if (found == given.end()) continue;
+      // What rules give to operators that the condition may be about. A rule that proposes none may give it to any.
+      std::set<std::string> names = rule.works_on.empty() ? rule.applies : rule.works_on;
+      // A substate is often called after the operator above.
+      if (at->second.front() == "superstate")
+        for (const RuleAttribute& name : rule.conditions)
+          if (name.on_state && name.attribute == "name" && !name.negated && proposed.contains(name.value))
+            names = {name.value};
+      std::vector<const Given*> its;
       for (const Given& one : found->second) {
-        const std::set<std::string>& names = rule.works_on.empty() ? rule.applies : rule.works_on;
-        const bool is_its = std::ranges::any_of(one.rule->proposes, [&](const std::string& name) {
-          return names.empty() || names.contains("") || names.contains(name);
-        });
-        if (!is_its || !told.insert(one.rule).second) continue;
+        const bool is_its =
+            one.rule->proposes.empty() || one.rule->proposes.contains("") || names.empty() || names.contains("") ||
+            std::ranges::any_of(one.rule->proposes, [&](const std::string& name) { return names.contains(name); });
+        if (is_its) its.push_back(&one);
+      }
+      if (std::ranges::any_of(its, [](const Given* one) { return one->object.empty(); })) continue;
+      for (const Given* each : its) {
+        const Given& one = *each;
+        if (!told.insert(one.rule).second) continue;
         slips.push_back({one.rule->name, path[1], true,
                          "rule " + one.rule->name + " gives its operator ^" + path[1] + " " + one.value +
                              ", a name, and rule " + rule.name + " tests ^" + condition.attribute +

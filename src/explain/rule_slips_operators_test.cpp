@@ -82,6 +82,15 @@ TEST(SlipsOfLogic, ANameInsteadOfTheObject) {
                                           "^lies-at below it"),
                                 HasSubstr("(<o> ^thing <t>)"))));
   EXPECT_THAT(found(right + walk), IsEmpty());
+  // Another operator has an object as its ^thing, and the state bears the name of the operator above.
+  const std::string take =
+      Rule("take", "(state <s> ^thing <t>)", "(<s> ^operator <o> +)\n    (<o> ^name take ^thing <t>)");
+  const std::string below = Rule("below",
+                                 "(state <s> ^name put ^superstate <a>)\n    (<a> ^operator <o>)\n"
+                                 "    (<o> ^thing <t>)\n    (<t> ^lies-at <place>)",
+                                 "(<s> ^operator <w> +)\n    (<w> ^name walk ^to <place>)");
+  EXPECT_THAT(found(wrong + take + below), ElementsAre(HasSubstr("rule put gives its operator ^thing <name>, a name")));
+  EXPECT_THAT(found(right + take + below), IsEmpty());
   // Nothing is tested below the name.
   EXPECT_THAT(
       found(wrong + Rule("say", "(state <s> ^operator <o>)\n    (<o> ^name put ^thing <t>)", "(<s> ^said <t>)")),

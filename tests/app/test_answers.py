@@ -18,7 +18,7 @@ LESSONS = HERE.parents[1] / "lessons"
 ANSWERS = json.loads((HERE / "answers" / "answers.json").read_text(encoding="utf-8"))
 
 # Answers with a headline that names only a part of the cause, a symptom, or something else.
-HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "h10-reversed-variables.soar", "h21-food-on-state.soar", "j11-name-not-object.soar"}
+HALF = {"7c-gds.soar", "f4b-operator-gone.soar", "h10-reversed-variables.soar", "h21-food-on-state.soar"}
 
 
 def lesson_of(answer):
