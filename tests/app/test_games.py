@@ -325,7 +325,7 @@ sp {tanksoar*apply*turn
         self.assertIn("rotate", drive)
         self.write("drive.soar", drive.replace("rotate", "rotat"))
         alone = self.folder / "hunter.soar"
-        self.assertIn("^rotat, a command that does not exist", Run("check", alone).out)
+        self.assertIn("these rules seem to be written for another world", Run("check", alone).out)
 
     def test_a_script_that_is_not_there_is_told(self):
         self.write("scenario.toml", 'script = "Bord.lua"\n[[agent]]\nname = "eater"\nby = "sandbox"\n')
