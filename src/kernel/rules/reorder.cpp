@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "kernel/rules/condition_queue.h"
 #include "kernel/rules/print_production.h"
 #include "kernel/rules/waiting_tests.h"
 
@@ -12,10 +14,7 @@ namespace soarbox::kernel {
 
 namespace {
 
-/// The cost of a condition whose identifier no earlier condition binds.
-constexpr std::int64_t kInfinite = 10000005;
-/// The factor for each unbound field.
-constexpr std::int64_t kUnboundCost = 8;
+constexpr std::int64_t kInfinite = kInfiniteCost;
 /// Maximum number of earlier complaints that a complaint about unconnected identifiers repeats.
 constexpr std::size_t kMostRepeated = 50;
 
@@ -99,8 +98,10 @@ class ListReorderer {
     conditions = {};
     if (rule_.keeps_order) {
       PlaceInOrder(conditions);
+    } else if (is_long_) {
+      PlaceByQueue(conditions);
     } else {
-      PlaceAll(conditions);
+      PlaceByScan(conditions);
     }
     if (!goal_tests_.empty()) {
       PlaceGoalTests(conditions);
@@ -118,11 +119,13 @@ class ListReorderer {
     std::int64_t cost = 0;         ///< Valid while no more of `needs` are bound.
     std::uint64_t age = 0;  ///< For positive conditions: the ages of their constants, that of the attribute first.
     Set* needs = nullptr;   ///< Its variables; for negated conditions only those bound by positive ones of this list.
+                            ///< Null in long lists.
   };
 
   void Warn(std::string text) { out_.messages.push_back({std::move(text), false, true}); }
 
-  static void AddVariable(Set& set, std::uint32_t variable) {
+  template <typename Variables>
+  static void AddVariable(Variables& set, std::uint32_t variable) {
     if (variable != kNoVariable) {
       set.Add(variable);
     }
@@ -136,7 +139,7 @@ class ListReorderer {
     }
   }
 
-  void PlaceAll(DraftList<ConditionDraft>& conditions) {
+  void PlaceByScan(DraftList<ConditionDraft>& conditions) {
     NoteNeeds();
     while (count_ != 0) {
       std::size_t at = Choose();
@@ -154,9 +157,92 @@ class ListReorderer {
     }
   }
 
+  /// Like PlaceByScan, for a long list.
+  void PlaceByQueue(DraftList<ConditionDraft>& conditions) {
+    const std::vector<std::uint32_t> needs = AllNeeds();
+    std::vector<QueuedCondition> queued(count_);
+    std::size_t begin = 0;
+    for (std::size_t n = 0; n < count_; ++n) {
+      const Waiting& waiting = *waiting_[n];
+      QueuedCondition& condition = queued[n];
+      condition.positive = waiting.positive;
+      if (waiting.positive) {
+        std::copy_n(waiting.fields, 3, condition.fields.begin());
+      }
+      condition.expected = waiting.expected;
+      condition.age = waiting.age;
+      condition.needs = std::span(needs).subspan(begin, needs_end_[n] - begin);
+      begin = needs_end_[n];
+    }
+    queue_.emplace(queued, variables_.size());
+    for (std::uint32_t variable = 0; variable < variables_.size(); ++variable) {
+      if (bound_.Has(variable)) queue_->SetBound(variable);
+      if (roots_.Has(variable)) queue_->SetRoot(variable);
+    }
+    queue_->Start(roots_wait_);
+    for (std::size_t left = count_; left != 0; --left) {
+      const ConditionQueue::Choice choice = queue_->Choose();
+      if (choice.cost >= kInfinite && left > 1) {
+        WarnOfUnconnected();
+      }
+      ConditionDraft* const chosen = waiting_[choice.at]->condition;
+      Place(*chosen);
+      if (roots_wait_ && roots_unbound_ == 0) {
+        roots_wait_ = false;
+        queue_->EndRoots();
+      }
+      conditions.Add(chosen);
+    }
+    queue_.reset();
+  }
+
+  /// The needs of all waiting conditions, concatenated. Sets needs_end_ to the end of each.
+  std::vector<std::uint32_t> AllNeeds() {
+    ListedVariables needs(variables_.size());
+    needs_end_.clear();
+    for (std::size_t n = 0; n < count_; ++n) {
+      needs.Begin();
+      const Waiting& waiting = *waiting_[n];
+      if (waiting.positive) {
+        for (const std::uint32_t field : waiting.fields) {
+          AddVariable(needs, field);
+        }
+      } else {
+        AddVariables(*waiting.condition, needs);
+        needs.KeepOnly(positive_variables_);
+      }
+      needs_end_.push_back(needs.all.size());
+    }
+    return std::move(needs.all);
+  }
+
+  /// Lists of variables; each list contains a variable once.
+  struct ListedVariables {
+    explicit ListedVariables(std::uint32_t variables) : last_in(variables) {}
+    void Begin() {
+      begin = all.size();
+      ++list;
+    }
+    void Add(std::uint32_t variable) {
+      if (last_in[variable] != list) {
+        last_in[variable] = list;
+        all.push_back(variable);
+      }
+    }
+    void KeepOnly(const Set& kept) {
+      const auto is_dropped = [&](std::uint32_t variable) { return !kept.Has(variable); };
+      all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(begin), all.end(), is_dropped), all.end());
+    }
+    std::vector<std::uint32_t> all;
+    std::vector<std::uint32_t> last_in;  ///< By variable: the last list that contains it.
+    std::size_t begin = 0;
+    std::uint32_t list = 0;
+  };
+
   /// Removes the tests that may have to move from the positive conditions, in text order.
   void Strip(const DraftList<ConditionDraft>& conditions) {
     count_ = conditions.Count();
+    is_long_ = count_ >= ConditionQueue::kFewest;
     waiting_ = arena_.NewRoom<Waiting*>(count_);
     tied_ = arena_.NewRoom<std::uint32_t>(count_);
     Waiting** next = waiting_;
@@ -164,7 +250,9 @@ class ListReorderer {
     for (ConditionDraft& condition : conditions) {
       Waiting& waiting = *new (made++) Waiting;
       waiting.condition = &condition;
-      waiting.needs = new (arena_.NewRoom<Set>(1)) Set(variables_, arena_);
+      if (!is_long_) {
+        waiting.needs = new (arena_.NewRoom<Set>(1)) Set(variables_, arena_);
+      }
       *next++ = &waiting;
       waiting.positive = condition.kind == ConditionKind::kPositive;
       if (waiting.positive) {
@@ -181,7 +269,7 @@ class ListReorderer {
         AddVariable(positive_values_, waiting.fields[2]);
         for (const std::uint32_t field : waiting.fields) {
           AddVariable(positive_variables_, field);
-          AddVariable(*waiting.needs, field);
+          if (!is_long_) AddVariable(*waiting.needs, field);
         }
       }
     }
@@ -304,14 +392,16 @@ class ListReorderer {
     }
   }
 
-  static void AddVariables(const TestDraft& test, Set& out) {
+  template <typename Variables>
+  static void AddVariables(const TestDraft& test, Variables& out) {
     AddVariable(out, test.variable);
     for (const TestDraft& part : test.parts) {
       AddVariables(part, out);
     }
   }
 
-  static void AddVariables(const ConditionDraft& condition, Set& out) {
+  template <typename Variables>
+  static void AddVariables(const ConditionDraft& condition, Variables& out) {
     AddVariables(condition.id, out);
     AddVariables(condition.attribute, out);
     AddVariables(condition.value, out);
@@ -508,6 +598,7 @@ class ListReorderer {
       bound_.Add(variable);
       fresh_.Add(variable);
       roots_unbound_ -= roots_.Has(variable) ? 1 : 0;
+      if (queue_) queue_->Bind(variable);
     }
     if (!waiting_tests_.empty()) {
       waiting_tests_.PutBack(test, bound_);
@@ -588,6 +679,9 @@ class ListReorderer {
   std::size_t count_ = 0;
   std::uint32_t* tied_ = nullptr;  ///< Scratch of Choose.
   bool warned_ = false;
+  bool is_long_ = false;  ///< A queue chooses, because there are many conditions.
+  std::optional<ConditionQueue> queue_;
+  std::vector<std::size_t> needs_end_;
 };
 
 template <typename Set>
