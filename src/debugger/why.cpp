@@ -142,9 +142,7 @@ std::optional<WhyNode> FailedCommand(const sim::Simulation& simulation, std::str
   std::optional<WhyNode> root = simulation.Why(agent, false);
   if (!root) return std::nullopt;
   for (WhyNode& node : root->below)
-    if (node.kind == WhyKind::kCommand && node.link == name &&
-        node.text.find(": " + std::string(name) + " failed: ") != std::string::npos)
-      return std::move(node);
+    if (node.failed && node.link == name) return std::move(node);
   return std::nullopt;
 }
 

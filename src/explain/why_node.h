@@ -37,6 +37,7 @@ struct WhyNode {
   std::vector<WhyNode> below = {};
   std::optional<double> time_s = std::nullopt;  ///< The moment that the step is about, if it is not the present.
   std::optional<RuleWait> wait = std::nullopt;  ///< If it is about a rule that does not match: why.
+  bool failed = false;                          ///< Of a command: the world refused it or could not carry it out.
 };
 
 /// Returns the tree as lines; each level is indented by two more blanks.

@@ -409,7 +409,7 @@ void Minds::Conclude(Mind& mind) {
     mind.last_said = mind.soar.commands().back();
     mind.last_said_s = world_.time_s();
     mind.last_answer.clear();
-    mind.last_failed = false;
+    mind.failed_command.clear();
   }
   if (!mind.is_scripted) {
     TellIdle(mind, body);
@@ -448,7 +448,7 @@ void Minds::NoteAnswer(Mind& mind, Outcome outcome, bool is_news) {
 void Minds::TellOutcome(Mind& mind, const Outcome& outcome, bool is_news) {
   const bool is_error = outcome.status == Outcome::Status::kError;
   const std::string text = outcome.text.empty() ? "" : ": " + outcome.text;
-  mind.last_failed = is_error;
+  mind.failed_command = is_error ? outcome.command : "";
   mind.last_answer = outcome.command + (is_error ? " failed: " + outcome.reason : " complete") + text;
   if (!is_error && !is_news) return;
   // The same failure of the same command is reported once; its number is reported at the end of the run.
@@ -539,7 +539,7 @@ void Minds::TellCause(Mind& mind, const world::Agent& body, std::string text) {
   event.agent = body.name();
   event.text = std::move(text);
   event.reasons = explain::MindReasons(mind.soar.agent(), FailedIn(mind.rules)).WhyIdle(KnownAttributes());
-  if (mind.last_failed)
+  if (!mind.failed_command.empty())
     event.reasons.insert(event.reasons.begin(),
                          {"its last command " + mind.last_answer, explain::Reason::Kind::kRefused});
   const std::string cause = event.reasons.empty() ? std::string() : event.reasons.front().text;

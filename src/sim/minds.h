@@ -153,8 +153,8 @@ class Minds final : public script::MindFactory {
     std::map<std::string, int> causes = {};  ///< How often each cause prevented an action; reported the first
                                              ///< time.
     std::optional<vocabulary::SaidCommand> last_said = {};
-    std::string last_answer = {};  ///< The outcome of the last command.
-    bool last_failed = false;      ///< The last outcome is an error.
+    std::string last_answer = {};     ///< The outcome of the last command.
+    std::string failed_command = {};  ///< The name of the last command, if its outcome is an error.
     double last_said_s = 0;
     DecisionClock clock = {};                       ///< If what it does is noted (MindSettings::detail).
     double decide_s = 0;                            ///< Real time that the last tick's decisions took.

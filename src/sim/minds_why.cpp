@@ -59,9 +59,11 @@ explain::WhyNode Minds::WhyCommand(Mind& mind, explain::MindReasons& reasons, bo
   const std::string& command = mind.last_said->name;
   const std::string parameters = vocabulary::Describe(mind.last_said->parameters);
   const std::string status = mind.last_answer.empty() ? StatusOf(is_dead, has_ended) : mind.last_answer;
-  return {"command " + command + (parameters.empty() ? "" : " " + parameters) + ", given at " +
-              Seconds(mind.last_said_s) + " s: " + status,
-          WhyKind::kCommand, command, reasons.CommandTree(command, TimeOf(mind))};
+  explain::WhyNode node{"command " + command + (parameters.empty() ? "" : " " + parameters) + ", given at " +
+                            Seconds(mind.last_said_s) + " s: " + status,
+                        WhyKind::kCommand, command, reasons.CommandTree(command, TimeOf(mind))};
+  node.failed = mind.failed_command == command;
+  return node;
 }
 
 std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_operators) {
@@ -96,10 +98,11 @@ std::optional<explain::WhyNode> Minds::Why(std::string_view agent, bool with_ope
     add(std::move(halted));
   } else if (!at->last_said || has_ended) {
     explain::WhyNode& idle = add("nothing is under way, because");
-    if (at->last_failed) idle.below.push_back({"its last command " + at->last_answer});
+    if (!at->failed_command.empty()) idle.below.push_back({"its last command " + at->last_answer});
     for (explain::Reason& reason : reasons.WhyIdle(KnownAttributes())) {
       // An operator whose command failed stays selected. Its proposal is not the cause.
-      const bool is_result = at->last_failed && reason.kind == explain::Reason::Kind::kStalled && reason.rule.empty();
+      const bool is_result =
+          !at->failed_command.empty() && reason.kind == explain::Reason::Kind::kStalled && reason.rule.empty();
       if (!is_result) idle.below.push_back({std::move(reason.text)});
     }
   }
