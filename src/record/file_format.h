@@ -16,8 +16,9 @@ namespace soarbox::record {
 // program is killed, the recording therefore ends a little earlier.
 
 inline constexpr std::string_view kMagic = "SOARBOX\x1a";
-/// The only version that this program reads. It is incremented when the format changes after a release.
-inline constexpr std::uint16_t kVersion = 12;
+/// The only version that this program reads. It is incremented when the format changes, so that
+/// readers of another version say so and do not report damage.
+inline constexpr std::uint16_t kVersion = 13;
 
 enum class BlockKind : std::uint16_t {
   kHeader = 1,  ///< The Header; always the first block.

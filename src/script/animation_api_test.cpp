@@ -153,6 +153,12 @@ TEST_F(ModelAnimationTest, TheWorldAdvancesWhatIsPlayed) {
   EXPECT_EQ(Run("local w = Animation.GetWeight(bend) print(w > 0.4 and w < 0.6)"), "true");
 }
 
+TEST_F(ModelAnimationTest, ArgumentsAfterAnOmittedOneCount) {
+  Run("bend = Animation.Play(arm, 'bend', nil, 2, 0)");
+  Ticks(6);
+  EXPECT_EQ(Run("print(string.format('%.2f', Animation.GetTime(bend)))"), "0.40");
+}
+
 TEST_F(ModelAnimationTest, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
   EXPECT_EQ(Run("print(pcall(Animation.Play, arm, 'bent'))"),
             "false\tbad argument #2 to 'Animation.Play' (there is no animation \"bent\" here; did you mean \"bend\"? "

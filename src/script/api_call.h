@@ -75,8 +75,9 @@ decltype(auto) ReadParameter(lua_State* state, int& index) {
       return TextArgument(state, at);
     } else {
       static_assert(kIsOptional<Type>);
+      if (lua_isnoneornil(state, at)) return Type();
       index = at;
-      return lua_isnoneornil(state, at) ? Type() : Type(ReadParameter<typename Type::value_type>(state, index));
+      return Type(ReadParameter<typename Type::value_type>(state, index));
     }
   }
 }
