@@ -124,7 +124,7 @@ void FindRepeatedSettings(const RuleFile& file, std::vector<Diagnostic>& warning
     // The setting may have been used.
     if (command == "run" || command == "d" || command == "step" || command == "init-soar") known.clear();
     if (command != "rl" || (option != "--set" && option != "-s") || value.empty()) continue;
-    const auto [earlier, is_new] = known.try_emplace(name, line, value);
+    const auto [earlier, is_new] = known.try_emplace(name, Setting{line, value});
     if (is_new) continue;
     if (earlier->second.value != value) {
       const int number = PlaceAt(file.text, line).line;
