@@ -25,14 +25,14 @@ void Callbacks::Remove(std::uint32_t number) {
 }
 
 void Callbacks::RemoveMachine(const LuaMachine& machine) {
-  std::erase_if(callbacks_, [&](auto& entry) {
-    size_ -= std::erase_if(entry.second, [&](const Callback& callback) {
+  for (auto& [number, callbacks] : callbacks_) {
+    size_ -= std::erase_if(callbacks, [&](const Callback& callback) {
       if (callback.machine != &machine) return false;
       callback.machine->Release(callback.function);
       return true;
     });
-    return entry.second.empty();
-  });
+  }
+  std::erase_if(callbacks_, [](const auto& entry) { return entry.second.empty(); });
 }
 
 void Callbacks::Call(std::uint32_t number, const MayRun& may_run, const OnResult& on_result, const Push& push) const {
