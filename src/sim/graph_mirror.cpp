@@ -95,9 +95,15 @@ void GraphMirror::Match(const PerceptGraph& graph) {
     const Node* const before = before_[n] == kNone ? nullptr : &nodes_[before_[n]];
     std::map<std::string, std::uint32_t> places;
     for (const PerceptGraph::Link& wanted : graph.nodes[n].links) {
+      const std::uint32_t place = places[wanted.attribute]++;
+      // Working memory is a set: only one of several equal elements exists.
+      const bool is_there = is_met[wanted.node] && std::ranges::any_of(next_[n].links, [&](const Link& other) {
+                              return other.node == wanted.node && other.attribute == wanted.attribute;
+                            });
+      if (is_there) continue;
       Link& link = next_[n].links.emplace_back();
       link.attribute = wanted.attribute;
-      link.place = places[wanted.attribute]++;
+      link.place = place;
       link.node = wanted.node;
       const std::string& key = graph.nodes[wanted.node].key;
       link.name = key.empty() ? WithPlace(link.attribute, link.place) : link.attribute + "=" + key;

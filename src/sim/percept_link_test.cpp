@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <random>
 #include <string>
@@ -37,6 +39,12 @@ struct Mind {
   InputMirror first{link}, second{link};
   GraphMirror graph{link};
 };
+
+int CountOf(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
 
 class PerceptLinkTest : public testing::Test {
  protected:
@@ -106,7 +114,8 @@ TEST_F(PerceptLinkTest, BothWaysHaveTheSameElementsIdentifiersAndTimeTags) {
   }
 }
 
-/// A graph of cells in a row, with links in both directions, to further cells, and to the input link.
+/// A graph of cells in a row, with links in both directions, to further cells, and to the input link. Some links are
+/// there twice.
 script::PerceptGraph RandomGraph(std::mt19937& random) {
   script::PerceptGraph graph;
   graph.nodes.resize(random() % 6 + 1);
@@ -116,6 +125,10 @@ script::PerceptGraph RandomGraph(std::mt19937& random) {
     if (n + 1 < graph.nodes.size()) node.links.push_back({"next", n + 1});
     if (n > 0) node.links.push_back({"back", n - 1});
     if (random() % 2 == 0) node.links.push_back({"far", random() % graph.nodes.size()});
+    if (!node.links.empty() && random() % 3 == 0) {
+      const script::PerceptGraph::Link again = node.links[random() % node.links.size()];
+      node.links.push_back(again);
+    }
     node.constants.push_back({"content", static_cast<std::int64_t>(random() % 3), random() % 4 == 0});
     node.constants.push_back({"content", 1.5, false});
     if (random() % 2 == 0)
@@ -142,6 +155,24 @@ TEST_F(PerceptLinkTest, BothWaysHaveTheSameGraphsOfObjects) {
   }
   EXPECT_NE(direct_.Memory().find("^far"), std::string::npos);
   EXPECT_EQ(direct_.agent.GetInputLink()->GetNumberChildren(), 0);
+}
+
+TEST_F(PerceptLinkTest, TwoLinksToOneObjectWithTheSameAttributeAreOneElement) {
+  script::PerceptGraph graph;
+  graph.nodes.resize(3);
+  graph.nodes[0].links = {{"cell", 1}, {"cell", 1}, {"cell", 2}, {"other", 1}};
+  graph.nodes[1].links = {{"back", 0}, {"back", 0}};
+  graph.nodes[1].constants.push_back({"v", std::int64_t{1}, false});
+  for (int round = 0; round < 3; ++round) {
+    for (Mind* mind : {&direct_, &client_}) {
+      mind->graph.Show(graph);
+      if (round == 2) mind->agent.InitSoar();
+      mind->agent.RunSelf(1);
+      EXPECT_EQ(CountOf(mind->agent.ExecuteCommandLine("print --exact --internal (* ^cell *)"), "^cell"), 2);
+      EXPECT_EQ(CountOf(mind->agent.ExecuteCommandLine("print --exact --internal (* ^back *)"), "^back"), 1);
+    }
+    Compare();
+  }
 }
 
 TEST_F(PerceptLinkTest, BothWaysTreatZeroBytesAndMissingAttributesAlike) {
