@@ -40,16 +40,19 @@ void GraphMirror::ListAgain(std::size_t n, std::vector<PerceptLink::Again>& agai
   node.id = n == 0 ? link_.InputLink() : node.id;
   for (Constant& constant : node.constants) {
     if (constant.element == 0) continue;
-    again.push_back({constant.element, [this, &node, &constant] {
+    again.push_back({constant.element, [this, &node, &constant](std::vector<PerceptLink::Again>&) {
                        constant.element = link_.input()->Add(node.id, constant.attribute, ValueOf(constant.value));
                      }});
   }
-  for (Link& link : node.links)
-    if (link.element != 0) again.push_back({link.element, [this, &node, &link] { WriteAgain(node, link); }});
+  for (Link& link : node.links) {
+    if (link.element == 0) continue;
+    again.push_back({link.element,
+                     [this, &node, &link](std::vector<PerceptLink::Again>& below) { WriteAgain(node, link, below); }});
+  }
 }
 
 /// The first link to an object creates it.
-void GraphMirror::WriteAgain(Node& node, Link& link) {
+void GraphMirror::WriteAgain(Node& node, Link& link, std::vector<PerceptLink::Again>& below) {
   Handle& to = nodes_[link.node].id;
   if (is_written_[link.node]) {
     link.element = link_.input()->AddLink(node.id, link.attribute, to);
@@ -57,9 +60,7 @@ void GraphMirror::WriteAgain(Node& node, Link& link) {
   }
   link.element = link_.input()->AddObject(node.id, link.attribute, to);
   is_written_[link.node] = true;
-  std::vector<PerceptLink::Again> below;
   ListAgain(link.node, below);
-  PerceptLink::WriteAgain(std::move(below));
 }
 
 void GraphMirror::Show(const PerceptGraph& graph) {

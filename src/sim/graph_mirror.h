@@ -59,7 +59,7 @@ class GraphMirror {
   void ShowConstants(const script::PerceptGraph::Node& wanted, Node& shown, const Node* before);
   /// Lists what is below an object and must be written again.
   void ListAgain(std::size_t n, std::vector<PerceptLink::Again>& again);
-  void WriteAgain(Node& node, Link& link);
+  void WriteAgain(Node& node, Link& link, std::vector<PerceptLink::Again>& below);
   void NoteGone(std::string_view path, std::string_view attribute, std::uint32_t place);
 
   PerceptLink& link_;

@@ -2,6 +2,8 @@
 #include "sim/percept_link.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 
 #include "sim/client_input.h"
 #ifdef SOARBOX_OWN_KERNEL
@@ -28,17 +30,22 @@ PerceptLink::PerceptLink(sml::Agent& agent) {
 }
 
 void PerceptLink::WriteAgain(std::vector<Again> again) {
-  std::ranges::sort(again, {}, &Again::element);
-  for (const Again& one : again) one.write();
+  // A stack: the last element is next. Chains of objects may be too long for a recursive function.
+  std::ranges::sort(again, std::ranges::greater(), &Again::element);
+  while (!again.empty()) {
+    const Again next = std::move(again.back());
+    again.pop_back();
+    const auto rest = static_cast<std::ptrdiff_t>(again.size());
+    next.write(again);
+    std::ranges::sort(again.begin() + rest, again.end(), std::ranges::greater(), &Again::element);
+  }
 }
 
 void PerceptLink::ListAgain(Handle object, PerceptSlots& slots, std::vector<Again>& again) {
   for (PerceptSlot& slot : slots) {
-    again.push_back({slot.element, [this, object, &slot] {
+    again.push_back({slot.element, [this, object, &slot](std::vector<Again>& below) {
                        if (!Add(object, slot) || slot.kind != PerceptSlot::Kind::kObject) return;
-                       std::vector<Again> below;
                        ListAgain(slot.object.handle, *slot.object.below, below);
-                       WriteAgain(std::move(below));
                      }});
   }
 }

@@ -72,7 +72,8 @@ class PerceptLink {
   /// An element that is written again after init-soar, with everything below it.
   struct Again {
     Handle element = 0;  ///< Its previous handle.
-    std::function<void()> write;
+    /// Writes it, and appends what is directly below it.
+    std::function<void(std::vector<Again>& below)> write;
   };
   using Lister = std::function<void(std::vector<Again>& again)>;
 
@@ -86,8 +87,6 @@ class PerceptLink {
     Include([this, &top](std::vector<Again>& again) { ListAgain(InputLink(), top, again); });
   }
   void Include(Lister list) { listers_.push_back(std::move(list)); }
-  /// Writes the elements of one object again, in the order in which they were first added.
-  static void WriteAgain(std::vector<Again> again);
 
   /// Forgets the agent, which may be destroyed before this then. Nothing is added or changed any more.
   void Close() { input_.reset(); }
@@ -108,6 +107,8 @@ class PerceptLink {
   }
 
  private:
+  /// Writes elements again, depth first. The elements of one object are in the order in which they were first added.
+  static void WriteAgain(std::vector<Again> again);
   void ListAgain(Handle object, PerceptSlots& slots, std::vector<Again>& again);
 
   std::unique_ptr<mind::InputWriter> input_;

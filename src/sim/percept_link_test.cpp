@@ -2,6 +2,9 @@
 #include "sim/percept_link.h"
 
 #include <gtest/gtest.h>
+#ifndef _WIN32
+#include <pthread.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -44,6 +47,26 @@ int CountOf(const std::string& text, const std::string& part) {
   int count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
+}
+
+/// Calls a function in a thread with a stack of 512 KiB, where threads have a size of stack.
+template <typename Function>
+void OnASmallStack(Function function) {
+#ifdef _WIN32
+  function();
+#else
+  pthread_attr_t small;
+  ASSERT_EQ(pthread_attr_init(&small), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&small, std::size_t{512} << 10), 0);
+  const auto call = [](void* what) -> void* {
+    (*static_cast<Function*>(what))();
+    return nullptr;
+  };
+  pthread_t thread;
+  ASSERT_EQ(pthread_create(&thread, &small, call, &function), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&small);
+#endif
 }
 
 class PerceptLinkTest : public testing::Test {
@@ -173,6 +196,34 @@ TEST_F(PerceptLinkTest, TwoLinksToOneObjectWithTheSameAttributeAreOneElement) {
     }
     Compare();
   }
+}
+
+/// init-soar must not need more stack for more objects: a secondary thread of some systems has only 512 KiB.
+TEST_F(PerceptLinkTest, ALongChainOfObjectsIsWrittenAgainOnASmallStack) {
+  script::PerceptGraph graph;
+  graph.nodes.resize(1900);
+  for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
+    graph.nodes[n - 1].links.push_back({"next", n});
+    graph.nodes[n].links.push_back({"back", n - 1});
+    graph.nodes[n].constants.push_back({"at", static_cast<std::int64_t>(n), false});
+  }
+  for (Mind* mind : {&direct_, &client_}) {
+    mind->graph.Show(graph);
+    mind->agent.RunSelf(1);
+  }
+  OnASmallStack([this] {
+    for (Mind* mind : {&direct_, &client_}) {
+      mind->agent.InitSoar();
+      mind->agent.RunSelf(1);
+    }
+  });
+  Compare();
+  const auto memory = [](const Mind& mind) {
+    return std::string(mind.agent.ExecuteCommandLine("print --exact --internal (* ^next *)")) +
+           mind.agent.ExecuteCommandLine("print --exact --internal (* ^at *)");
+  };
+  EXPECT_EQ(memory(direct_), memory(client_));
+  EXPECT_EQ(CountOf(memory(direct_), "^next"), 1899);
 }
 
 TEST_F(PerceptLinkTest, BothWaysTreatZeroBytesAndMissingAttributesAlike) {
