@@ -21,14 +21,13 @@
 namespace soarbox::cli {
 namespace {
 
-constexpr std::string_view kFirstLine = "# The rules of a Soar agent, written by 'save rete-network'.\n";
 constexpr const char* kSourceThem =
     "source the rules that it was made from; with them, 'save rete-network' writes another";
 
 /// Why a text is not an image; nothing if it is one.
 std::optional<Diagnostic> WhyNoImage(std::string_view text, const std::string& file) {
   if (text.empty()) return ProblemIn(file, "the file is empty", kSourceThem);
-  if (text.starts_with(kFirstLine)) {
+  if (text.starts_with(kImageStart)) {
     if (std::string why = WhyNoPlainText(text); !why.empty()) return ProblemIn(file, std::move(why), kSourceThem);
     return std::nullopt;
   }
@@ -40,8 +39,15 @@ std::optional<Diagnostic> WhyNoImage(std::string_view text, const std::string& f
                    "use 'source' for files with rules and commands");
 }
 
-/// Reads all rules of an image. Returns the first error, with its place.
-Result<std::vector<Word>> RulesIn(std::string_view text, const std::string& file, const kernel::Agent& agent) {
+bool RefuseImage(CommandCall& call, const Diagnostic& problem) {
+  call.Fail(Format(problem));
+  call.result.diagnostics.back() = problem;
+  return false;
+}
+
+}  // namespace
+
+Result<std::vector<Word>> ReadRuleImage(std::string_view text, const std::string& file, const kernel::Agent& agent) {
   if (std::optional<Diagnostic> problem = WhyNoImage(text, file)) return *std::move(problem);
   CommandReader reader(text);
   std::vector<Word> words, rules;
@@ -71,13 +77,12 @@ Result<std::vector<Word>> RulesIn(std::string_view text, const std::string& file
   }
 }
 
-bool RefuseImage(CommandCall& call, const Diagnostic& problem) {
-  call.Fail(Format(problem));
-  call.result.diagnostics.back() = problem;
-  return false;
+kernel::LoadOutcome AddImageRule(kernel::Agent& agent, const Word& rule, const std::string& file) {
+  const kernel::SourcePlace place{kernel::FileName(file), rule.line, rule.column};
+  return agent.AddProduction(
+      kernel::ParseOrderedProduction(rule.text, place, agent.mutable_symbols(), {agent.settings().like, {}})
+          .production);
 }
-
-}  // namespace
 
 bool LoadRuleImage(CommandCall& call, const std::string& file) {
   if (call.interpreter.host().IsRunning(call.session)) {
@@ -88,7 +93,7 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
   const std::optional<std::string> text = ReadText(path);
   if (!text) return call.Fail("Failed to open file for reading: " + file);
   kernel::Agent& agent = call.agent();
-  const Result<std::vector<Word>> rules = RulesIn(*text, file, agent);
+  const Result<std::vector<Word>> rules = ReadRuleImage(*text, file, agent);
   if (!rules) return RefuseImage(call, rules.error());
 
   PrintStream::Capture capture(call.stream(), &call.result.text);
@@ -102,10 +107,7 @@ bool LoadRuleImage(CommandCall& call, const std::string& file) {
   call.interpreter.host().Reinitialize(call.session);
   int loaded = 0;
   for (const Word& rule : *rules) {
-    const kernel::SourcePlace place{kernel::FileName(path.string()), rule.line, rule.column};
-    const kernel::LoadOutcome outcome = agent.AddProduction(
-        kernel::ParseOrderedProduction(rule.text, place, agent.mutable_symbols(), {agent.settings().like, {}})
-            .production);
+    const kernel::LoadOutcome outcome = AddImageRule(agent, rule, path.string());
     if (outcome.loaded) {
       ++loaded;
     } else {
@@ -124,7 +126,7 @@ bool SaveRuleImage(CommandCall& call, const std::string& file) {
         "An image cannot be written while there are justifications, which only make sense in this moment of the run.\n"
         "Use 'init-soar' first, or write the image before the run.");
   }
-  std::string image(kFirstLine);
+  std::string image(kImageStart);
   const std::vector<kernel::ProductionId> rules = agent.Productions();
   for (const kernel::ProductionId id : rules)
     image +=
