@@ -3,7 +3,7 @@
 -- the markup language.
 
 local kSamples = 15;
-local kPanelMargin = 36;  -- Below the status bar of the window.
+local kPanelMargin = 36;  -- Distance from the edges of the window, in pixels.
 
 local cameraPanel;
 local profilePanel;

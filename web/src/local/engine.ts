@@ -53,8 +53,8 @@ const KEPT_AFTER_MS = 1000;
 const KEPT_WITHIN_MS = 5000;
 /** Interval between saves of a growing recording. */
 const KEPT_EVERY_MS = 60_000;
-/** The files that grading uses, and the file that records passed lessons. */
 const ENDED = "The run has ended.";
+/** The files that grading uses, and the file that records passed lessons. */
 const PLACE = "/place", HOME = "/place/home", PROGRESS = "/place/state/soarbox/learn";
 
 function withTexts<T>(engine: EngineModule, texts: readonly string[], call: (addresses: number[]) => T): T {
