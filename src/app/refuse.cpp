@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "app/refuse.h"
 
+#include <exception>
 #include <iostream>
+#include <new>
 #include <utility>
 
 #include "app/exit_codes.h"
@@ -29,6 +31,16 @@ int Refuse(const Diagnostic& problem) {
 
 int Refuse(std::string message, std::string hint, std::string file) {
   return Refuse(ProblemIn(file, std::move(message), std::move(hint)));
+}
+
+int RefuseExceptions(const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return Refuse(error.what());
+  }
 }
 
 void Remark(Severity severity, Diagnostic remark) {

@@ -17,6 +17,10 @@ int Refuse(std::string message, std::string hint = {}, std::string file = {});
 /// Also passes the errors of Refuse to a function, until it is called with {}.
 void OnRefusal(std::function<void(const Diagnostic& problem)> told);
 
+/// Returns what `run` returns. If it throws an exception, refuses with the text of that; only a lack of memory is
+/// thrown again.
+int RefuseExceptions(const std::function<int()>& run);
+
 /// Prints a note or a warning on stderr.
 void Remark(Severity severity, Diagnostic remark);
 

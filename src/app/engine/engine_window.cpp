@@ -495,10 +495,8 @@ void RaiseWall(const EngineOptions& options) {
 }
 
 /// Runs a match without pages, records it, and sends the server the scores of the agents in their order.
-int PlayMatch(const EngineOptions& options) {
+int PlayMatch(const EngineOptions& options, EngineChannel& channel) {
   const char* const state = std::getenv("XDG_STATE_HOME");
-  EngineChannel channel(options.socket);
-  OnRefusal([&](const Diagnostic& problem) { channel.Send(serve::FrameKind::kReason, problem.message); });
   RunOptions run;
   run.scenario = options.match.string();
   run.headless = run.by_strangers = true;
@@ -514,13 +512,12 @@ int PlayMatch(const EngineOptions& options) {
   run.record_limit_mb = kRecording_mb;
   const int code = Run(run);
   const Result<std::unique_ptr<record::Reader>> recording = record::Reader::Open(run.record);
-  if (!recording) return code == kOk ? Refuse(recording.error()) : code;
+  if (!recording) return code == kOk || code == kProblems ? Refuse(recording.error()) : code;
   const Result<const record::TickRecord*> last = (*recording)->At((*recording)->last_tick());
   if (!last) return Refuse(last.error());
   nlohmann::ordered_json scores = nlohmann::ordered_json::array();
   for (const world::AgentSnapshot& agent : (*last)->scene.agents)
     scores.push_back(agent.has_score ? nlohmann::ordered_json(agent.score) : nlohmann::ordered_json());
-  OnRefusal({});
   channel.Send(serve::FrameKind::kText, nlohmann::ordered_json{{"message", "match"}, {"scores", scores}}.dump());
   // Sends the queued data before this process ends.
   constexpr int kToSend_ms = 100;
@@ -663,16 +660,25 @@ int Engine(const EngineOptions& given) {
   const EngineOptions options = WithRealPaths(given);
   if (options.is_walled) RaiseWall(options);
   EndWithServer(options.socket);
-  if (!options.match.empty()) return PlayMatch(options);
+  // The server gets the reason of an end only while the channel exists, so exceptions are caught here.
+  if (!options.match.empty()) {
+    EngineChannel channel(options.socket);
+    OnRefusal([&](const Diagnostic& problem) { channel.Send(serve::FrameKind::kReason, problem.message); });
+    const int code = RefuseExceptions([&] { return PlayMatch(options, channel); });
+    OnRefusal({});
+    return code;
+  }
   const EngineWindow window(options);
   SetProgramWindow(&window);
-  if (!options.recording.empty()) {
-    RecordingOptions replay;
-    replay.file = options.recording;
-    return Replay(replay);
-  }
-  const Result<RunOptions> run = RunOf(options);
-  return run ? Run(*run) : Refuse(run.error());
+  return RefuseExceptions([&] {
+    if (!options.recording.empty()) {
+      RecordingOptions replay;
+      replay.file = options.recording;
+      return Replay(replay);
+    }
+    const Result<RunOptions> run = RunOf(options);
+    return run ? Run(*run) : Refuse(run.error());
+  });
 }
 
 }  // namespace soarbox::app
