@@ -9,12 +9,12 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "app/refuse.h"
 #include "mission/testing.h"
 #include "record/recorder.h"
 #include "world/world.h"
@@ -133,8 +133,12 @@ std::string RunRecordings::Write(RunSession& session, const fs::path& file, cons
   writing.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
   writing.manifest = manifest_;
   const auto fail = [&](Diagnostic problem) -> std::string {
-    if (is_usual || at != nullptr) problem.severity = Severity::kWarning;
-    std::cerr << Format(problem);
+    if (is_usual || at != nullptr) {
+      Remark(Severity::kWarning, std::move(problem));
+    } else {
+      problem.severity = Severity::kError;
+      Refuse(problem);
+    }
     return {};
   };
   Result<std::unique_ptr<record::Writer>> writer = record::Writer::Create(file, header, writing);

@@ -139,7 +139,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
                                        : sim::FindScenario(options.scenario, data.value(), options.extra_folders);
   if (!scenario) return Refuse(scenario.error());
   if (const Result<void> replaced = sim::ReplaceRules(*scenario, options.rules); !replaced) {
-    std::cerr << Format(replaced.error());
+    Refuse(replaced.error());
     return kUsage;
   }
 
@@ -191,7 +191,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
   settings.soar.remote_limit_ms = static_cast<int>(options.kernel_limit_s * 1000);
   if (!options.kernel.empty()) {
     if (const Result<void> read = ReadKernelAddress(options.kernel, settings.soar); !read) {
-      std::cerr << Format(read.error());
+      Refuse(read.error());
       return kUsage;
     }
   } else {
@@ -223,7 +223,7 @@ int SetUpRun(const RunOptions& given, std::unique_ptr<RunSetup>& result) {
 
   const Result<record::Level> level = record::LevelNamed(options.record_level);
   if (!level) {
-    std::cerr << Format(level.error());
+    Refuse(level.error());
     return kUsage;
   }
   const bool is_recorded = WantsRecording(options);

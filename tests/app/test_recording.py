@@ -7,12 +7,15 @@ import os
 import pathlib
 import random
 import signal
+import socket
 import subprocess
 import tempfile
 import time
 import unittest
 
-from soarbox_command import COMMAND, Run, new_folder, wait_until
+from soarbox_command import COMMAND, Run, end_with, new_folder, wait_until
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 
 SECONDS = 12
 
@@ -315,3 +318,33 @@ class Resume(Recorded):
     def test_a_moment_that_is_not_there(self):
         done = Run("resume", self.file, "--at", 1000, code=3)
         self.assertIn("is not in the recording", done.err)
+
+
+class OfAMatch(unittest.TestCase):
+    """The process that plays a match of a tournament for a server."""
+
+    def reason(self, state):
+        """Why it ended: the text that it sends to the server."""
+        match = REPOSITORY / "scenarios" / "soar_skirmish"
+        ours, theirs = socket.socketpair()
+        with ours:
+            with theirs:
+                engine = end_with(self, subprocess.Popen(
+                    ["sh", "-c", 'exec "$@" 3<&0 </dev/null', "sh", COMMAND, "engine", "--match", match, "--seconds", "1",
+                     "--home", state.parent],
+                    stdin=theirs.fileno(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                    env={**os.environ, "XDG_STATE_HOME": str(state)}))
+            ours.settimeout(120)
+            sent = b""
+            while got := ours.recv(65536):
+                sent += got
+        self.assertEqual(engine.wait(120), 3)
+        self.assertEqual((sent[:1], int.from_bytes(sent[1:5], "little")), (b"e", len(sent) - 5))
+        return sent[5:].decode()
+
+    def test_that_cannot_be_written_is_the_reason_of_the_end(self):
+        folder = new_folder(self)
+        self.assertIn("this recording cannot be written: No such file", self.reason(folder / "missing"))
+        (folder / "full").mkdir()
+        (folder / "full" / "match.soarrec").symlink_to("/dev/full")
+        self.assertIn("No space left on device", self.reason(folder / "full"))
