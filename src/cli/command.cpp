@@ -98,7 +98,8 @@ bool RunSubcommand(CommandCall& call, const SubcommandTexts& texts) {
     for (const SubcommandInfo* subcommand : found) names.push_back(subcommand->name);
     return call.Fail(DidYouMean(std::move(names)) + invalid);
   }
-  if (found.empty() && (word == "?" || word == "help")) return ShowHelp(call, command.name);
+  if (found.empty() && (word == "?" || word == "help"))
+    return ShowHelp(call, command.name) && (!texts.fails_after_help || call.FailPrinted());
   if (found.empty()) {
     std::vector<std::string_view> names;
     for (const SubcommandInfo& subcommand : command.subcommands) names.push_back(subcommand.name);

@@ -77,7 +77,8 @@ std::span<const CommandInfo> Commands();
 /// The command with this full name or unique prefix. If there is none, returns null and sets `error` to Soar's message.
 const CommandInfo* FindCommand(std::string_view word, std::string& error);
 
-/// Prints the output of `help NAME`, for commands whose `?` has no other output in Soar that programs could rely on.
+/// Prints the output of `help NAME`. The `?` of a command prints it, too, if no program could rely on what that prints
+/// in Soar. Whether `NAME ?` succeeds is as in Soar (SubcommandTexts::fails_after_help).
 bool ShowHelp(CommandCall& call, std::string_view name);
 
 /// The line that lists the possible meanings of an ambiguous word.
@@ -88,6 +89,7 @@ struct SubcommandTexts {
   std::string invalid = {};          ///< If there is no such subcommand.
   std::string usage_hint = {};       ///< Follows the message about an invalid option.
   std::string_view also_known = {};  ///< Letters of options that are accepted although no subcommand has them.
+  bool fails_after_help = true;      ///< `?` prints the help, then fails, as in Soar 9.6.3.
 };
 
 /// Executes the subcommand of words[0] that words[1] names by its full name or a unique prefix; `?` and `help` print

@@ -246,7 +246,9 @@ bool CommandOutput(CommandCall& call) {
   }
   return RunSubcommand(call, {"Invalid output sub-command.  Use 'output ?' to see a list of valid sub-commands and "
                               "settings.",
-                              "Use 'output ?' and 'help output' to learn more about the output command."});
+                              "Use 'output ?' and 'help output' to learn more about the output command.",
+                              {},
+                              false});
 }
 
 bool CommandEcho(CommandCall& call) {

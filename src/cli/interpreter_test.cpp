@@ -16,7 +16,9 @@
 namespace soarbox::cli {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -91,9 +93,24 @@ TEST_F(InterpreterTest, AQuestionMarkPrintsTheHelpOfACommand) {
        {"debug", "decide", "epmem", "load", "output", "production", "save", "visualize", "wm"}) {
     const std::string help = Do(std::string("help ") + command).text;
     EXPECT_THAT(help, HasSubstr("\n\n  ")) << command;
-    for (const char* const word : {" ?", " help"}) EXPECT_EQ(Do(std::string(command) + word).text, help) << command;
+    for (const char* const word : {" ?", " help"})
+      EXPECT_THAT(Do(std::string(command) + word).text, StartsWith(help)) << command;
   }
   EXPECT_THAT(Do("decide nothing").text, HasSubstr("Invalid decide command.  Use 'decide ?'"));
+}
+
+TEST_F(InterpreterTest, AQuestionMarkSucceedsOnlyIfItDoesInSoar) {
+  for (const char* const command : {"debug", "decide", "load", "production", "save", "wm"}) {
+    const CommandResult asked = Do(std::string(command) + " ?");
+    EXPECT_FALSE(asked.ok) << command;
+    EXPECT_THAT(asked.text, EndsWith("command failed (see return string for details)\n")) << command;
+    EXPECT_TRUE(Do(std::string("help ") + command).ok) << command;
+  }
+  for (const char* const command : {"epmem", "explain", "output", "soar", "visualize"})
+    EXPECT_TRUE(Do(std::string(command) + " ?").ok) << command;
+  const CommandResult sourced = Do("source " + Write("asks.soar", "echo before\ndecide ?\n"));
+  EXPECT_FALSE(sourced.ok);
+  EXPECT_THAT(sourced.text, AllOf(StartsWith("before\n"), HasSubstr("asks.soar:2")));
 }
 
 TEST_F(InterpreterTest, SettingsOfSoarAreShownAndChanged) {

@@ -13,6 +13,7 @@
 namespace soarbox::cli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -141,6 +142,21 @@ TEST_F(RuleImageTest, AnImageKeepsWhatPrintLeavesOut) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(target.agent.symbols().FloatValue(rule_of(target)->actions[i].value.symbol()),
               shell.agent.symbols().FloatValue(rule_of(shell)->actions[i].value.symbol()));
+}
+
+TEST_F(RuleImageTest, AnImageKeepsRulesThatBeginWithANegatedCondition) {
+  Shell shell;
+  shell.Do("sp {one (state <s> ^superstate nil) -{(state <t> ^a zz)} --> (<s> ^one yes)}");
+  shell.Do("sp {both (state <s> ^superstate nil) -{(state <t> ^a zz) (<t> ^b <x>)} --> (<s> ^both yes)}");
+  const std::string rules = shell.Do("print --internal --full --all").text;
+  ASSERT_THAT(rules,
+              AllOf(HasSubstr("sp {one\n    (state <t> -^a zz)"), HasSubstr("sp {both\n   -{ (state <t> ^a zz)")));
+  shell.Do("save rete-network --save " + Path("negated.soarx"));
+  Shell target;
+  EXPECT_TRUE(target.Do("load rete-network --load " + Path("negated.soarx")).ok);
+  EXPECT_EQ(target.Do("print --internal --full --all").text, rules);
+  EXPECT_EQ(target.Life(), shell.Life());
+  EXPECT_EQ(target.agent.CheckInvariants(), "");
 }
 
 TEST_F(RuleImageTest, AFileThatIsNoImageIsRefusedWithAWayOn) {
