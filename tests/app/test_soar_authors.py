@@ -320,6 +320,26 @@ class Starters(ScenarioCase):
     def test_overwrite_nothing(self):
         self.assertEqual(Run("new", self.folder).code, 3)
 
+    def test_take_no_name_that_gives_two_files_the_same_name(self):
+        for name in ("lamp", "Lamp"):
+            run = Run("new", self.folder / name, "--lua", code=3)
+            self.assertIn(f"'lamp.soar' and 'stroller.soar' would both become '{name}.soar'", run.err)
+            self.assertIn("choose another name", run.err)
+            self.assertFalse((self.folder / name).exists())
+        Run("new", self.folder / "lamp", code=0)
+
+    def test_leave_no_folder_if_a_file_of_them_cannot_be_read(self):
+        data = self.folder / "data"
+        (data / "scenarios").mkdir(parents=True)
+        team = data / "media" / "starters" / "two_teams"
+        team.mkdir(parents=True)
+        (team / "fighter.soar").touch()
+        os.truncate(team / "fighter.soar", 2 << 30)  # Larger than files that the program reads.
+        for kind, message in (((), "this folder cannot be read"), (("--team",), "fighter.soar: error: this file cannot be read")):
+            run = Run("new", self.folder / "mine", *kind, code=3, variables={"SOARBOX_DATA": str(data)})
+            self.assertIn(message, run.err)
+            self.assertFalse((self.folder / "mine").exists())
+
 
 class Listing(unittest.TestCase):
     def test_describes_each_scenario_in_a_line(self):
