@@ -352,6 +352,7 @@ class Looking(WindowUser):
             click "File"
             click "Save picture"
             expect "Saved as soarbox-"
+            click-at 640 300
             key Ctrl+Shift+P
             type "save picture"
             key Return
