@@ -174,7 +174,7 @@ void CheckDefinitions(const Code& code, const std::string& file, std::vector<Dia
     if (!word.names_function || word.name.find('_') == std::string_view::npos || IsIn(word.name, kCalled)) continue;
     const std::string_view near = Suggest(word.name, {std::begin(kCalled), std::end(kCalled)});
     // Less similar names are functions of the script itself.
-    const auto sizes = std::minmax(near.size(), word.name.size());
+    const auto sizes = std::minmax({near.size(), word.name.size()});
     if (near.empty() || sizes.second - sizes.first > 2 || near.substr(0, 4) != word.name.substr(0, 4)) continue;
     if (code.code.find(word.name, word.at + word.name.size()) != std::string::npos) continue;
     found.push_back(
