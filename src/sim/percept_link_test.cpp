@@ -219,8 +219,10 @@ TEST_F(PerceptLinkTest, ALongChainOfObjectsIsWrittenAgainOnASmallStack) {
   });
   Compare();
   const auto memory = [](const Mind& mind) {
-    return std::string(mind.agent.ExecuteCommandLine("print --exact --internal (* ^next *)")) +
-           mind.agent.ExecuteCommandLine("print --exact --internal (* ^at *)");
+    // The text of a command is valid until the next command.
+    std::string text = mind.agent.ExecuteCommandLine("print --exact --internal (* ^next *)");
+    text += mind.agent.ExecuteCommandLine("print --exact --internal (* ^at *)");
+    return text;
   };
   EXPECT_EQ(memory(direct_), memory(client_));
   EXPECT_EQ(CountOf(memory(direct_), "^next"), 1899);
