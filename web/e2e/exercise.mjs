@@ -39,7 +39,7 @@ test("foreign agents are marked, and the panel of the exercise describes it", { 
     await until(async () => (await page.locator(".labels .name b").allInnerTexts()).some((name) => name.startsWith("◇ ")), "a foreign body is marked in the picture");
     await page.getByRole("tab", { name: "Exercise" }).click();
     await until(async () => /[1-9]\d* entit(y|ies) of others/i.test(await page.locator(".panel.exercise").innerText()), "there are entities of others");
-    await until(async () => /Received\s+[1-9]\d* PDUs/.test(await page.locator(".panel.exercise").innerText()), "PDUs are counted");
+    await until(async () => /Received:\s+[1-9]\d* PDUs/.test(await page.locator(".panel.exercise").innerText()), "PDUs are counted");
     const foreign = page.locator(".panel.exercise td button").first(), name = await foreign.innerText();
     await foreign.click();
     await page.waitForSelector(`.panel.exercise tr.chosen:has-text("${name}")`);
