@@ -35,12 +35,6 @@ std::string WithName(const std::string& id, const std::string& name) {
   return name.empty() ? id : id + " (" + name + ")";
 }
 
-std::string Dotted(const std::vector<std::string>& path) {
-  std::string text = "^";
-  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ".") + path[i];
-  return text;
-}
-
 bool IsRelation(const std::string& word) {
   return word == "<" || word == ">" || word == "<=" || word == ">=" || word == "<>" || word == "<=>" || word == "=";
 }

@@ -10,6 +10,7 @@
 #include "explain/rule_makers.h"
 #include "explain/rule_slips.h"
 #include "explain/rule_text.h"
+#include "explain/what_is_there.h"
 #include "vocabulary/vocabulary.h"
 #include "wording/number_words.h"
 #include "wording/sentences.h"
@@ -40,15 +41,6 @@ std::string List(const std::vector<std::string>& words) {
     text += (i == 0 ? "" : ", ") + WithoutZeros(words[i]);
   if (words.size() > kMostValuesShown) text += " and " + std::to_string(words.size() - kMostValuesShown) + " more";
   return text;
-}
-
-/// "^name, ^place and 2 more"
-std::string AttributeList(const std::vector<std::string>& attributes) {
-  constexpr std::size_t kMost = 6;
-  std::vector<std::string> shown;
-  for (std::size_t i = 0; i < attributes.size() && i < kMost; ++i) shown.push_back("^" + attributes[i]);
-  if (attributes.size() > kMost) shown.push_back(std::to_string(attributes.size() - kMost) + " more");
-  return Listed(shown);
 }
 
 /// Advice for a test "<> x" of an element that is absent; empty for other tests.
@@ -86,116 +78,6 @@ std::string WhoTestsClock(const std::vector<RuleText>& rules, const std::string&
     other = &rule;
   }
   return other == nullptr ? std::string() : Say(Situation::kOthersTestClock, {{"rule", other->name}});
-}
-
-/// The part of a path that begins at ^io.input-link: rules may reach the link of the top state through ^superstate or
-/// an element of their own, such as ^top. Empty if the path does not lead through the link.
-std::vector<std::string> FromLink(const std::vector<std::string>& path) {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    if (path[i] == "io" && path[i + 1] == "input-link")
-      return {path.begin() + static_cast<std::ptrdiff_t>(i), path.end()};
-  return {};
-}
-
-/// The percept at this path from the state; null if there is none.
-const vocabulary::PerceptRow* RowAt(const std::vector<std::string>& from_state) {
-  const std::vector<std::string> path = FromLink(from_state);
-  constexpr std::size_t kLink = 2;  // io.input-link
-  if (path.size() <= kLink) return nullptr;
-  std::string dotted;
-  for (std::size_t i = kLink; i < path.size(); ++i) dotted += (i == kLink ? "" : ".") + path[i];
-  for (const vocabulary::PerceptRow& row : vocabulary::Percepts())
-    if (row.path == dotted) return &row;
-  return nullptr;
-}
-
-/// The attributes of an identifier, each once.
-std::set<std::string> AttributesOf(Inspector& inspector, const std::string& id) {
-  std::set<std::string> attributes;
-  for (const ElementFact& element : inspector.ElementsOf(id)) attributes.insert(element.attribute);
-  return attributes;
-}
-
-/// Percepts of the same object whose names begin with that of an absent one: "^io.input-link.radar-status is off" for
-/// ^io.input-link.radar. Empty if there are none.
-std::string RelatedPercepts(MindView& view, Inspector& inspector, const std::string& state,
-                            const std::vector<std::string>& path) {
-  constexpr std::size_t kLink = 2;  // io.input-link
-  const std::vector<std::string> on_link = FromLink(path);
-  if (on_link.size() <= kLink) return {};
-  const std::vector<std::string> above(path.begin(), path.end() - 1);
-  std::string dotted, text;
-  for (const std::string& step : above) dotted += (dotted.empty() ? "^" : ".") + step;
-  for (const std::string& object : view.ValuesAt(state, above)) {
-    if (!IsIdentifier(object)) continue;
-    for (const ElementFact& element : inspector.ElementsOf(object))
-      if (element.attribute.starts_with(path.back() + "-") && !element.is_object)
-        text += (text.empty() ? "" : ", ") + dotted + "." + element.attribute + " is " + WithoutZeros(element.value);
-  }
-  return text;
-}
-
-/// For a condition whose path ends in objects although it tests a word: the attribute below these objects that has the
-/// word. "^content" for ^my-location.<direction> normalfood; empty if none has it.
-std::string AttributeWithWord(MindView& view, Inspector& inspector, const std::string& state,
-                              const ConditionText& condition) {
-  for (const std::string& object : view.ValuesAt(state, condition.path)) {
-    if (!IsIdentifier(object)) continue;
-    for (const ElementFact& element : inspector.ElementsOf(object)) {
-      if (element.is_object || element.value.empty()) continue;
-      // The test is a word, or a list of words: << normalfood bonusfood >>.
-      const std::string words = " " + condition.value + " ";
-      const bool is_test = words.find_first_of("<>") == std::string::npos || words.find("<<") != std::string::npos;
-      if (is_test && words.find(" " + element.value + " ") != std::string::npos) return element.attribute;
-    }
-  }
-  return {};
-}
-
-/// For an element that a condition requires and that is absent from this state: the attributes that its object has
-/// instead, or the places below the state that have it. The text is empty if nothing useful is known.
-RuleWait::Found WhatIsThere(MindView& view, Inspector& inspector, const std::string& state,
-                            const ConditionText& condition) {
-  using enum RuleWait::Kind;
-  const RuleWait::Found nothing = {"", kAbsent};
-  const std::string& attribute = condition.path.back();
-  if (!IsConstantAttribute(attribute)) return nothing;
-  if (condition.path.size() == 1) {
-    if (IsArchitectureAttribute(attribute)) return nothing;
-    // The state has no such element, but one of its own objects does now, or other rules test it there.
-    std::set<std::string> places;
-    const auto add = [&](const std::string& object) {
-      if (IsConstantAttribute(object) && !IsArchitectureAttribute(object))
-        places.insert("^" + object + "." + attribute);
-    };
-    for (const std::string& object : AttributesOf(inspector, state))
-      if (!view.ValuesAt(state, {object, attribute}).empty()) add(object);
-    for (const RuleText& other : view.rules()) {
-      for (const RuleAttribute& tested : other.conditions) {
-        const auto path = other.paths.find(tested.id);
-        if (tested.attribute != attribute || path == other.paths.end()) continue;
-        if (const std::vector<std::string> below = FromTop(path->second); below.size() == 1) add(below.front());
-      }
-    }
-    if (places.empty()) return nothing;
-    return {"; it is " + Listed(std::vector<std::string>(places.begin(), places.end()))};
-  }
-  // Answers of the world and of memories may come later, and percepts change. Their absence means nothing.
-  const bool is_answer = IsArchitectureAttribute(attribute) && attribute != "name" && attribute != "value";
-  if (is_answer || condition.path.front() == "io") return nothing;
-  const std::vector<std::string> above(condition.path.begin(), condition.path.end() - 1);
-  const std::vector<std::string> objects = view.ValuesAt(state, above);
-  if (objects.empty()) return nothing;
-  std::string path;
-  for (const std::string& step : above) path += (path.empty() ? "^" : ".") + step;
-  std::set<std::string> found;
-  for (const std::string& object : objects) {
-    if (!IsIdentifier(object)) return {"; " + path + " is " + object + ", a value without attributes"};
-    for (const std::string& each : AttributesOf(inspector, object)) found.insert(each);
-  }
-  // The attributes of a state are too many to list.
-  if (found.empty() || found.contains("superstate")) return nothing;
-  return {"; " + path + " has only " + AttributeList({found.begin(), found.end()}), kAbsent};
 }
 
 }  // namespace
@@ -599,18 +481,15 @@ std::optional<RuleWait> MindReasons::ExplainRule(const RuleText& rule, const std
                         .found = {above}};
     }
   }
-  if (const std::string below = AttributeWithWord(view_, *MakeInspector(agent_), StateOf(rule), first);
-      shown.empty() && !below.empty())
-    return waits({"it is an object, and ^" + below + " below it has this word"});
-  if (shown.empty())
-    return waits(
-        {others == 1 ? Say(Situation::kOneDoesNotFit) : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}),
-         kElsewhere});
   // The value exists, but for another object, for example for another waypoint than the one of the earlier conditions.
   if (std::find(shown.begin(), shown.end(), first.value) != shown.end())
     return waits({Say(Situation::kElsewhere), kElsewhere});
   if (const std::string below = AttributeWithWord(view_, *MakeInspector(agent_), StateOf(rule), first); !below.empty())
     return waits({"it is an object, and ^" + below + " below it has this word"});
+  if (shown.empty())
+    return waits(
+        {others == 1 ? Say(Situation::kOneDoesNotFit) : Say(Situation::kNoneFits, {{"count", std::to_string(others)}}),
+         kElsewhere});
   std::string found = Say(Situation::kOtherValue, {{"values", List(shown)}}) + bound;
   const std::vector<std::string_view> words = WordsOfPercept(first.path.back());
   const bool is_word = !words.empty() && RowAt(first.path) != nullptr &&

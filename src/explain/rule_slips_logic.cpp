@@ -18,12 +18,6 @@ namespace {
 
 using Path = std::vector<std::string>;
 
-std::string Dotted(const Path& path) {
-  std::string text;
-  for (const std::string& step : path) text += (text.empty() ? "^" : ".") + step;
-  return text;
-}
-
 /// A constant of a rule without bars; empty for anything else.
 std::string ConstantIn(const std::string& value) {
   if (value.size() > 2 && value.front() == '|' && value.find('|', 1) == value.size() - 1)

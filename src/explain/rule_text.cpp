@@ -133,6 +133,12 @@ bool IsIdentifier(std::string_view value) {
          value.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
+std::string Dotted(const std::vector<std::string>& path) {
+  std::string text = "^";
+  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ".") + path[i];
+  return text;
+}
+
 std::string FirstWord(const std::string& value) {
   if (!value.starts_with('|')) return value.substr(0, value.find(' '));
   std::size_t end = 1;

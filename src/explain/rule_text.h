@@ -61,6 +61,8 @@ struct RuleText {
 bool IsIdentifier(std::string_view value);
 /// The part of `value` before the first blank.
 std::string FirstWord(const std::string& value);
+/// "^io.input-link.self", with all steps of a path.
+std::string Dotted(const std::vector<std::string>& path);
 /// Parses the output of `print --all --full`. Skips text that is not a rule.
 std::vector<RuleText> ReadRules(std::string_view text);
 /// Replaces the comments in a text of rules by blanks, so that positions stay the same.
