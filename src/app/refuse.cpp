@@ -12,20 +12,20 @@
 namespace soarbox::app {
 namespace {
 
-std::function<void(const Diagnostic&)>& Told() {
-  static std::function<void(const Diagnostic&)> told;
-  return told;
+std::function<void(const Diagnostic&)>& Listener() {
+  static std::function<void(const Diagnostic&)> listener;
+  return listener;
 }
 
 }  // namespace
 
-void OnRefusal(std::function<void(const Diagnostic& problem)> told) {
-  Told() = std::move(told);
+void OnRefusal(std::function<void(const Diagnostic& problem)> listener) {
+  Listener() = std::move(listener);
 }
 
 int Refuse(const Diagnostic& problem) {
   std::cerr << Format(problem);
-  if (Told()) Told()(problem);
+  if (Listener()) Listener()(problem);
   return kCannotStart;
 }
 

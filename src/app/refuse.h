@@ -15,7 +15,7 @@ int Refuse(const Diagnostic& problem);
 int Refuse(std::string message, std::string hint = {}, std::string file = {});
 
 /// Also passes the errors of Refuse to a function, until it is called with {}.
-void OnRefusal(std::function<void(const Diagnostic& problem)> told);
+void OnRefusal(std::function<void(const Diagnostic& problem)> listener);
 
 /// Returns what `run` returns. If it throws an exception, refuses with the text of that; only a lack of memory is
 /// thrown again.
